@@ -4,7 +4,9 @@
 
 Six four-bars at random (seeds 0 to 5) give positions, pairs and points; the task is to find them again. Found: a
 solution with their four lengths to 1e-6. Error: of the best solution, in the task itself (m or rad). Time: the least of
-three, of the search alone; that of freebody besides with every candidate checked for defects.
+three, of the search alone; that of freebody besides with every candidate checked for defects. Paths without crank
+angles are searched: found there is a linkage whose coupler curve comes through all points to 1e-6. Slider-cranks
+pylinkage does not synthesise.
 """
 
 from __future__ import annotations
@@ -18,13 +20,13 @@ from typing import Any
 
 import numpy as np
 
-import freebody as fb
 from freebody.study.synthesis.candidates import candidates
 from freebody.study.synthesis.positions import Position, places
 from freebody.study.synthesis.tasks import Task
 
 ANGLES = (0.2, 0.7, 1.3, 1.9, 2.8)
 SEEDS = range(6)
+SEARCHED = range(3)  # where it takes seconds
 Pair = tuple[float, float]
 
 
@@ -194,23 +196,114 @@ def main() -> None:
         cells += [f"{x[:, 5].sum():.0f} of {len(x)}", f"{x[:, 6].mean():.1f}"]
         cells += [f"{errors.max():.0e}" if len(errors) else "-", f"{1e3 * np.nanmean(x[:, 8]):.1f} ms"]
         print(f"| {name} | {' | '.join(cells)} |")
+    sliders()
+    free_paths()
     closed()
 
 
 def closed() -> None:
     """24 points of a closed path, without crank angles."""
-    found, seconds = 0, 0.0
-    for seed in SEEDS:
+    for seed in SEARCHED:
         bar = FourBar(seed)
         points = [bar.at(float(t))[2] for t in np.linspace(0.0, math.tau, 24, endpoint=False)]
         if any(math.isnan(p.real) for p in points):
             continue
-        began = time.perf_counter()
-        best = fb.synthesise({"task": "path", "points": [[p.real, p.imag] for p in points]}, most=1).candidates[0]
-        seconds += time.perf_counter() - began
-        found += best.linkage.missed < 1e-6
-        print(f"  closed path of 24 points, seed {seed}: missed by {best.linkage.missed:.1e} m")
-    print(f"closed path of 24 points: {found} found exactly, {seconds / len(SEEDS):.1f} s each")
+        missed, seconds, _n = searched("four-bar", points, closed=True)
+        print(f"closed path of 24 points, seed {seed}: missed by {missed:.1e} m, {seconds:.1f} s")
+
+
+def searched(linkage: str, points: list[complex], *, closed: bool) -> tuple[float, float, int]:
+    """What the best linkage misses, seconds, and how many there are."""
+    task = Task("", "path", linkage, points=np.array([(p.real, p.imag) for p in points]), is_closed=closed)
+    began = time.perf_counter()
+    found = candidates(task).linkages
+    return min(x.missed for x in found), time.perf_counter() - began, len(found)
+
+
+def free_paths() -> None:
+    """Points of an arc of four-bars, without crank angles, beside pylinkage; and of slider-cranks."""
+    synthesis = import_module("pylinkage.synthesis")
+    for n in (4, 5):
+        for seed in SEARCHED:
+            bar = FourBar(seed)
+            points = [bar.at(t)[2] for t in ANGLES[:n]]
+            missed, seconds, k = searched("four-bar", points, closed=False)
+            began = time.perf_counter()
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                peer = synthesis.path_generation([(p.real, p.imag) for p in points], require_grashof=False)
+            took = time.perf_counter() - began
+            off = min((off_curve(bar, s, points) for s in peer.raw_solutions), default=math.nan)
+            print(f"path of {n} points, seed {seed}: {k} linkages, missed by {missed:.1e} m, {seconds:.1f} s; ", end="")
+            print(f"pylinkage: {len(peer.raw_solutions)}, missed by {off:.1e} m, {took:.1f} s")
+
+
+def off_curve(bar: FourBar, s: Any, points: list[complex]) -> float:
+    """How far the points are at worst from the coupler curve of a solution of pylinkage, on both sides."""
+    A, D, B, C, P = (
+        complex(*x) for x in (s.ground_pivot_a, s.ground_pivot_d, s.crank_pivot_b, s.coupler_pivot_c, s.coupler_point)
+    )
+    lengths, frame = (abs(B - A), abs(C - B), abs(C - D), abs(D - A)), (D - A) / abs(D - A)
+
+    def traced(theta: float, side: int) -> complex:
+        b, c, _P = bar.at(theta, side, lengths)
+        return A + frame * (b + (P - B) / (C - B) * (c - b))
+
+    every = [(t, side) for t in np.linspace(0, math.tau, 1441).tolist() for side in (-1, 1)]
+    at = np.array([traced(*one) for one in every])
+    worst = 0.0
+    for point in points:
+        (theta, side), step = every[int(np.nanargmin(np.abs(at - point)))], math.tau / 1440
+        for _ in range(40):  # thirds of an interval
+            theta = min((theta - step, theta, theta + step), key=lambda t: _distance(traced(t, side), point))
+            step *= 0.6
+        worst = max(worst, _distance(traced(theta, side), point))
+    return worst
+
+
+def _distance(a: complex, b: complex) -> float:
+    return abs(a - b) if math.isfinite(abs(a)) else math.inf
+
+
+def sliders() -> None:
+    """Crank 1, rod and offset at random: the tasks of slider-cranks, which give them back."""
+    rows: dict[str, list[tuple[bool, int, float]]] = {}
+    for seed in SEEDS:
+        rng = np.random.default_rng(seed)
+        rod, offset = float(rng.uniform(2.0, 3.5)), float(rng.uniform(-0.6, 0.6))
+        for name, task in slider_tasks(rod, offset, is_searched=seed in SEARCHED):
+            began = time.perf_counter()
+            found = candidates(task).linkages
+            took = time.perf_counter() - began
+            own = [tuple(abs(x) for x in linkage.lengths.values()) for linkage in found]
+            rows.setdefault(name, []).append((is_among((1.0, rod, abs(offset)), own), len(own), took))
+    print("| slider-crank | found | solutions | time |")
+    print("|---|---|---|---|")
+    for name, every in rows.items():
+        hits, n, took = (np.array(x, dtype=float) for x in zip(*every, strict=True))
+        print(f"| {name} | {hits.sum():.0f} of {len(hits)} | {n.mean():.1f} | {1e3 * took.mean():.1f} ms |")
+
+
+def slider_tasks(rod: float, offset: float, *, is_searched: bool) -> Iterator[tuple[str, Task]]:
+    def at(theta: float) -> tuple[complex, float, float]:
+        """P, the angle of the rod, where the slider is."""
+        B = np.exp(1j * theta)
+        phi = math.asin((offset - B.imag) / rod)
+        return complex(B + (0.4 + 0.7j) * np.exp(1j * phi)), phi, float(B.real + rod * math.cos(phi))
+
+    every = [(theta, *at(theta)) for theta in ANGLES]
+    moved = tuple(Position(p.real, p.imag, phi) for _t, p, phi, _s in every)
+    yield "motion, 5 positions", Task("", "motion", "slider-crank", positions=moved)
+    for n in (3, 4, 5):
+        pairs = np.array([(theta, s) for theta, _p, _phi, s in every[:n]])
+        yield f"function, {n} pairs", Task("", "function", "slider-crank", pairs=pairs)
+    timed = tuple(Position(p.real, p.imag, theta) for theta, p, _phi, _s in every)
+    yield "path, 5 points with crank angles", Task("", "path", "slider-crank", positions=timed)
+    if is_searched:
+        for n, last, is_closed in ((8, 5.5, False), (24, math.tau * 23 / 24, True)):
+            points = np.array([(p.real, p.imag) for t in np.linspace(0.0, last, n).tolist() for p in [at(t)[0]]])
+            task = Task("", "path", "slider-crank", points=points, is_closed=is_closed)
+            yield f"path, {n} points without crank angles", task
 
 
 if __name__ == "__main__":

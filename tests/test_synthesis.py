@@ -17,12 +17,12 @@ from command import freebody
 from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import snapshot_of
-from freebody.study.synthesis import loop
 from freebody.study.synthesis.certificate import certified, model_text, seen_alike
 from freebody.study.synthesis.curves import centre_point_curve, circle_point_curve, opposite_poles
 from freebody.study.synthesis.fewer import by_pivot, curve, on_lines, pole, slides
 from freebody.study.synthesis.five import five_positions
 from freebody.study.synthesis.linkage import Linkage, cognates, driven_at_other_end
+from freebody.study.synthesis.loop import LOOPS, TracedPath
 from freebody.study.synthesis.picture import coupler_curve
 from freebody.study.synthesis.positions import Position, inverted, places, rows_of
 from freebody.study.synthesis.result import Synthesis
@@ -431,18 +431,27 @@ def test_a_closed_path_of_many_points_leads_back_to_its_four_bar() -> None:
     assert "not proved" in found.about
 
 
-def test_slopes_of_the_fitted_curve_are_those_of_differences() -> None:
+@pytest.mark.parametrize("is_timed", [False, True], ids=["untimed", "timed"])
+@pytest.mark.parametrize(
+    ("linkage", "lengths"),
+    [
+        ("four-bar", (0.5, 1.3, 1.1, 1.2)),
+        ("slider-crank", (0.5, 1.3, -0.2)),
+        ("inverted-slider-crank", (0.5, 1.2, -0.2)),
+    ],
+)
+def test_slopes_of_the_fitted_curve_are_those_of_differences(
+    linkage: str, lengths: tuple[float, ...], is_timed: bool
+) -> None:
     rng = np.random.default_rng(3)
-    x = np.concatenate(([0.1, -0.2, 0.3, 0.5, 1.3, 1.1, 1.2, 0.4, 0.6], rng.uniform(0, math.tau, 7)))
     target = rng.normal(size=7) + 1j * rng.normal(size=7)
+    theta = rng.uniform(0, math.tau, 7)
+    path = TracedPath(LOOPS[linkage], target, theta - theta[0] if is_timed else None)
+    x = np.concatenate(([0.1, -0.2, 0.3, *lengths, 0.4, 0.6], theta[:1] if is_timed else theta))
     for side in (-1, 1):
-        slopes = loop.slopes(x, side, target)
         h = 1e-6
-        steps = [
-            (loop.residuals(x + h * e, side, target) - loop.residuals(x - h * e, side, target)) / (2 * h)
-            for e in np.eye(len(x))
-        ]
-        assert slopes == pytest.approx(np.column_stack(steps), abs=1e-7)
+        steps = [(path.residuals(x + h * e, side) - path.residuals(x - h * e, side)) / (2 * h) for e in np.eye(len(x))]
+        assert path.slopes(x, side) == pytest.approx(np.column_stack(steps), abs=1e-7)
 
 
 def off_the_sextic(linkage: Linkage, points: Array) -> float:
@@ -638,6 +647,9 @@ def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp
     assert freebody("synthesise", str(tmp_path / "none.yaml")).returncode == 2
 
 
+MOVED = [{"at": [f"{k} m", f"{k * k} m"], "angle": f"{10 * k} deg"} for k in range(4)]
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -645,11 +657,20 @@ def test_the_command_prints_writes_and_ends_with_whether_something_was_found(tmp
         ("task: motion\npositions: [{at: [0, 0], angle: 0}]", "at least 2"),
         ("task: motion\npositions: [{at: [0, 0]}, {at: [1 kg, 0], angle: 0}]", "kg"),
         ("task: motion\nposition: []\npositions: []", "a task has no position. Did you mean positions"),
-        ("task: path\npoints: [[0, 0], [1, 0]]", "need crank angles"),
         (
             "task: function\nlinkage: inverted-slider-crank\npairs: [[1, 1], [2, 1], [3, 1]]",
             "by four-bars and slider-cranks only",
         ),
+        ("task: path\npoints: [[0, 0]]", "at least 2"),
+        ("task: path\npoints: [[0, 0], [1, 0], [1, 0]]", "points 2 and 3 are the same"),
+        ("task: path\npoints: [[0, 0], [1, 0], [1, 1], [0, 0]]", "comes back to its first point by itself"),
+        ("task: motion\npositions: [{at: [0, 0], angle: 0}, {at: [0, 0], angle: 0}]", "positions 1 and 2 are the same"),
+        ("task: function\npairs: [[1 rad, 1 rad], [1 rad, 2 rad]]", "pairs 1 and 2 have the same input"),
+        ("task: path\npivots: [[0, 0]]\npoints: [[0, 0], [1, 0]]", "pivots belongs to motion generation"),
+        (f"task: motion\nslide: 0 deg\npositions: {MOVED[:2]}", "a four-bar has no slide"),
+        (f"task: motion\nlinkage: slider-crank\nslide: 0 deg\npositions: {MOVED}", "cannot be chosen with 4 positions"),
+        (f"task: motion\nwithin: [[0, 0]]\npositions: {MOVED}", "within has two corners"),
+        (f"task: motion\nwithin: 3\npositions: {MOVED}", "within is a list of points"),
         ("task: path\nclosed: perhaps\npoints: [[0, 0], [1, 0]]", "closed is true or false"),
         ("task: function\nframe: 0 m\npairs: [[1, 1], [1.1, 1], [1.2, 1]]", "length greater than 0"),
         ("task: function\npairs: [[40, 1], [1.1, 1], [1.2, 1]]", "has no unit"),

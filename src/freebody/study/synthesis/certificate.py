@@ -7,6 +7,7 @@ poses, which knows nothing of how the candidate was made.
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import dataclass
 
@@ -42,7 +43,7 @@ class Certificate:
 def model_text(linkage: Linkage, title: str) -> str:
     """The candidate in position 1 as a model file."""
     names = _bodies(linkage)
-    lines = ["freebody: 1", f"title: {title}", ""]
+    lines = ["freebody: 1", f"title: {json.dumps(title, ensure_ascii=False)}", ""]
     points = [f"A: {_point(linkage.A)}"] + ([] if linkage.D is None else [f"D: {_point(linkage.D)}"])
     if linkage.is_slider:
         assert linkage.along is not None

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from freebody.numeric.jets import Array
-from freebody.present.charts.frame import SMALL, legend, picture
+from freebody.present.charts.frame import legend, picture
 from freebody.present.picture import label
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.shapes import Ink, Shape, Word, line
-from freebody.present.symbols import circle
 from freebody.study.synthesis.curves import centre_point_curve, circle_point_curve, opposite_poles
 from freebody.study.synthesis.linkage import Linkage
+from freebody.study.synthesis.picture import Placed, named, spot
 from freebody.study.synthesis.positions import Dyad, Position
 
 _SIDE = 320.0  # [points]
@@ -23,7 +23,6 @@ _ROOM = 0.18  # round what is shown, of its size
 _CENTRES, _CIRCLES, _POLES = Ink("body", 0), Ink("body", 1), Ink("muted")
 _TICK = 9.0  # [points] by which a position is drawn
 
-Placed = Callable[[Array], Array]
 Drawn = tuple[list[Shape], list[Word]]
 
 
@@ -48,7 +47,7 @@ def curve_picture(
     shapes += [Shape(at(run), _CIRCLES, 1.5, dashes=(6.0, 2.5)) for run in circle_point_curve(positions, low, side)]
     pivots = [(d.moving, _CIRCLES) for d in dyads if not d.is_line]
     pivots += [(d.fixed, _CENTRES) for d in dyads if not d.is_slide]
-    shapes += [_spot(at(place)[0], 1.8, ink) for place, ink in pivots if _is_seen(at(place))]
+    shapes += [spot(at(place)[0], 1.8, ink) for place, ink in pivots if _is_seen(at(place))]
     for more, told in (_places(positions, at), _poles(seen, at), _bars(linkage, at)):
         shapes, words = shapes + more, words + told
     kinds = [("centre-point curve", _CENTRES), ("circle-point curve (dashed)", _CIRCLES)]
@@ -76,10 +75,6 @@ def _is_seen(place: Array) -> bool:
     return bool(((place >= 0.0) & (place <= _SIDE)).all())
 
 
-def _spot(at: Array, radius: float, fill: Ink, edge: Ink | None = None) -> Shape:
-    return Shape(at + circle(radius, 4), edge, 0.0 if edge is None else 1.1, fill, is_closed=True)
-
-
 def _places(positions: Sequence[Position], at: Placed) -> Drawn:
     """The origin of the moving plane in each position with its first axis, by their numbers."""
     shapes: list[Shape] = []
@@ -89,7 +84,7 @@ def _places(positions: Sequence[Position], at: Placed) -> Drawn:
         along = np.array((math.cos(p.angle), math.sin(p.angle)))
         across = np.array((-along[1], along[0]))
         shapes.append(Shape(np.array((place + _TICK * along, place, place + 0.5 * _TICK * across)), Ink(), 1.2))
-        words.append(_named(label.words(str(k)), place - 7.0 * (along + 0.3 * across), Ink()))
+        words.append(named(label.words(str(k)), place - 7.0 * (along + 0.3 * across), Ink()))
     return shapes, words
 
 
@@ -98,8 +93,8 @@ def _poles(poles: Sequence[tuple[str, Array]], at: Placed) -> Drawn:
     words: list[Word] = []
     for name, place in poles:
         pole = at(place)[0]
-        shapes.append(_spot(pole, 2.6, Ink("paper"), _POLES))
-        words.append(_named(label.name(f"P_{name}"), pole + np.array((10.0, -8.0)), _POLES))
+        shapes.append(spot(pole, 2.6, Ink("paper"), _POLES))
+        words.append(named(label.name(f"P_{name}"), pole + np.array((10.0, -8.0)), _POLES))
     return shapes, words
 
 
@@ -124,10 +119,6 @@ def _bars(linkage: Linkage | None, at: Placed) -> Drawn:
     for name, place in pins:
         pin = at(place)[0]
         away = (pin - middle) / max(float(np.linalg.norm(pin - middle)), 1e-9)
-        shapes.append(_spot(pin, 2.8, Ink("paper"), Ink()))
-        words.append(_named(label.name(name), pin + 11.0 * away, Ink()))
+        shapes.append(spot(pin, 2.8, Ink("paper"), Ink()))
+        words.append(named(label.name(name), pin + 11.0 * away, Ink()))
     return shapes, words
-
-
-def _named(text: label.Label, at: Array, ink: Ink) -> Word:
-    return Word(text, at, SMALL + 1.0, ink)

@@ -2,8 +2,8 @@
 
     4   W on the circle-point curve, a cubic through the pole P_12: a line through it at an angle meets it twice more,
         so that the angle and one of two roots tell every dyad; one point besides moves on a straight line
-    3   a fixed pivot G gives W, linearly
-    2   W and a point of the bisector of its two places give G
+    3   a fixed pivot G gives W, linearly; points on straight lines are on a circle, one for each direction
+    2   a fixed pivot G gives a straight line of W; every point moves on a straight line
 
 Source: McCarthy & Soh, Geometric Design of Linkages, 2nd ed. 2011, sec. 5.2 to 5.4.
 """
@@ -11,14 +11,15 @@ Source: McCarthy & Soh, Geometric Design of Linkages, 2nd ed. 2011, sec. 5.2 to 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
-from freebody.study.synthesis.positions import Dyad, Position, bar, displacements, places, rows_of, size_of, slide
+from freebody.study.synthesis.linkage import cross
+from freebody.study.synthesis.positions import Dyad, Position, bar, displacements, rows_of, size_of, slide
 
 _CLOSE = 1e-9  # residual of a dyad, in sizes, that counts as none
 
@@ -78,20 +79,32 @@ def pole(positions: Sequence[Position], i: int = 0, j: int = 1) -> Array:
     return np.asarray(np.linalg.solve(Ri - Rj, dj - di), dtype=np.float64)
 
 
-def turned_pair(positions: Sequence[Position]) -> tuple[int, int]:
-    """Two positions that have a pole."""
+def turned_pair(positions: Sequence[Position]) -> tuple[int, int] | None:
+    """Two positions that have a pole; None where all are turned alike."""
     n = len(positions)
     for i in range(n):
         for j in range(i + 1, n):
             if abs(math.sin(0.5 * (positions[i].angle - positions[j].angle))) > 1e-9:
                 return i, j
-    raise CannotAnswer(Message("all positions are turned alike: every point moves alike, and any slide leads them"))
+    return None
 
 
 def curve(positions: Sequence[Position], n: int) -> list[Dyad]:
-    """Dyads of four positions at n lines through a pole: samples of the circle-point and of the centre-point curve."""
-    through = pole(positions, *turned_pair(positions))
+    """Dyads of four positions, not all turned alike, at n lines through a pole: samples of the circle-point and of the
+    centre-point curve."""
+    pair = turned_pair(positions)
+    assert pair is not None
+    through = pole(positions, *pair)
     return [d for at in on_lines(positions, through, [math.pi * (k + 0.5) / n for k in range(n)]) for d in at]
+
+
+def by_point(positions: Sequence[Position], W: Array) -> Dyad | None:
+    """The dyad of a point where all positions are turned alike: its places are those of any other point, moved. With
+    w = W - G the condition is d_j . w = -|d_j|^2/2. None where they are on no circle."""
+    d = np.array([d for _R, d in displacements(positions)[1:]])
+    w = np.asarray(np.linalg.pinv(d) @ (-0.5 * (d * d).sum(axis=1)), dtype=np.float64)
+    found = bar(positions, W, W - w)
+    return found if found.residual <= _CLOSE * (size_of(positions) + found.length) else None
 
 
 def by_pivot(positions: Sequence[Position], G: Array) -> Dyad | None:
@@ -108,29 +121,62 @@ def by_pivot(positions: Sequence[Position], G: Array) -> Dyad | None:
     return found if found.residual <= 1e-6 * size_of(positions) else None
 
 
-def by_points(positions: Sequence[Position], W: Array, part: float) -> Dyad:
-    """The dyad of two positions with the moving pivot W; its fixed pivot lies on the bisector of the places of W,
-    `part` times their distance to the left of the middle."""
-    a, b = places(positions, W)
-    along = b - a
-    return bar(positions, W, 0.5 * (a + b) + part * np.array((-along[1], along[0])))
+def by_pivot_near(positions: Sequence[Position], G: Array, W: Array) -> Dyad | None:
+    """The dyad of two positions about a fixed pivot: of the moving pivots, which are on a straight line, the one that
+    is nearest to W. None where there is no such line."""
+    g = np.append(G, 1.0)
+    found = _nearest_zero(lambda X: float(rows_of(positions, X)[0] @ g), W)
+    return None if found is None else bar(positions, found, G)
 
 
-def slides(positions: Sequence[Position], angles: Sequence[float]) -> list[Dyad]:
-    """Points that move on straight lines: of four positions one, of three those of a circle, on lines at `angles`
-    through a pole. Raises CannotAnswer where all are turned alike.
+def _nearest_zero(f: Callable[[Array], float], W: Array) -> Array | None:
+    """The point nearest to W where f vanishes, which is linear but for a constant; None where it is constant."""
+    at = [f(np.zeros(2)), f(np.array((1.0, 0.0))), f(np.array((0.0, 1.0)))]
+    a = np.array((at[1] - at[0], at[2] - at[0]))
+    square = float(a @ a)
+    return None if not square > 0.0 else W - a * (float(a @ W) + at[0]) / square
+
+
+def slides(
+    positions: Sequence[Position], angles: Sequence[float], near: Sequence[Array] = (), *, is_chosen: bool = False
+) -> list[Dyad]:
+    """Points that move on straight lines.
+
+    4   one in general, Ball's point of four positions
+    3   those of a circle through a pole: one for each direction of the slide, at `angles` if `is_chosen`, else spread
+    2   every point: those `near`, or if `is_chosen` the nearest to them that move in the direction of the first angle
+
+    Where all positions are turned alike every point moves as the others: those `near`, or none.
 
     The places of W lie on a line if (A_j, B_j) = W - R_j W - d_j are parallel for all j; any two of them are on a
     circle through the pole of both positions. Two positions that have a pole are taken first."""
-    first, second = turned_pair(positions)
-    order = [first, second, *(k for k in range(len(positions)) if k not in (first, second))]
+    pair = turned_pair(positions)
+    if pair is None or len(positions) == 2:
+        found = [slide(positions, W) for W in near]
+        if is_chosen and pair is not None:
+            found = _in_direction(positions, angles[0], near)
+        elif is_chosen:
+            along = np.array((math.cos(angles[0]), math.sin(angles[0])))
+            found = [d for d in found if abs(cross(along, d.fixed)) < _CLOSE]
+        return [d for d in found if d.residual <= _CLOSE * (size_of(positions) + float(np.abs(d.moving).max()))]
+    first, second = pair
+    order = [first, second, *(k for k in range(len(positions)) if k not in pair)]
     ordered = [positions[k] for k in order]
     if len(positions) == 3:
-        found = [d for a in angles for d in _slide_on(ordered, np.array((math.cos(a), math.sin(a))))]
+        # a point at r from the pole moves from one of the two places to the other across r, turned by half the angle
+        back = 0.5 * (math.pi + positions[second].angle - positions[first].angle) if is_chosen else 0.0
+        found = [d for a in angles for d in _slide_on(ordered, np.array((math.cos(a - back), math.sin(a - back))))]
     else:
         found = _ball_point(ordered)
     R, d = displacements(positions)[first]
     return [slide(positions, R.T @ (x.moving - d)) for x in found]
+
+
+def _in_direction(positions: Sequence[Position], angle: float, near: Sequence[Array]) -> list[Dyad]:
+    """Of two positions: points whose places are on a line at this angle, which are on a straight line themselves."""
+    along = np.array((math.cos(angle), math.sin(angle)))
+    across = [_nearest_zero(lambda X: cross(along, rows_of(positions, X)[0][:2]), W) for W in near]
+    return [slide(positions, W) for W in across if W is not None]
 
 
 def _parallel(positions: Sequence[Position], W: Array, i: int, j: int) -> float:

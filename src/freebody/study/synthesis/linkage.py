@@ -260,21 +260,29 @@ def cross(u: Array, v: Array) -> float:
 
 
 def cognates(linkage: Linkage) -> list[Linkage]:
-    """The other two four-bars of Roberts and Chebyshev that trace the same curve, each with the crank that turns as the
-    coupler of the given one.
+    """The other linkages of the same kind that trace the same curve, by Roberts and Chebyshev: two of a four-bar, one
+    of a slider-crank, each with the crank that turns as the coupler of the given one.
 
     A_1 = A + (P - B), C_1 = A_1 + lambda (P - A_1), D_1 = A + lambda (D - A), lambda = (P - B)/(C - B) as complex
-    numbers; the other one with both sides exchanged."""
-    assert linkage.D is not None
+    numbers; the other one with both sides exchanged. C_1 = A + lambda (C - A): where C moves on a straight line C_1
+    does so too. Inverted, lambda is 0, and nothing but the parallelogram A B P A_1 is left."""
     assert linkage.P is not None
-    found: list[Linkage] = []
-    for A, B, C, D in ((linkage.A, linkage.B, linkage.C, linkage.D), (linkage.D, linkage.C, linkage.B, linkage.A)):
-        a, b, c, d, p = (_complex(x) for x in (A, B, C, D, linkage.P))
-        ratio = ((p - b) / (c - b))[0]
-        a1 = a + p - b
-        c1 = a1 + ratio * (p - a1)
-        found.append(Linkage(A, _plane(a1), _plane(c1), _plane(a + ratio * (d - a)), P=linkage.P))
-    return found
+    if linkage.is_inverted:
+        return []
+    if linkage.D is None:
+        return [_cognate(linkage.A, linkage.B, linkage.C, None, linkage.along, linkage.P)]
+    sides = ((linkage.A, linkage.B, linkage.C, linkage.D), (linkage.D, linkage.C, linkage.B, linkage.A))
+    return [_cognate(*side, None, linkage.P) for side in sides]
+
+
+def _cognate(A: Array, B: Array, C: Array, D: Array | None, along: Array | None, P: Array) -> Linkage:
+    a, b, c, p = (_complex(x) for x in (A, B, C, P))
+    ratio = ((p - b) / (c - b))[0]
+    a1 = a + p - b
+    c1 = a1 + ratio * (p - a1)
+    d1 = None if D is None else _plane(a + ratio * (_complex(D) - a))
+    e1 = None if along is None or ratio == 0.0 else _plane(ratio / abs(ratio) * _complex(along))
+    return Linkage(A, _plane(a1), _plane(c1), d1, along if e1 is None else e1, P)
 
 
 def driven_at_other_end(linkage: Linkage) -> Linkage:

@@ -72,6 +72,11 @@ class Synthesis(Result):
         """Whether a candidate does the task."""
         return bool(self.certified)
 
+    @property
+    def is_searched(self) -> bool:
+        """Whether the linkages of a path were not put together from dyads."""
+        return self.task.kind == "path" and not self.dyads
+
     def write_models(self, folder: Path) -> list[Path]:
         """Each certified candidate as a model file, candidate_1.yaml first. Raises InputError where that cannot be."""
         try:
@@ -135,7 +140,7 @@ class Synthesis(Result):
         task = self.task
         yield from entries(
             entry("task", f"{task.kind} generation, {task.linkage}, {task.n} {TASKS[task.kind]}"),
-            entry("search" if task.is_fitted else "dyads", str(self.about)),
+            entry("search" if self.is_searched else "dyads", str(self.about)),
             entry("candidates", Message("{n}, of which {k} certified", n=len(self.candidates), k=len(self.certified))),
         )
         yield from self._table(self.candidates[:_MOST_SHOWN])
@@ -148,13 +153,12 @@ class Synthesis(Result):
 
     def _table(self, shown: tuple[Candidate, ...]) -> Iterator[Block]:
         """Dimensions and verdicts, and what is wrong."""
-        task = self.task
         if not shown:
             return
         names = list(shown[0].linkage.lengths)
 
         def missed(c: Candidate) -> list[str]:
-            return [f"{c.linkage.missed:.2g}"] if task.is_fitted else []
+            return [f"{c.linkage.missed:.2g}"] if self.is_searched else []
 
         rows = [
             [
@@ -175,7 +179,7 @@ class Synthesis(Result):
                         "",
                         *(f"{n} [m]" for n in names),
                         "transmission [deg]",
-                        *(["missed [m]"] if task.is_fitted else []),
+                        *(["missed [m]"] if self.is_searched else []),
                         "",
                     ],
                 )
@@ -192,7 +196,7 @@ class Synthesis(Result):
     @property
     def has_curves(self) -> bool:
         """Whether the coupler has four positions, whose dyads lie on two curves."""
-        return len(self.task.positions) == 4
+        return len(self.task.positions) == 4 and not self.is_searched
 
     def curves(self, k: int = 1) -> Picture:
         """Centre-point and circle-point curve of four positions, of a motion with the dyads of candidate k, from 1.

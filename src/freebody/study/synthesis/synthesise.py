@@ -43,9 +43,10 @@ def synthesise(
 
 
 def _rank(c: Candidate) -> tuple[int, int, float, float]:
-    """Good ones first, then by how near they come, then by how well the coupler drives the output."""
+    """Good ones first, then by how near they come, then by how well the coupler drives the output; cognates that do so
+    alike stay in their order, whatever rounding says."""
     least = c.certificate.transmission[0] if c.certificate and c.certificate.transmission else c.linkage.transmission
-    return len(c.defects), 0 if c.certificate else 1, c.linkage.missed, -least
+    return len(c.defects), 0 if c.certificate else 1, c.linkage.missed, -round(least, 6)
 
 
 def _looked_at(task: Task, k: int, candidate: Candidate) -> Candidate:
