@@ -5,7 +5,8 @@ change by less than half a turn. From the ends of a step alone several turns can
 bodies turn far in a step, bearings are followed through parts of it, by its dense output.
 
 Looking back costs little where many steps are looked at together. That is done where nothing in the motion itself
-depends on the count: steps are kept until a batch of them is full.
+depends on the count: steps are kept until a batch of them is full, by the kernels themselves, so that what is short
+does not come back to Python, for which other threads wait, after every step.
 """
 
 from __future__ import annotations
@@ -32,46 +33,52 @@ class Counting:
     """The turns of the bearings of an engine along one run."""
 
     def __init__(self, engine: Evaluator, run: SteppedRun, *, is_read: bool) -> None:
-        """is_read: whether the motion depends on the count, so that it is wanted after every step."""
-        self.engine, self.run = engine, run
+        """Counts from where bearings are now. run: of which one with room for steps is made. is_read: whether the
+        motion depends on the count, so that it is wanted after every step."""
         n_kept = 1 if is_read else BATCH
         n_terms, n_y = run.dense.shape
-        self._old = np.empty((n_kept, n_y))
-        self._dense = np.empty((n_kept, n_terms, n_y))
-        self._clock = np.empty((n_kept, len(run.clock)))
-        self._near = np.empty((n_kept, len(engine.room.measures)))  # after a step, as the steps alone count
-        self._last = run.states[stepped_run.OLD], run.dense, run.clock, engine.near_view  # of the last step
-        self._n = 0
+        self.engine = engine
+        self.run = run._replace(
+            kept_old=np.empty((n_kept, n_y)),
+            kept_dense=np.empty((n_kept * n_terms, n_y)),
+            kept_clock=np.empty((n_kept, len(run.clock))),
+            kept_near=np.empty((n_kept, len(engine.room.measures))),  # after a step, as the steps alone count
+        )
         self._times: list[Floats] = []
         self._bearings: list[Floats] = []
+        self._counted(run.clock[[stepped_run.NOW]], engine.near()[None, :])
 
-    def begin(self) -> None:
-        """Counts from where bearings are now."""
-        self._counted(self.run.clock[[stepped_run.NOW]], self.engine.near()[None, :])
+    def keep(self) -> None:
+        """Takes the last step of a method that is not one of kernels; see `stepping.keep`."""
+        run, n_terms = self.run, len(self.run.dense)
+        k = int(run.count[stepped_run.KEPT])
+        run.kept_old[k], run.kept_clock[k] = run.states[stepped_run.OLD], run.clock
+        run.kept_dense[k * n_terms : (k + 1) * n_terms] = run.dense
+        run.kept_near[k] = self.engine.near_view
+        run.count[stepped_run.KEPT] = k + 1
 
-    def add(self) -> None:
-        """Takes the last step."""
-        k = self._n
-        self._old[k], self._dense[k], self._clock[k], self._near[k] = self._last
-        self._n = k + 1
-        if self._n == len(self._old):
+    def look(self) -> None:
+        """Looks back where no room is left for another step."""
+        if self.run.count[stepped_run.KEPT] == len(self.run.kept_clock):
             self.look_back()
 
     def look_back(self) -> None:
         """Counts through the steps that are kept; the engine counts on from there."""
-        n, self._n = self._n, 0
+        run, n = self.run, int(self.run.count[stepped_run.KEPT])
+        run.count[stepped_run.KEPT] = 0
         if not n:
             return
-        old, dense = self._old[:n], self._dense[:n]
+        old, clock, near = run.kept_old[:n], run.kept_clock[:n], run.kept_near[:n]
+        dense = run.kept_dense.reshape(len(run.kept_clock), *run.dense.shape)[:n]
         turned = self.engine.border.largest_turn(old, old + dense[:, 0])
         if turned.max() <= TURN:
-            self._counted(self._clock[:n, stepped_run.NOW].copy(), self._near[:n].copy())
+            self._counted(clock[:, stepped_run.NOW].copy(), near.copy())
             return
         n_parts = np.maximum(1, np.ceil(turned / TURN).astype(np.intp))
         step = np.repeat(np.arange(n), n_parts)
         part = np.arange(1, len(step) + 1) - np.repeat(np.cumsum(n_parts) - n_parts, n_parts)
         s = part / n_parts[step]
-        clock = self._clock[step]
+        clock = clock[step]
         times = clock[:, stepped_run.BEFORE] + s * clock[:, stepped_run.DONE_STEP]
         is_end = part == n_parts[step]
         times[is_end] = clock[is_end, stepped_run.NOW]

@@ -340,4 +340,8 @@ class Evaluator(Packed):
             out_y=np.zeros((len(outputs), self.n_y)),
             out_a=np.zeros((len(outputs), n)),
             out_multiplier=np.zeros((len(outputs), n_held)),
+            kept_old=np.zeros((0, self.n_y)),
+            kept_dense=np.zeros((0, self.n_y)),
+            kept_clock=np.zeros((0, stepped_run.N_CLOCK)),
+            kept_near=np.zeros((0, len(self.room.measures))),
         )

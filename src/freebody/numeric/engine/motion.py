@@ -61,7 +61,7 @@ class RunningMotion(MotionUnderWay):
         clock = self.run.clock
         clock[stepped_run.END], clock[stepped_run.TOLERANCE] = until, options.tolerance
         clock[stepped_run.LONGEST], clock[stepped_run.STEP] = options.longest, options.step or first_step
-        self.run.count[stepped_run.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
+        self.run.count[stepped_run.IS_WATCHED] = int(bool(engine.watches))
         self.counting: Counting | None = None
         self.patrol: GuardMonitor | None = None
         self.violation: Violation | None = None
@@ -118,7 +118,7 @@ class RunningMotion(MotionUnderWay):
             if result == stepped_run.LOOK and self.kept is not None:
                 self.kept.add(self.run)
             if result == stepped_run.LOOK and self.counting is not None:
-                self.counting.add()
+                self.counting.look()
             if result == stepped_run.LOOK and self._look():
                 if self.violation is not None:
                     return Status.EVENT, ""
@@ -163,6 +163,8 @@ class RunningMotion(MotionUnderWay):
         if self.solver is not None:
             for _ in range(min(n, 64)):
                 result = self.solver.advance()
+                if result == stepped_run.LOOK and self.counting is not None:
+                    self.counting.keep()
                 if result != stepped_run.PAUSED:
                     return result
             return stepped_run.PAUSED
@@ -198,7 +200,7 @@ class RunningMotion(MotionUnderWay):
         if e.is_tracked:
             is_read = e.reads_turns or bool(e.watches) or self.patrol is not None
             self.counting = Counting(e, run, is_read=is_read)
-            self.counting.begin()
+            self.run = self.counting.run
         if e.watches:
             self._begin_searches()
         return True

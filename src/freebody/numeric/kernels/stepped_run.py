@@ -25,7 +25,7 @@ N_CLOCK = 16
     ALLOWED,
     MOVED,
 ) = range(14)
-N_COUNT = 12
+N_COUNT = 13
 (
     STEPS,
     EVALUATIONS,
@@ -39,7 +39,8 @@ N_COUNT = 12
     TROUBLE,
     IS_CAREFUL,
     LEFT_OUT,
-) = range(12)
+    KEPT,
+) = range(13)
 # what `advance` returns
 REACHED, PAUSED, LOOK, TOO_SMALL, STIFF_FOUND = 0, 1, 2, 3, 4
 STIFF_STEPS = 15  # so many whose size stability bounds are taken for stiffness
@@ -76,3 +77,8 @@ class SteppedRun(NamedTuple):
     out_y: Floats2
     out_a: Floats2
     out_multiplier: Floats2
+    # steps that are kept until they are looked at together, a row each (a row for each term of `dense`)
+    kept_old: Floats2
+    kept_dense: Floats2
+    kept_clock: Floats2
+    kept_near: Floats2

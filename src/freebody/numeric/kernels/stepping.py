@@ -36,6 +36,7 @@ from freebody.numeric.kernels.stepped_run import (
     FIRST,
     IS_CAREFUL,
     IS_WATCHED,
+    KEPT,
     LEFT_OUT,
     LONGEST,
     LOOK,
@@ -180,15 +181,32 @@ def choose_next(T, R, h, error, was_rejected, is_last):
 def show(L, S, T, R):
     """The dense output of the step, if it is looked at, and the outputs that lie in it."""
     has_outputs = R.count[OUTPUTS] < len(R.out_t) and R.out_t[R.count[OUTPUTS]] <= R.clock[NOW]
-    if R.count[IS_WATCHED] > 0 or (has_outputs and R.out_t[R.count[OUTPUTS]] < R.clock[NOW]):
+    is_seen = R.count[IS_WATCHED] > 0 or len(R.kept_clock) > 0
+    if is_seen or (has_outputs and R.out_t[R.count[OUTPUTS]] < R.clock[NOW]):
         interpolant(L, S, T, R)
     if has_outputs:
         store_outputs(L, S, R)
 
 
+@part
+def keep(S, R):
+    """Copies the last step, with the bearings at its end, into the next row that is free; True if none is left."""
+    k, n_terms = R.count[KEPT], len(R.dense)
+    for i in range(len(R.states[Y])):
+        R.kept_old[k, i] = R.states[OLD][i]
+        for j in range(n_terms):
+            R.kept_dense[k * n_terms + j, i] = R.dense[j, i]
+    for i in range(len(R.clock)):
+        R.kept_clock[k, i] = R.clock[i]
+    for i in range(len(S.measures)):
+        R.kept_near[k, i] = S.measures[i, NEAR]
+    R.count[KEPT] = k + 1
+    return k + 1 == len(R.kept_clock)
+
+
 @of_either
 def advance(L: ModelArrays, S: Workspace, T: Tableau, R: SteppedRun, max_steps: int) -> int:
-    """Makes steps to the end time, or max_steps of them, or one if the run is watched.
+    """Makes steps to the end time, or max_steps of them, or one if the run is watched, or as many as can be kept.
 
     A step is tried until its error is allowed, what is held can be closed at its end, and it does not end next to a
     singular pose. There slightly different steps are tried first (`n_others`), and errors may be ten times as large
@@ -239,7 +257,8 @@ def advance(L: ModelArrays, S: Workspace, T: Tableau, R: SteppedRun, max_steps: 
         show(L, S, T, R)
         for i in range(len(R.states[Y])):
             R.slopes[0, i] = R.slopes[T.sizes[0], i]
-        if R.count[IS_WATCHED] > 0:
+        is_full = keep(S, R) if len(R.kept_clock) > 0 else False
+        if is_full or R.count[IS_WATCHED] > 0:
             return LOOK
         if R.count[STIFF] >= STIFF_STEPS:
             return STIFF_FOUND

@@ -105,6 +105,7 @@ def on_disk(
     """A new store, or the one that is there, to go on with. about: what must be the same. Raises InputError where it
     cannot be written, where there is one and nobody said to go on, and where it is of another sweep."""
     shapes = {"numbers": (n, n_columns), "statuses": (n, n_evaluators), "done": (n,)}
+    sizes = {name: int(np.prod(shapes[name])) * np.dtype(dtype).itemsize for name, dtype in _FILES.items()}
     if folder.exists():
         if not resume:
             raise InputError(
@@ -113,21 +114,20 @@ def on_disk(
                     folder=folder,
                 )
             )
-        _check_same(folder, about)
+        _check_same(folder, about, sizes)
     else:
-        _made(folder, about, shapes)
+        _made(folder, about, sizes)
     arrays: dict[str, Any] = {
         name: np.memmap(folder / f"{name}.bin", dtype, "r+", shape=shapes[name]) for name, dtype in _FILES.items()
     }
     return Store(**arrays, folder=folder)
 
 
-def _made(folder: Path, about: Mapping[str, Any], shapes: Mapping[str, tuple[int, ...]]) -> None:
-    """The files in their full size, so that a full disk is told at once."""
+def _made(folder: Path, about: Mapping[str, Any], sizes: Mapping[str, int]) -> None:
+    """The files in their full size [bytes], so that a full disk is told at once."""
     try:
         folder.mkdir(parents=False)
-        for name, dtype in _FILES.items():
-            size = int(np.prod(shapes[name])) * np.dtype(dtype).itemsize
+        for name, size in sizes.items():
             with (folder / f"{name}.bin").open("wb") as file:
                 if hasattr(os, "posix_fallocate") and size:
                     os.posix_fallocate(file.fileno(), 0, size)
@@ -137,24 +137,23 @@ def _made(folder: Path, about: Mapping[str, Any], shapes: Mapping[str, tuple[int
     except OSError as error:
         shutil.rmtree(folder, ignore_errors=True)
         if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
-            size = sum(int(np.prod(shapes[name])) * np.dtype(dtype).itemsize for name, dtype in _FILES.items())
             told = Message(
                 "{folder} cannot be written: the results take {size:.3g} MB, and the disk is full",
                 folder=folder,
-                size=size / 1e6,
+                size=sum(sizes.values()) / 1e6,
             )
             raise InputError(told) from error
         raise InputError(Message("{folder} cannot be written: {why}", folder=folder, why=error.strerror)) from error
 
 
-def _check_same(folder: Path, about: Mapping[str, Any]) -> None:
-    """Raises InputError that names what is not as it was when a sweep began."""
+def _check_same(folder: Path, about: Mapping[str, Any], sizes: Mapping[str, int]) -> None:
+    """Raises InputError that names what is not as it was when a sweep began, and for files that are not whole."""
+    none = Message("{folder} is no sweep that could go on: remove it and begin anew", folder=folder)
     try:
         before: dict[str, Any] = json.loads((folder / "about.json").read_text(encoding="utf-8"))
+        are_there = {name: (folder / f"{name}.bin").stat().st_size for name in sizes}
     except (OSError, ValueError) as error:
-        raise InputError(
-            Message("{folder} is no sweep that could go on: remove it and begin anew", folder=folder)
-        ) from error
+        raise InputError(none) from error
     changed = [name for name in about if before.get(name) != about[name]]
     if changed:
         raise InputError(
@@ -164,3 +163,5 @@ def _check_same(folder: Path, about: Mapping[str, Any]) -> None:
                 what=", ".join(changed),
             )
         )
+    if are_there != sizes:  # a copy that has lost its end would be filled up with zeros
+        raise InputError(none)

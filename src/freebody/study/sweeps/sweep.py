@@ -6,6 +6,7 @@ import hashlib
 import math
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
@@ -103,9 +104,10 @@ def sweep(
     if cluster is None:
         is_over = running.run(cases, evaluators, store, threads=threads, block=block, progress=progress)
     else:
-        with connected(cluster) as client:
-            is_over = remote.run(client, cases, evaluators, store, block=block, progress=progress)
-            threads = sum(client.nthreads().values())
+        is_over = False
+        with suppress(KeyboardInterrupt), connected(cluster) as there:  # the first worker may take long to come
+            is_over = remote.run(there, cases, evaluators, store, block=block, progress=progress)
+            threads = there.n_threads
     found = Sweep(system, cases, evaluators, store, time.perf_counter() - began, threads, cluster, device)
     if not is_over:
         return found

@@ -117,7 +117,8 @@ class Implicit:
         if e.room.info[factoring.IS_REGULARISED] > 0.0:
             run.count[stepped_run.REGULARISED] += 1
         self._store_outputs()
-        return stepped_run.LOOK if run.count[stepped_run.IS_WATCHED] else stepped_run.PAUSED
+        is_looked_at = run.count[stepped_run.IS_WATCHED] or len(run.kept_clock)
+        return stepped_run.LOOK if is_looked_at else stepped_run.PAUSED
 
     def _store_outputs(self) -> None:
         run, e = self._motion.run, self._engine

@@ -12,6 +12,7 @@ from typing import Any
 
 from freebody.errors import InputError
 from freebody.language.sentences import Message
+from freebody.study.sweeps.clusters.base import Scheduler
 
 FORM = "local:8"
 PATIENCE = 120
@@ -26,9 +27,9 @@ def check(rest: str) -> None:
 
 
 @contextmanager
-def scheduler(rest: str) -> Generator[str]:
+def scheduler(rest: str) -> Generator[Scheduler]:
     with began(int(rest), "127.0.0.1") as address:
-        yield address
+        yield Scheduler(address)
 
 
 @contextmanager

@@ -21,10 +21,11 @@ from pathlib import Path
 
 from freebody.errors import InputError
 from freebody.language.sentences import Message
+from freebody.study.sweeps.clusters.base import Scheduler
 from freebody.study.sweeps.clusters.local import began
 
 FORM = "slurm:job.sh"
-PATIENCE = None  # a queue may take a day
+PATIENCE = 5  # a queue may take a day: as long as the jobs are in it
 WORKER = "FREEBODY_WORKER"
 
 
@@ -41,12 +42,15 @@ def check(rest: str) -> None:
 
 
 @contextmanager
-def scheduler(rest: str) -> Generator[str]:
+def scheduler(rest: str) -> Generator[Scheduler]:
     path, _, host = rest.rpartition("@") if "@" in rest else (rest, "", "")
     with began(0, host or import_module("distributed.utils").get_ip()) as address:
         job = _submitted(path, address)
+        without = Message(
+            "the jobs ended before a worker came; what they wrote, as slurm-{job}_1.out, says why", job=job
+        )
         try:
-            yield address
+            yield Scheduler(address, lambda: _are_queued(job), without)
         finally:
             with suppress(InputError):  # jobs without a scheduler end by themselves
                 _said(["scancel", job])
@@ -55,8 +59,17 @@ def scheduler(rest: str) -> Generator[str]:
 def _submitted(path: str, address: str) -> str:
     """The number of the job. `--death-timeout`: a worker ends when there has been no scheduler for so long."""
     worker = f"{sys.executable} -m distributed.cli.dask_worker {address} --nthreads 1 --no-dashboard --death-timeout 60"
-    found = _said(["sbatch", "--parsable", "--export=ALL", path], **{WORKER: worker})
+    # the logs of jobs have what is wrong, and not that connections end when the sweep is over
+    more = {WORKER: worker, "DASK_LOGGING__DISTRIBUTED": "warning"}
+    found = _said(["sbatch", "--parsable", "--export=ALL", path], **more)
     return found.strip().partition(";")[0]  # behind it stands the name of the cluster, where there are several
+
+
+def _are_queued(job: str) -> bool:
+    """Whether jobs wait or run; also where Slurm does not answer at the moment."""
+    asked = ["squeue", "--noheader", "--format=%T", f"--jobs={job}"]
+    done = subprocess.run(asked, capture_output=True, text=True, check=False)
+    return bool(done.stdout.strip()) if done.returncode == 0 else "Invalid job id" not in done.stderr
 
 
 def _said(command: Sequence[str], **more: str) -> str:

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 
 from freebody.errors import InputError
 from freebody.language.sentences import Message
+from freebody.study.sweeps.clusters.base import Scheduler
 
 FORM = "tcp://scheduler:8786"
 PATIENCE = 30
@@ -20,5 +21,5 @@ def check(rest: str) -> None:
 
 
 @contextmanager
-def scheduler(rest: str) -> Generator[str]:
-    yield f"tcp:{rest}"
+def scheduler(rest: str) -> Generator[Scheduler]:
+    yield Scheduler(f"tcp:{rest}")
