@@ -30,7 +30,7 @@ from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.editing import add, edit, suggest
 from freebody.studio.folder import Folder
 from freebody.studio.kinds import kinds
-from freebody.studio.lanes import Worker
+from freebody.studio.lanes import Lanes, Worker
 from freebody.studio.moving import motion
 from freebody.studio.reading import read
 from freebody.studio.server import LARGEST
@@ -454,6 +454,42 @@ def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
     asyncio.run(run())
 
 
+def test_what_the_page_will_ask_first_is_found_before_it_asks(tmp_path: Path) -> None:
+    """Its answers are those of the calls themselves, and the workers do them once."""
+    file = tmp_path / "pendulum.yaml"
+    file.write_text(PENDULUM, encoding="utf-8")
+    foreseen = Folder.of(file).foreseen()
+    assert [call.kind for call in foreseen] == ["read", "motion"]
+    assert foreseen[1].request["until"] == wire.Opening.model_fields["until"].default
+
+    async def run() -> None:
+        lanes = Lanes()
+        done: list[str] = []
+
+        class Counted(Worker):
+            async def ask(self, call: wire.Call) -> bytes:
+                done.append(call.kind)
+                return await super().ask(call)
+
+        lanes.workers = {name: Counted(worker.lane) for name, worker in lanes.workers.items()}
+        lanes.begin(foreseen)
+        again = [await lanes.ask(call.model_copy(deep=True)) for call in (*foreseen, *foreseen)]
+        assert (again[:2], done) == (again[2:], ["read", "motion"])
+        for call, reply in zip(foreseen, again, strict=False):
+            assert wire.Reply.model_validate_json(reply).model_dump() == done_by_worker(
+                call.kind, call.request
+            ).model_dump(mode="json")
+        other = foreseen[1].model_copy(update={"request": {**foreseen[1].request, "until": 0.5}})
+        assert (
+            wire.MotionAnswer.model_validate(wire.Reply.model_validate_json(await lanes.ask(other)).answer).times[-1]
+            == 0.5
+        )
+        assert done == ["read", "motion", "motion"]
+        await lanes.end()
+
+    asyncio.run(run())
+
+
 def test_a_worker_is_ended_while_it_starts() -> None:
     async def run() -> None:
         worker = Worker(Lane("test", 30))
@@ -470,15 +506,16 @@ def test_a_worker_is_ended_while_it_starts() -> None:
 
 
 def test_the_first_picture_imports_nothing_that_it_does_not_need() -> None:
-    """A motion that is looked at where it is given, also one with events: splines, optimisers and languages take longer
-    to import than it takes to be found."""
+    """A motion that is looked at where it is given, also one with events: splines, optimisers, formulas and languages
+    take longer to import than it takes to be found."""
     code = (
         "import sys\n"
         "from freebody.studio import grown, work\n"
         "text = open(sys.argv[1], encoding='utf-8').read()\n"
         "assert work.done('read', {'text': text}).status == 'done'\n"
         "assert work.done('motion', {'text': text, 'until': 2.7}).status == 'done'\n"
-        "print(*sorted({'scipy', 'matplotlib', 'pint', 'xarray', 'freebody.narrative.telling'} & set(sys.modules)))\n"
+        "slow = {'scipy', 'matplotlib', 'pint', 'xarray', 'flint', 'freebody.symbolic', 'freebody.narrative.telling'}\n"
+        "print(*sorted(slow & set(sys.modules)))\n"
     )
     command = [sys.executable, "-c", code, str(ROOT / "examples" / "bouncing_ball.yaml")]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "\n"
