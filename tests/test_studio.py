@@ -471,7 +471,7 @@ def test_what_the_page_will_ask_first_is_found_before_it_asks(tmp_path: Path) ->
                 done.append(call.kind)
                 return await super().ask(call)
 
-        lanes.workers = {name: Counted(worker.lane) for name, worker in lanes.workers.items()}
+        lanes.workers.update({name: Counted(worker.lane) for name, worker in lanes.workers.items()})
         lanes.begin(foreseen)
         again = [await lanes.ask(call.model_copy(deep=True)) for call in (*foreseen, *foreseen)]
         assert (again[:2], done) == (again[2:], ["read", "motion"])
