@@ -98,6 +98,7 @@ export class Studio {
   time = $state(0);
   until = $state(3);
   private usual = 3; // as the server says
+  isMoving = false; // by hand: what is shown is on its way
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
   derived = $state<string | null>(null);
   joining = $state.raw<Joining | null>(null);
@@ -297,6 +298,7 @@ export class Studio {
       const isAbout = text === this.text && text === this.modelText;
       if (told.answer || (told.status !== "replaced" && isAbout)) {
         this.motionText = text;
+        this.isMoving = frames !== undefined;
         this.shown(told);
         void this.learn();
       }
