@@ -140,6 +140,84 @@ def test_a_slider_is_an_edit_that_keeps_comments_and_is_undone_at_once(page: Any
     assert page.is_disabled("[aria-label=Undo]")
 
 
+# of a slider that is moved n times: the requests that are made for it, and what the results look like at once
+SLID = """async (n) => {
+  const ask = window.fetch, asked = [], frame = () => new Promise(requestAnimationFrame);
+  window.fetch = (address, options) => {
+    const { kind, request } = JSON.parse(options.body);
+    if (kind) asked.push([kind, request.frames ?? null]);
+    return ask(address, options);
+  };
+  const slider = document.querySelector('.sliders input[type=range]'), results = document.querySelector('#panel');
+  const seen = [];
+  for (let k = 0; k < n; k++) {
+    slider.value = Number(slider.value) + Number(slider.step);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    await frame();
+    seen.push([Boolean(results.querySelector('.freebody-report.stale')), results.innerText.includes('updating')]);
+  }
+  window.fetch = ask;
+  return { asked, seen };
+}"""
+
+
+# from the event of a slider to the picture of the motion that follows it
+FOLLOWED = """() => new Promise((done) => {
+  const slider = document.querySelector('.sliders input[type=range]'), ask = window.fetch;
+  const clear = CanvasRenderingContext2D.prototype.clearRect;
+  let isThere = false;
+  window.fetch = async (address, options) => {
+    const reply = await ask(address, options);
+    isThere ||= JSON.parse(options.body).kind === 'motion';
+    return reply;
+  };
+  CanvasRenderingContext2D.prototype.clearRect = function (...box) {
+    clear.apply(this, box);
+    if (!isThere || !this.canvas.closest('.view')) return;
+    [CanvasRenderingContext2D.prototype.clearRect, window.fetch] = [clear, ask];
+    requestAnimationFrame(() => done());
+  };
+  slider.value = Number(slider.value) + Number(slider.step);
+  slider.dispatchEvent(new Event('input', { bubbles: true }));
+})"""
+
+
+def test_while_a_slider_moves_only_the_motion_follows(page: Any) -> None:
+    """In few frames, the latest alone; the formulas are of the text before, and say so until they are found anew."""
+    page.wait_for_selector(".content .freebody-report math", timeout=WAIT)
+    found = page.evaluate(SLID, 5)
+    assert found["seen"] == [[True, True]] * 5
+    motions = [frames for kind, frames in found["asked"] if kind == "motion"]
+    assert set(motions) == {61}
+    assert 1 <= len(motions) <= 5
+    assert {kind for kind, _ in found["asked"]} <= {"motion", "read"}  # which is asked where a frame takes too long
+    page.wait_for_selector(".content .freebody-report:not(.stale)", timeout=WAIT)
+    assert "updating" not in page.inner_text("#panel")
+
+
+def test_following_a_slider_leaves_the_page_time_for_frames(page: Any) -> None:
+    """By the processor time of its main thread, the least of some: the edit, the text, the picture of ten bodies."""
+    page.click(".cm-content")
+    page.keyboard.press("Control+a")
+    start = "measures: {a: {angle of r0}}\nstart: {a: -60 deg}\n"
+    page.keyboard.insert_text(re.sub(r"  [rc]1\d: .*\n", "", CHAIN) + start)
+    page.wait_for_selector(".badge.dof:has-text('10 degrees'):not(.stale)", timeout=WAIT)
+    session = page.context.new_cdp_session(page)
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})
+
+    def processor() -> float:
+        found = session.send("Performance.getMetrics")["metrics"]
+        return next(float(each["value"]) for each in found if each["name"] == "TaskDuration")
+
+    times: list[float] = []
+    for _ in range(8):
+        before = processor()
+        page.evaluate(FOLLOWED)
+        times.append(processor() - before)
+        page.wait_for_timeout(400)
+    assert min(times) < 0.06
+
+
 def test_a_question_in_ones_own_words_is_answered_and_kept(page: Any) -> None:
     page.fill("#question", "how fast does the rod turn?")
     page.wait_for_selector("#meant >> text=angular velocity of rod", timeout=WAIT)

@@ -75,9 +75,9 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
       view.dispatch({ changes, userEvent, annotations: isSlide ? [] : [isolateHistory.of("full")] });
     },
     load(text) {
+      studio.changed(text); // what is asked about it is on its way while the editor is made
       view.setState(stateOf(text));
       [studio.canUndo, studio.canRedo] = [false, false];
-      studio.changed(text);
     },
     select(from, to) {
       const most = view.state.doc.length;

@@ -59,7 +59,6 @@ const kept = {
 /** Of the width that the outer panes have, unless somebody chooses. */
 export const SHARES = { model: 24, results: 32 };
 const NARROWEST = 12, LEAST_SCENE = 20;
-const FRAMES = 301;
 const FEWER = 61; // while something is moved by hand
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -98,6 +97,8 @@ export class Studio {
   selected = $state<string | null>(null);
   time = $state(0);
   until = $state(3);
+  private usual = 3; // as the server says
+  isMoving = false; // by hand: what is shown is on its way
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
   derived = $state<string | null>(null);
   joining = $state.raw<Joining | null>(null);
@@ -109,6 +110,7 @@ export class Studio {
   writer: Writer | null = null;
   private reading = new Latest();
   private moving = new Latest();
+  private opening = server.open(); // on its way while the page is made
   private counting = new Latest();
   private dragging = new Latest();
   private looking = new Latest();
@@ -118,6 +120,7 @@ export class Studio {
   schema: Record<string, unknown> | null = null;
 
   constructor() {
+    this.opening.catch(() => undefined); // `begin` says it
     const language = notebook?.language ?? kept.get("language") ?? navigator.language.slice(0, 2);
     this.language = language === "de" ? "de" : "en";
     const shares = (kept.get("shares") ?? "").split(" ").map(Number);
@@ -150,9 +153,10 @@ export class Studio {
   // -- files
   async begin(): Promise<void> {
     try {
-      const opening = await server.open();
+      const opening = await this.opening;
       this.files = opening.files;
       this.release = opening.version;
+      this.usual = opening.until;
       this.take(opening.file.name, opening.file.text, opening.file.version);
       if (!opening.file.text) {
         if (opening.is_file) this.load("");
@@ -181,7 +185,7 @@ export class Studio {
     [this.file, this.version, this.savedText] = [name, version, text];
     const draft = kept.get(`draft.${name}`);
     this.draft = !this.isShared && draft !== null && draft !== text ? draft : null;
-    this.until = notebook?.until ?? (Number(kept.get(`until.${name}`)) || 3);
+    this.until = notebook?.until ?? (Number(kept.get(`until.${name}`)) || this.usual);
     this.selected = null;
     this.load(text);
   }
@@ -247,7 +251,8 @@ export class Studio {
     this.isStale = true;
     if (this.isNotebook) this.keepInKernel();
     else this.keepDraft();
-    this.readSoon();
+    if (this.read) this.readSoon();
+    else this.readNow(); // nothing of it is shown yet
   }
 
   /** In a notebook the kernel has the text: there is nothing to save. */
@@ -267,6 +272,8 @@ export class Studio {
   readNow(): void {
     const text = this.text;
     this.reading.run(async () => {
+      // the first motion of a text is asked for together with what it says: a picture waits for the longer of both
+      const motion = !this.read && text.trim() ? this.askedMotion(text) : undefined;
       const told = await this.asked("read", { text, language: this.language });
       if (!told?.answer || text !== this.text) return;
       this.read = told.answer;
@@ -274,19 +281,24 @@ export class Studio {
       if (!told.answer.is_model) return void this.learn(); // there is no picture to come first
       this.model = told.answer;
       this.modelText = text;
-      this.follow(text);
+      this.follow(text, { asked: motion });
       if (!this.isNotebook) this.countSoon();
     });
   }
 
-  /** Follows the motion of the text as it stands. */
-  follow(text = this.text, frames = FRAMES): void {
+  private askedMotion(text: string, frames?: number): Promise<Told<"motion"> | null> {
+    return this.asked("motion", { text, language: this.language, until: this.until, frames });
+  }
+
+  /** Follows the motion of the text as it stands. asked: where that has been asked for; frames: as many as the server thinks best. */
+  follow(text = this.text, { frames, asked }: { frames?: number; asked?: Promise<Told<"motion"> | null> } = {}): void {
     this.moving.run(async () => {
-      const told = await this.asked("motion", { text, language: this.language, until: this.until, frames });
+      const told = await (asked ?? this.askedMotion(text, frames));
       if (!told) return;
       const isAbout = text === this.text && text === this.modelText;
       if (told.answer || (told.status !== "replaced" && isAbout)) {
         this.motionText = text;
+        this.isMoving = frames !== undefined;
         this.shown(told);
         void this.learn();
       }
@@ -328,8 +340,8 @@ export class Studio {
   setParameter(parameter: Parameter, text: string): void {
     const { start, end } = parameter.span;
     if (this.text.slice(start, end) !== parameter.text) return; // its place is not known until the text is read
+    this.follow(this.text.slice(0, start) + text + this.text.slice(end), { frames: FEWER }); // on its way meanwhile
     this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider");
-    this.follow(this.text, FEWER);
   }
 
   /** Places of parameters after a change, until the text is read again. */
@@ -378,7 +390,7 @@ export class Studio {
         if (told?.answer && told.answer.text !== text) {
           this.draggedTo = told.answer.text;
           this.rewrite(told.answer.text, "input.type.drag");
-          return this.follow(this.text, FEWER);
+          return this.follow(this.text, { frames: FEWER });
         }
         if (!told || told.status === "replaced") return;
         if (!told.answer) this.failure = this.reason(told);

@@ -217,12 +217,13 @@ export interface OpenedFile {
   version: string;
 }
 
-/** What the page begins with. is_file: whether a file was named */
+/** What the page begins with. is_file: whether a file was named; until: to which time [s] a motion is followed unless somebody chooses */
 export interface Opening {
   file: OpenedFile;
   files: string[];
   is_file: boolean;
   version: string;
+  until: number;
 }
 
 /** The motion as one HTML file that plays without a server. */

@@ -24,6 +24,13 @@ def not_beside(side: str) -> CannotAnswer:
     return CannotAnswer(Message("just before the blow of the start only the kinetic energy is told"))
 
 
+def rate_not_given(name: str) -> str:
+    """What is assumed about a rate at the start that nobody gave."""
+    return Message(
+        "rate({name}) at the start is not given; it is taken to be that of the least kinetic energy", name=name
+    )
+
+
 class State(Protocol[S_co]):
     """A system at one instant, its motion and its reactions."""
 

@@ -1,8 +1,8 @@
 """The start of a motion: a pose and velocities as the model describes them, and otherwise as small as possible.
 
-A pose is searched from the description of each body, then from disturbed ones. Velocities v solve one linear
-system, J v = wanted rates, by the least kinetic energy. In a large system bodies are placed outward from the ground
-first, unless the description fits, and J is sparse (`sparse`).
+A pose that is given outright is taken (`outright`); else it is searched from the description of each body, then from
+disturbed ones. Velocities v solve one linear system, J v = wanted rates, by the least kinetic energy. In a large system
+bodies are placed outward from the ground first, unless the description fits, and J is sparse (`sparse`).
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from freebody.numeric import spatial
 from freebody.numeric.described import axes_of, start_pose
 from freebody.numeric.jet_geometry import Branch, JetGeometry
 from freebody.numeric.jets import LARGE, Array, Jet
+from freebody.numeric.outright import given_outright
 from freebody.numeric.outward import placed_outward
 from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.rotation import matrix, rotation_vector
@@ -120,6 +121,10 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
         _refuse_singular(reference, body)
     equations = _equations(reference, extra)
     described = turned_to_face(reference, guessed(reference))
+    if guess is None and (outright := given_outright(reference.placing, described, equations)) is not None:
+        fit = reference.placing.fit(outright, equations, 0.0, {})
+        if fit is not None and _stands(reference, fit):
+            return fit
     guess = described if guess is None else guess
 
     # a guess is kept where the rest fits to it, so that bodies of which nothing is said do not pull at it; what a guide

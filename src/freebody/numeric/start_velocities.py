@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import RigidBody
+from freebody.model.state import rate_not_given
 from freebody.numeric.jet_geometry import JetGeometry, entries_of
 from freebody.numeric.jets import LARGE, Array, Gradient, Jet
 from freebody.numeric.rotation import matrix
@@ -132,3 +134,21 @@ def _body_rates(reference: NumericSystem, body: RigidBody, q: Array) -> Iterator
     if start.angular_velocity is not None and body.turns:
         spin = reference.number(start.angular_velocity)
         yield f"angular_velocity of {body.name}", Jet(0.0, unit_row(2)), spin
+
+
+def rates_not_given(reference: NumericSystem, q: Array, v: Array) -> tuple[str, ...]:
+    """What is assumed of a start: named measures that run, though neither connections nor the start decide how fast."""
+    if not reference.system.measures:
+        return ()
+    n = len(q)
+    g = reference.geometry(q, np.zeros_like(q), 0.0)
+    rows = [jet.row(n) for _name, jet, _rate in wanted_rates(reference, g, (), True)]
+    free = Split(stack(rows, n), reference.sizes.small_moves).null
+    found: list[str] = []
+    for name, measure in reference.system.measures.items():
+        with suppress(CannotAnswer):
+            row = reference.jet(g, measure, name).row(n)
+            is_open = np.abs(row @ free).max(initial=0.0) > ROUND_OFF * np.abs(row).max(initial=0.0)
+            if is_open and abs(float(row @ v)) > ROUND_OFF and name not in reference.system.start_rates:
+                found.append(rate_not_given(name))
+    return tuple(found)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import locale
 import re
 from dataclasses import dataclass
 from hashlib import sha256
@@ -11,7 +12,7 @@ from freebody.errors import InputError
 from freebody.language.document.file import text_of
 from freebody.messages import Message
 from freebody.present.files import write_whole
-from freebody.studio.wire import OpenedFile, SaveAnswer, SaveRequest
+from freebody.studio.wire import UNTIL, Call, OpenedFile, SaveAnswer, SaveRequest
 
 # a name without folders: no separator, no drive, no leading dot
 _NAME = re.compile(r"[^\W_][\w .()+-]{0,150}\.ya?ml", re.ASCII | re.IGNORECASE)
@@ -69,6 +70,17 @@ class Folder:
         if self.first:
             return self.opened(self.first)
         return OpenedFile(name=_UNTITLED, text="", version="")
+
+    def foreseen(self) -> list[Call]:
+        """What the page asks first of the file that was opened, in the language that this machine speaks."""
+        try:
+            text = self.first_opened().text
+        except InputError:
+            return []  # the page is told
+        is_german = (locale.getlocale()[0] or "").lower().startswith(("de_", "german"))
+        request = {"text": text, "language": "de" if is_german else "en"}
+        kinds = {"read": request, "motion": {**request, "until": UNTIL}}
+        return [Call(kind=kind, topic=kind, request=each) for kind, each in kinds.items() if text]
 
     def save(self, request: SaveRequest) -> SaveAnswer:
         """Writes a file, unless somebody else has changed it since. Raises InputError if it cannot be written."""

@@ -68,7 +68,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
 
     @asynccontextmanager
     async def life(_app: Starlette) -> AsyncGenerator[None]:
-        lanes.begin()
+        lanes.begin(folder.foreseen())
         yield
         await lanes.end()
 

@@ -11,13 +11,14 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 LONGEST_TEXT = 1_000_000
+UNTIL = 3.0  # [s]
 Language = Literal["en", "de"]
 
 
 class Said(BaseModel):
     """A message. Nothing in it is guessed: unknown fields are refused."""
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = ConfigDict(extra="forbid", defer_build=True)  # many are never said
 
 
 # -- from the page ----------------------------------------------------------------------------
@@ -415,12 +416,14 @@ class OpenedFile(Said):
 
 
 class Opening(Said):
-    """What the page begins with. is_file: whether a file was named"""
+    """What the page begins with. is_file: whether a file was named; until: to which time [s] a motion is followed
+    unless somebody chooses"""
 
     file: OpenedFile
     files: list[str]
     is_file: bool
     version: str
+    until: float = UNTIL
 
 
 class SaveRequest(Said):

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import wraps
-from typing import Concatenate, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -20,10 +20,11 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.reference import Reference
-from freebody.symbolic.field import DivisorVanishes
-from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 from freebody.tolerances import SAME_PLACE
+
+if TYPE_CHECKING:
+    from freebody.symbolic.field import DivisorVanishes
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -53,6 +54,8 @@ def cause(system: System, error: Exception) -> str:
     undefined = next(without_value(system), "")
     if undefined:
         return Message("{what}, so that nothing can be said here; start the model where it has a value", what=undefined)
+    from freebody.symbolic.field import DivisorVanishes  # studies in numbers alone do without it
+
     if isinstance(error, DivisorVanishes):
         return Message("the formulas divide by {x}, which is zero in the state that is asked about", x=_shown(error))
     what = (
@@ -68,6 +71,8 @@ def cause(system: System, error: Exception) -> str:
 
 def _shown(error: DivisorVanishes) -> str:
     """The divisor, if anybody would read it."""
+    from freebody.symbolic.tidy import tidy
+
     divisor = error.divisor
     return to_text(tidy(divisor)) if len(divisor.num) <= _MOST_TERMS else Message("a long expression")
 

@@ -16,6 +16,7 @@ from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.geometry import Pose
 from freebody.model.elements import ConstraintRow, NonholonomicForm
+from freebody.model.state import rate_not_given
 from freebody.symbolic.blow import Blow
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
@@ -79,13 +80,6 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
     ]
     values |= least
     return StartState(values, tuple(map(rate_not_given, moved)))
-
-
-def rate_not_given(name: str) -> str:
-    """What is assumed about a rate that nobody gave."""
-    return Message(
-        "rate({name}) at the start is not given; it is taken to be that of the least kinetic energy", name=name
-    )
 
 
 @dataclass(frozen=True)

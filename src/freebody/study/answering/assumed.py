@@ -6,21 +6,13 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
-import numpy as np
-
 from freebody.errors import CannotAnswer
 from freebody.language.notation import Stated, to_python
 from freebody.language.sentences import Message
-from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference
-from freebody.numeric.split import Split, stack
-from freebody.numeric.start_velocities import wanted_rates
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.start import rate_not_given
 from freebody.symbolic.tidy import tidy
-from freebody.tolerances import ROUND_OFF
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 
@@ -67,22 +59,3 @@ def _number(setup: Setup, symbol: Ratio) -> float:
     draw = setup.draws[0]
     numbers = setup.model.samples.numbers(draw.sample(draw.start()), draw.sample())
     return float(setup.model.field.evaluate(symbol, numbers))
-
-
-def rates_not_given(reference: Reference, q: Array, v: Array) -> tuple[str, ...]:
-    """The same for a start in numbers: named measures that run, though neither connections nor the start decide how
-    fast."""
-    if not reference.system.measures:
-        return ()
-    n = len(q)
-    g = reference.geometry(q, np.zeros_like(q), 0.0)
-    rows = [jet.row(n) for _name, jet, _rate in wanted_rates(reference, g, (), True)]
-    free = Split(stack(rows, n), reference.sizes.small_moves).null
-    found: list[str] = []
-    for name, measure in reference.system.measures.items():
-        with suppress(CannotAnswer):
-            row = reference.jet(g, measure, name).row(n)
-            is_open = np.abs(row @ free).max(initial=0.0) > ROUND_OFF * np.abs(row).max(initial=0.0)
-            if is_open and abs(float(row @ v)) > ROUND_OFF and name not in reference.system.start_rates:
-                found.append(rate_not_given(name))
-    return tuple(found)

@@ -29,9 +29,9 @@ from freebody.numeric.jets import Array
 from freebody.numeric.kernels import factoring
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
+from freebody.numeric.start_velocities import rates_not_given
 from freebody.questions.clock import Clock
 from freebody.questions.event import QuestionEvent
-from freebody.study.answering.assumed import rates_not_given
 from freebody.study.worded import without_value
 from freebody.system.system import System
 
