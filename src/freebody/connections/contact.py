@@ -13,7 +13,7 @@ from freebody.connections.contact_in_space import PairInSpace, SurfaceInSpace
 from freebody.connections.outlines import KINDS, Outline, read_outline
 from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.connections.places_on_bodies import INSIDE
-from freebody.connections.polyhedra import polyhedron_of
+from freebody.connections.polyhedra import is_polyhedron
 from freebody.connections.sites import sites
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
@@ -203,7 +203,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             if owners[0] == owners[1] or all(names.known(body).fixed for body in owners):
                 continue
             starts = self._start_closed(names, *owners)
-            if self.touching is None and polyhedron_of(names, one) and polyhedron_of(names, other):
+            if self.touching is None and is_polyhedron(names, one) and is_polyhedron(names, other):
                 starts = False  # of two bodies with faces nobody knows which of them would
             found.append(PairInSpace(connection, one, other, plane, surface, starts, len(joined) == 1))
         return found

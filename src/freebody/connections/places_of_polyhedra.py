@@ -42,7 +42,6 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction
 from freebody.measures.turn import Alignment
 from freebody.model.elements import BodyPlane, NonholonomicForm, Span
-from freebody.model.rotations import perpendiculars
 from freebody.model.spins import constant, spin
 
 if TYPE_CHECKING:
@@ -107,8 +106,7 @@ class _EdgePair:
 
     def __init__(self, a: PolyhedronEdge, b: PolyhedronEdge, one: Polyhedron, other: Polyhedron) -> None:
         self.a, self.b, self.one, self.other = a, b, one, other
-        p, q = (Direction(other.body.name, v) for v in perpendiculars(b.along.components))
-        self.across = p, q
+        p, q = self.across = b.across
         alignments = ("@ap", p), ("@aq", q), ("@ab", b.along)
         self.turns: dict[str, Measure] = {name: Alignment(a.along, along) for name, along in alignments}
         moves = ("@dp", p), ("@dq", q), ("@db", b.along)

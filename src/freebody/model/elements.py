@@ -152,6 +152,9 @@ class RigidBody:
     solid: SolidKind = NO_SOLID  # what it looks like, and its sizes
     sizes: Components = ()
     inner: Expr | None = None  # radius of what is hollow in it
+    faces: tuple[
+        tuple[str, tuple[str, ...]], ...
+    ] = ()  # of a convex body: names, and points that are the corners, counter-clockwise as seen from outside
 
     @property
     def inside_radius(self) -> Expr | None:
