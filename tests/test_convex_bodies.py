@@ -23,7 +23,7 @@ import freebody as fb
 from freebody.language.expression import evaluate
 from freebody.language.notation import to_text
 from freebody.model.hulls import faces_of_hull
-from freebody.numeric.contact.overlaps import parting
+from freebody.numeric.contact.overlaps import gap_of, is_within, parting
 from freebody.numeric.engine.course import Status
 from freebody.numeric.reference import Reference
 
@@ -163,6 +163,40 @@ def test_box_that_is_written_by_its_corners_moves_as_a_box() -> None:
     one, other = simulated(model, 0.15), simulated(convex_for_box(model), 0.15)
     assert [event.time for event in other.course.events] == [event.time for event in one.course.events]
     assert other.course.poses[-1] == pytest.approx(one.course.poses[-1], abs=1e-12)
+
+
+BALL = (
+    "space: true\nbodies:\n  block: {box: {mass: 1, size: [0.6, 1, 0.8]}, fixed: true, at: [-0.3, -0.5, 0]}\n"
+    "  ball: {sphere: {mass: 1, radius: 0.05}, at: [-0.03, 0.05, 0.02], velocity: [0.2, 0, 0.05], "
+    "angular_velocity: [1, 0, -4]}\nconnections: {c: {contact: {between: [ball, block], friction: 1.5}}}\n"
+)
+
+
+def test_ball_rolls_over_an_edge_of_a_convex_body_as_over_that_of_a_box() -> None:
+    """From its face to its edge, where it slips and leaves."""
+    one, other = simulated(BALL + WEIGHT, 0.35), simulated(convex_for_box(BALL) + WEIGHT, 0.35)
+    assert [event.kind for event in other.course.events] == ["starts to slip", "parts"]
+    assert [e.time for e in other.course.events] == pytest.approx([e.time for e in one.course.events], rel=1e-9)
+    assert other.course.poses[-1] == pytest.approx(one.course.poses[-1], abs=1e-10)
+    assert [event.name for event in other.course.events][-1] == "ball leaves block face5-face6"
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_ball_is_as_far_from_a_convex_body_as_from_the_box(seed: int) -> None:
+    """At faces, edges and corners: of its places one exists, with the same gap."""
+    at = np.random.default_rng(seed).uniform((-0.9, -1.2, -0.9), (0.4, 0.3, 0.9))
+    gaps: list[list[float]] = []
+    for model in (BALL, convex_for_box(BALL)):
+        text = model.replace("[-0.03, 0.05, 0.02]", str(at.tolist())).replace(
+            "-0.3, -0.5, 0]", "-0.3, -0.5, 0], turned: 20 deg about x"
+        )
+        reference = Reference(fb.System.from_text(text), {})
+        q = reference.assemble()
+        g = reference.geometry(q, np.zeros_like(q), 0.0)
+        gaps.append([gap_of(reference, g, b) for b in reference.system.bounds if is_within(reference, g, b)])
+    [expected] = gaps[0]
+    assert max(gaps[1]) == pytest.approx(expected, abs=1e-12)
+    assert expected < 0.0 or len(gaps[1]) <= 2  # the face behind it is none that it touches
 
 
 # -- where they touch -----------------------------------------------------------------------------

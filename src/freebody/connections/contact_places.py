@@ -33,3 +33,4 @@ class ContactPlace:
     bodies: tuple[str, ...] = ()  # where label and facing are parts of them
     pitfall: Message | None = None  # how the bodies lie where the measure has no value
     is_crossing: bool = False  # of two edges
+    is_separating: bool = False  # of two polyhedra

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import ZERO, Expr, divide, number
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.geometry import Components, Direction, Point
 from freebody.model.elements import RigidBody
 from freebody.model.polynomials import Polynomial, common_factor, cross, dot, polynomial, root
 from freebody.model.rotations import UNIT, along_axis, perpendiculars
@@ -36,6 +36,10 @@ class Outward:
 
     along: Direction
     sign: int = 1
+
+    @property
+    def components(self) -> Components:
+        return self.along.components if self.sign > 0 else tuple(-c for c in self.along.components)
 
 
 @dataclass(frozen=True)
@@ -67,7 +71,8 @@ class Corner:
 
 @dataclass(frozen=True)
 class PolyhedronEdge:
-    """From a corner along b; across: p, q with p x q = b; normals: m_1 and m_2 of the faces that meet in it."""
+    """From a corner along b; across: p, q with p x q = b; normals: m_1 and m_2 of the faces that meet in it; beyond:
+    m_1 x b and b x m_2, in the planes of these faces out of them."""
 
     faces: tuple[str, str]  # which meet there
     start: Point
@@ -75,6 +80,7 @@ class PolyhedronEdge:
     length: Expr
     across: tuple[Direction, Direction]
     normals: tuple[Outward, Outward]
+    beyond: tuple[Outward, Outward]
 
     def label(self, sign: int) -> str:
         """`crate top-front`, and `crate front-top` the other way round."""
@@ -134,6 +140,15 @@ def _face_of_box(k: int, sign: int) -> tuple[int, ...]:
     return tuple(SIGNS.index((sign, p, q)[-k:] + (sign, p, q)[:-k]) for p, q in ends)
 
 
+@dataclass(frozen=True)
+class _Beside:
+    """A face beside an edge: its label, its outer normal, and what lies in its plane out of it."""
+
+    label: str
+    normal: Outward
+    beyond: Outward
+
+
 class _Made:
     """A polyhedron of its corners and faces; directions that are parallel are one."""
 
@@ -147,14 +162,15 @@ class _Made:
             self.known.append((Direction(body.name, axis), tuple(polynomial(c) for c in axis)))
 
     def polyhedron(self) -> Polyhedron:
-        beside: dict[tuple[int, int], tuple[str, Outward]] = {}  # by the edge as its face goes along it
+        beside: dict[tuple[int, int], _Beside] = {}  # by the edge as its face goes along it
         faces: list[Face] = []
         for label, corners in self.faces:
             a, b, c = (self.places[k] for k in corners[:3])
             normal, unit, _size = self._directed(cross(_minus(b, a), _minus(c, b)))
-            beside |= dict.fromkeys(_round(corners), (label, normal))
+            outward = [self._directed(cross(_minus(self.places[j], self.places[i]), unit)) for i, j in _round(corners)]
+            beside |= {ends: _Beside(label, normal, out[0]) for ends, out in zip(_round(corners), outward, strict=True)}
             offset = dot(unit, a).expression()
-            faces.append(Face(label, normal, offset, self._sides(corners, unit)))
+            faces.append(Face(label, normal, offset, self._sides(corners, outward)))
         leaving: list[list[Outward]] = [[] for _ in self.points]
         edges: list[PolyhedronEdge] = []
         labels = [label for label, _corners in self.faces]
@@ -164,24 +180,30 @@ class _Made:
             leaving[j].append(Outward(along.along, -along.sign))
             start, end = (i, j) if along.sign > 0 else (j, i)
             # the face that goes against the edge comes first
-            sides = beside[end, start], beside[start, end]
-            one, other = sorted((label for label, _normal in sides), key=labels.index)
-            called = one.partition(".")[2], other.partition(".")[2]
-            normals = sides[0][1], sides[1][1]
-            across = self._across(along.along, normals[0].along)
-            edges.append(PolyhedronEdge(called, self.points[start], along.along, length, across, normals))
+            first, second = beside[end, start], beside[start, end]
+            one, other = sorted((first.label, second.label), key=labels.index)
+            edges.append(
+                PolyhedronEdge(
+                    (one.partition(".")[2], other.partition(".")[2]),
+                    self.points[start],
+                    along.along,
+                    length,
+                    self._across(along.along, first.normal.along),
+                    (first.normal, second.normal),
+                    (first.beyond, second.beyond),
+                )
+            )
         corners = tuple(Corner(point, tuple(own)) for point, own in zip(self.points, leaving, strict=True))
         return Polyhedron(self.body, corners, tuple(edges), tuple(faces))
 
-    def _sides(self, corners: tuple[int, ...], normal: Vertex) -> tuple[Side, ...]:
+    def _sides(self, corners: tuple[int, ...], outward: list[tuple[Outward, Vertex, Expr]]) -> tuple[Side, ...]:
         """What a face ends at: along b x m, outwards in its plane; two that are opposite are one side."""
         found: dict[Direction, Side] = {}
-        for i, j in _round(corners):
-            outward, unit, _size = self._directed(cross(_minus(self.places[j], self.places[i]), normal))
-            end = dot(unit, self.places[i]).expression()
-            old = found.get(outward.along, Side(outward.along))
-            low, high = (old.low, end) if outward.sign > 0 else ((-polynomial(end)).expression(), old.high)
-            found[outward.along] = Side(outward.along, low, high)
+        for corner, (out, unit, _size) in zip(corners, outward, strict=True):
+            end = dot(unit, self.places[corner])
+            old = found.get(out.along, Side(out.along))
+            low, high = (old.low, end.expression()) if out.sign > 0 else ((-end).expression(), old.high)
+            found[out.along] = Side(out.along, low, high)
         return tuple(found.values())
 
     def _across(self, along: Direction, one: Direction) -> tuple[Direction, Direction]:

@@ -280,6 +280,11 @@ class Span:
     high: Expr | None = None
 
 
+def at_least(measure: Measure, sign: int) -> Span:
+    """sign * measure >= 0."""
+    return Span(measure, low=ZERO) if sign > 0 else Span(measure, high=ZERO)
+
+
 @dataclass(frozen=True)
 class UnilateralConstraint:
     """A measure that may not pass a limit: sign (measure - target) >= 0. While it is closed its row is held, and its
@@ -293,6 +298,7 @@ class UnilateralConstraint:
     obstacle: str = ""  # sites of the same family and obstacle face one corner or circle with all edges of an outline
     pitfall: Message | None = None  # how the bodies lie where the measure has no value
     is_crossing: bool = False  # of two edges in space, which it parts along their common normal
+    is_separating: bool = False  # of polyhedra in space: of its normal and those of the others one parts them
 
     @property
     def name(self) -> str:

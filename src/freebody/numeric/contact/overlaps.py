@@ -81,7 +81,7 @@ def parting(
     apart: dict[str, dict[str, list[tuple[float, UnilateralConstraint]]]] = {}
     for bound in bounds:
         ends = bound.row.ends
-        if not bound.obstacle or len(ends) < 4:
+        if not bound.obstacle or len(ends) < 4 or (system.space and not bound.is_separating):
             continue
         if not system.space and any(len(system.bodies[name].corners) < 2 for name in ends[2:4]):
             continue

@@ -171,7 +171,7 @@ def _first(
     """The sites that close first of a pair none of which is closed yet; of the first such pair."""
     for sites in pairs:
         if not any(site.name in closed for site in sites):
-            if any(site.is_crossing for site in sites):  # polyhedra
+            if any(site.is_separating for site in sites):
                 return {
                     site.name
                     for _gap_, places in parting(reference, g, sites).values()
