@@ -30,16 +30,15 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
+from freebody.connections.frames_of_contact import ContactFrame
 from freebody.connections.polyhedra import Polyhedron, polyhedron_of
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, number
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
-from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Components, Direction, Point
-from freebody.measures.turn import Alignment
 from freebody.model.elements import NonholonomicForm, RigidBody, Span, at_least
 from freebody.model.rotations import UNIT, dot, perpendiculars
 from freebody.model.solids import BOX, CYLINDER, DISK, RING, ROD, SolidKind
@@ -213,8 +212,8 @@ class _Touching:
 
     def __init__(self, ball: Ball, core: Core) -> None:
         self.ball, self.core = ball, core
-        self.moves = [Displacement(ball.center, core.middle, along) for along in core.axes]
-        self.seen: list[tuple[str, Measure]] = [(s.name, move) for s, move in zip(D, self.moves, strict=True)]
+        turns = ball.turns or core.body.turns
+        self.frame = ContactFrame.of(ball.center, core.middle, core.axes, D, turns=turns)
         n = self.n = tuple(c / core.reach for c in core.v)
         leaning = [dot(n, f) / (ONE + dot(n, Q)) for f in F]
         self.across = [
@@ -226,7 +225,7 @@ class _Touching:
         sphere = core.v == D
         gap: Measure = Distance(core.body.center, self.ball.center)
         if not sphere:
-            gap = Composed(core.size, tuple(self.seen), LENGTH, here=True)
+            gap = self.frame.composed(core.size, LENGTH)
         one, other = self.across
         return ContactPlace(
             self.ball.label,
@@ -235,8 +234,8 @@ class _Touching:
             core.reach,
             (self._slip(one, other, -1), self._slip(other, one, 1)),
             ("1", "2"),
-            lambda: (self._turning(one), self._turning(other)),
-            lambda: self._turning(self.n),
+            lambda: (self.frame.turning(one), self.frame.turning(other)),
+            lambda: self.frame.turning(self.n),
             -1 if core.inside else 1,
             within=core.within,
             obstacle=f"{self.ball.label} in {core.body.name}" if core.is_face else "",
@@ -255,29 +254,7 @@ class _Touching:
 
     def _slip(self, along: Components, other: Components, sign: int) -> NonholonomicForm:
         """b . d' + w . (r x b): r = -R n, and n x b_1 = b_2, n x b_2 = -b_1; inside r = R n."""
-        sign = -sign if self.core.inside else sign
-        terms: list[tuple[Measure, Measure]] = [
-            (Composed(c, tuple(self.seen), DIMENSIONLESS, here=True), move)
-            for c, move in zip(along, self.moves, strict=True)
-        ]
-        if self.ball.radius != ZERO:
-            arm = number(sign) * self.ball.radius
-            terms += self._rotating(tuple(arm * c for c in other), LENGTH)
-        return NonholonomicForm(tuple(terms), LENGTH)
-
-    def _turning(self, along: Components) -> NonholonomicForm:
-        return NonholonomicForm(tuple(self._rotating(along, DIMENSIONLESS)), DIMENSIONLESS)
-
-    def _rotating(self, along: Components, dimension: Dimension) -> list[tuple[Measure, Measure]]:
-        """w . u of the ball against the core, u by components along the core's axes e:
-        w . e_k = - sum_i (e_k+2 . a_i) d(e_k+1 . a_i)/dt, as in `model.spins`."""
-        terms: list[tuple[Measure, Measure]] = []
-        if not self.ball.turns and not self.core.body.turns:
-            return terms
-        e = self.core.axes
-        for k, c in enumerate(along):
-            p, q = e[(k + 1) % 3], e[(k + 2) % 3]
-            for a in body_axes(self.ball.center.body):
-                seen = (*self.seen, ("@c", Alignment(q, a)))
-                terms.append((Composed(-c * Symbol("@c"), seen, dimension, here=True), Alignment(p, a)))
-        return terms
+        if self.ball.radius == ZERO:
+            return self.frame.slip(along)
+        arm = number(-sign if self.core.inside else sign) * self.ball.radius
+        return self.frame.slip_by_moment(along, tuple(arm * c for c in other))

@@ -299,6 +299,7 @@ class UnilateralConstraint:
     pitfall: Message | None = None  # how the bodies lie where the measure has no value
     is_crossing: bool = False  # of two edges in space, which it parts along their common normal
     is_separating: bool = False  # of polyhedra in space: of its normal and those of the others one parts them
+    lost: Measure | None = None  # in `within`, not positive where more than a place touches: the pitfall says how
 
     @property
     def name(self) -> str:
