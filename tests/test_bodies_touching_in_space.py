@@ -261,7 +261,7 @@ def test_ball_rests_on_three_others_by_friction_or_by_form(mu: float) -> None:
 
 def test_pairs_without_a_contact_are_refused_with_what_there_is() -> None:
     model = (
-        "space: true\nbodies:\n  a: {cylinder: {mass: 1, radius: 1, length: 1}, at: [0, 3, 0]}\n"
+        "space: true\nbodies:\n  a: {ellipsoid: {mass: 1, semi_axes: [1, 1, 1]}, at: [0, 3, 0]}\n"
         "  b: {box: {mass: 1, size: [1, 1, 1]}}\nconnections: {it: {contact: {between: [a, b]}}}\n"
     )
     with pytest.raises(fb.ModelError) as told:

@@ -593,7 +593,10 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "wall": "3*m*g*sin(phi0)*cos(phi0)/4",
     },
     # the belt runs faster than the block: friction pulls it along
-    **{name: {"freedom": "6"} for name in ("coin_coming_to_rest", "crate_off_a_ledge", "tippe_top", "tumbling_cube")},
+    **{
+        name: {"freedom": "6"}
+        for name in ("can_off_a_table", "coin_coming_to_rest", "crate_off_a_ledge", "tippe_top", "tumbling_cube")
+    },
     # slip u = v + omega x r; u' = -7/2 mu g u/|u|, then v = 5/7 v0 - 2/7 omega x r (Coriolis)
     "ball_with_side_spin": {
         "rolling": f"2*{_SLIP}/(7*mu*g)",
@@ -990,6 +993,9 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # the weight passes outside of the lower edge before m g sin(alpha) has grown to mu m g cos(alpha), as a/h < mu
     "crate_on_a_ramp": {"first": "atan(a/h)"},
+    # m g sin(alpha) <= mu m g cos(alpha)
+    "crate_on_a_wedge": {"least": "H/L"},
+    "tetrahedron_on_a_slope": {"least": "tan(alpha)", "first": "atan(mu)"},
     # moments about horizontal axes through the foot: the walls push with m g/2 times the runs by the height, which are
     # the legs of a right angle; friction balances both
     "ladder_in_a_corner": {

@@ -70,6 +70,7 @@ from freebody.loads.spring import TorsionalDamper as _TorsionalDamper
 from freebody.loads.spring import TorsionalSpring as _TorsionalSpring
 from freebody.loads.torque import Torque as _Torque
 from freebody.model.shapes.composite import Composite as _Composite
+from freebody.model.shapes.convex import Convex as _Convex
 from freebody.model.shapes.ellipsoid import Ellipsoid as _Ellipsoid
 from freebody.model.shapes.frustum import Frustum as _Frustum
 from freebody.model.shapes.given import Body as _Body
@@ -378,11 +379,12 @@ class Contact(_Contact):
     What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the right
     of its direction, so below one that points to the right; `below: true` for the other side), or `inside bowl` for the
     inside of a ring. In space: a body on a plane of another one (see `planes`), a sphere on a sphere, inside one, on a
-    box, a cylinder, a disk, a ring, a rod or a point, a point on a sphere or a box, and a box on a box. friction: one
+    box, a convex body, a cylinder, a disk, a ring, a rod or a point, a point on a sphere, a box or a convex body, a
+    cylinder or a disk on a box or a convex body, and boxes and convex bodies on each other. friction: one
     coefficient, or {static: 0.5, kinetic: 0.4}; restitution between 0 (default) and 1; rolling_resistance: the arm of
     the normal force [m]. A contact whose bodies have no place (`at`) starts touching, and `touching: true` moves the
-    bodies there, or out of each other, by the least; `touching: false` leaves them where they are. Of two boxes only
-    `touching: true` does."""
+    bodies there, or out of each other, by the least; `touching: false` leaves them where they are. Of two bodies
+    with plane faces only `touching: true` does."""
 
     def __init__(
         self,
@@ -394,6 +396,22 @@ class Contact(_Contact):
         spinning_resistance: _Formula = ...,
         touching: bool | None = ...,
         below: bool = ...,
+    ) -> None: ...
+
+class Convex(_Convex):
+    """`convex: {mass: m, points: [[0, 0, 0], [a, 0, 0], [0, b, 0], [0, 0, c]]}`: a homogeneous body with plane faces,
+    the convex hull of its points: a wedge, a prism, a pyramid, a tetrahedron. For models in space.
+
+    The points count from its reference point, `origin`, and are points of the body: `corner1`, `corner2` ... in the
+    order in which they stand, or by names of their own, `points: {A: [0, 0, 0], B: [a, 0, 0], ...}`. Its faces are
+    `face1`, `face2` ... : each begins with its earliest corner and goes on counter-clockwise as seen from outside, and
+    they are ordered as these lists are. `faces: {slope: [A, B, C]}` gives the face with these corners a name."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        points: _List | _Mapping = ...,
+        faces: _List | _Mapping = ...,
     ) -> None: ...
 
 class CurvedRail(_CurvedRail):

@@ -13,7 +13,7 @@ from freebody.connections.contact_in_space import PairInSpace, SurfaceInSpace
 from freebody.connections.outlines import KINDS, Outline, read_outline
 from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.connections.places_on_bodies import INSIDE
-from freebody.connections.polyhedra import polyhedron_of
+from freebody.connections.polyhedra import is_polyhedron
 from freebody.connections.sites import sites
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
@@ -57,11 +57,12 @@ class Contact(Connection, kind="contact"):
     What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the right
     of its direction, so below one that points to the right; `below: true` for the other side), or `inside bowl` for the
     inside of a ring. In space: a body on a plane of another one (see `planes`), a sphere on a sphere, inside one, on a
-    box, a cylinder, a disk, a ring, a rod or a point, a point on a sphere or a box, and a box on a box. friction: one
+    box, a convex body, a cylinder, a disk, a ring, a rod or a point, a point on a sphere, a box or a convex body, a
+    cylinder or a disk on a box or a convex body, and boxes and convex bodies on each other. friction: one
     coefficient, or {static: 0.5, kinetic: 0.4}; restitution between 0 (default) and 1; rolling_resistance: the arm of
     the normal force [m]. A contact whose bodies have no place (`at`) starts touching, and `touching: true` moves the
-    bodies there, or out of each other, by the least; `touching: false` leaves them where they are. Of two boxes only
-    `touching: true` does."""
+    bodies there, or out of each other, by the least; `touching: false` leaves them where they are. Of two bodies
+    with plane faces only `touching: true` does."""
 
     between: list[str] | None = None
     among: list[str] | str | None = None
@@ -124,6 +125,12 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                 ("box", "box: {mass: 2 kg, size: [1 m, 0.8 m, 1 m]}", "[0.1 m, 0.5 m, 0.05 m]", 0.3),
                 ("cylinder", "cylinder: {mass: 2 kg, radius: 0.4 m, length: 2 m, axis: y}", "[0.1 m, 0.1 m, 0.5 m]", 0),
                 ("rod", "rod: {mass: 2 kg, length: 1 m}", "[0.1 m, 0.06 m, 0.08 m]", 0),
+                (
+                    "wedge",
+                    "convex: {mass: 2 kg, points: [[0, 0, 0], [1 m, 0, 0], [0, 0.5 m, 0], [0, 0, 1 m]]}",
+                    "[0.1 m, 0.6 m, 0.05 m]",
+                    0.3,
+                ),
             )
         }
     )
@@ -203,7 +210,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             if owners[0] == owners[1] or all(names.known(body).fixed for body in owners):
                 continue
             starts = self._start_closed(names, *owners)
-            if self.touching is None and polyhedron_of(names, one) and polyhedron_of(names, other):
+            if self.touching is None and is_polyhedron(names, one) and is_polyhedron(names, other):
                 starts = False  # of two bodies with faces nobody knows which of them would
             found.append(PairInSpace(connection, one, other, plane, surface, starts, len(joined) == 1))
         return found

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
 from freebody.connections.places_of_polyhedra import places_of_polyhedra
-from freebody.connections.places_on_bodies import place_on_body
+from freebody.connections.places_of_rims import places_of_rims
+from freebody.connections.places_on_bodies import places_on_body
 from freebody.connections.places_on_planes import places_on_plane
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
@@ -25,10 +26,11 @@ from freebody.model.friction import Friction
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, or a point")
+ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, a convex body, or a point")
 ON_BODY = Message(
-    "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a cylinder, a disk, a ring, a rod "
-    "or a point, a point a sphere or a box, and a box a box"
+    "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a convex body, a cylinder, a disk, "
+    "a ring, a rod or a point, a point a sphere, a box or a convex body, a cylinder or a disk a box or a convex body, "
+    "and boxes and convex bodies touch each other"
 )
 
 
@@ -62,8 +64,12 @@ class PairInSpace:
         """Where the two can touch."""
         if self.plane is not None:
             return [place.on(self.plane, self.second_label) for place in places_on_plane(names, self.first, self.plane)]
-        found = place_on_body(names, self.first, self.second) or place_on_body(names, self.second, self.first)
-        return places_of_polyhedra(names, self.first, self.second) if found is None else [found]
+        both = (self.first, self.second), (self.second, self.first)
+        for places_of in (places_on_body, places_of_rims):
+            for pair in both:
+                if found := places_of(names, *pair):
+                    return found
+        return places_of_polyhedra(names, self.first, self.second)
 
     def elements(self, names: Names) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The bound and the dry friction of every place; a problem is noted where there is none."""
@@ -86,6 +92,8 @@ class PairInSpace:
                     place.obstacle,
                     place.pitfall,
                     place.is_crossing,
+                    place.is_separating,
+                    place.lost,
                 )
             )
             rubs += self._rubs(place, component, row)

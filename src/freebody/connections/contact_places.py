@@ -33,3 +33,5 @@ class ContactPlace:
     bodies: tuple[str, ...] = ()  # where label and facing are parts of them
     pitfall: Message | None = None  # how the bodies lie where the measure has no value
     is_crossing: bool = False  # of two edges
+    is_separating: bool = False  # of two polyhedra
+    lost: Measure | None = None  # in `within`, not positive where more than a place touches: the pitfall says how

@@ -41,8 +41,7 @@ from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction
 from freebody.measures.turn import Alignment
-from freebody.model.elements import BodyPlane, NonholonomicForm, Span
-from freebody.model.rotations import perpendiculars
+from freebody.model.elements import BodyPlane, NonholonomicForm, Span, at_least
 from freebody.model.spins import constant, spin
 
 if TYPE_CHECKING:
@@ -90,15 +89,10 @@ def _on_face(corner: Corner, face: Face, of: Polyhedron) -> ContactPlace:
     target = face.offset if sign > 0 else negate(face.offset)
     place = PlaceOnPlane(corner.point.name, corner.point, height, target, None).on(plane, face.label)
     beside = [Span(Displacement(corner.point, middle, side.along), side.low, side.high) for side in face.sides]
-    above = [_at_least(Alignment(c.along, face.normal.along), c.sign * sign) for c in corner.leaving]
+    above = [at_least(Alignment(c.along, face.normal.along), c.sign * sign) for c in corner.leaving]
     obstacle = f"{corner.point.name} in {of.body.name}"
     bodies = corner.point.body, of.body.name
-    return replace(place, sign=sign, within=(*beside, *above), obstacle=obstacle, bodies=bodies)
-
-
-def _at_least(measure: Measure, sign: int) -> Span:
-    """sign * measure >= 0."""
-    return Span(measure, low=ZERO) if sign > 0 else Span(measure, high=ZERO)
+    return replace(place, sign=sign, within=(*beside, *above), obstacle=obstacle, bodies=bodies, is_separating=True)
 
 
 # -- edges on edges ------------------------------------------------------------------------------
@@ -107,8 +101,7 @@ class _EdgePair:
 
     def __init__(self, a: PolyhedronEdge, b: PolyhedronEdge, one: Polyhedron, other: Polyhedron) -> None:
         self.a, self.b, self.one, self.other = a, b, one, other
-        p, q = (Direction(other.body.name, v) for v in perpendiculars(b.along.components))
-        self.across = p, q
+        p, q = self.across = b.across
         alignments = ("@ap", p), ("@aq", q), ("@ab", b.along)
         self.turns: dict[str, Measure] = {name: Alignment(a.along, along) for name, along in alignments}
         moves = ("@dp", p), ("@dq", q), ("@db", b.along)
@@ -139,11 +132,12 @@ class _EdgePair:
                 f"{self.a.label(1)} on {self.b.label(1)}",
                 (self.one.body.name, self.other.body.name),
                 is_crossing=True,
+                is_separating=True,
             )
 
     def _arc(self, along: Direction, normals: tuple[Outward, Outward], sign: int) -> Iterator[Span]:
         for normal, way in zip(normals, (1, -1), strict=True):
-            yield _at_least(Alignment(along, normal.along), way * sign * normal.sign)
+            yield at_least(Alignment(along, normal.along), way * sign * normal.sign)
 
     def _composed(self, expression: Expr, dimension: Dimension) -> Composed:
         """Of what occurs in it, so that edges along the same directions share what depends on these alone."""

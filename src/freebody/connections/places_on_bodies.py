@@ -11,9 +11,9 @@ place of its core to the centre, clamp(x, h) = (|x + h| - |x - h|)/2 being x kep
     a ring                            v_k = d_k (1 - R/rho) across, v_3 = d_3,      gap |v| - r
     the inside of a sphere            v = d,                                        gap R - r - |v|
 
-so that faces, edges and corners are one place whose normal turns as the ball goes from one to the other. While they
-touch, |v| is the known sum of radii s, and the normal is n = v/s. Two directions across it are those into which the
-rotation that takes a fixed q to n takes two across q,
+so that faces, edges and corners of a box are one place whose normal turns as the ball goes from one to the other.
+While they touch, |v| is the known sum of radii s, and the normal is n = v/s. Two directions across it are those into
+which the rotation that takes a fixed q to n takes two across q,
 
     b_j = f_j - (n.f_j)/(1 + n.q) (n + q),
 
@@ -30,16 +30,16 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
+from freebody.connections.frames_of_contact import ContactFrame
+from freebody.connections.polyhedra import Polyhedron, polyhedron_of
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, number
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
-from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Components, Direction, Point
-from freebody.measures.turn import Alignment
-from freebody.model.elements import NonholonomicForm, RigidBody
+from freebody.model.elements import NonholonomicForm, RigidBody, Span, at_least
 from freebody.model.rotations import UNIT, dot, perpendiculars
 from freebody.model.solids import BOX, CYLINDER, DISK, RING, ROD, SolidKind
 from freebody.model.spins import body_axes
@@ -79,6 +79,14 @@ class Core:
     size: Expr
     reach: Expr
     inside: bool = False
+    of_polyhedron: bool = False  # a face, an edge or a corner, with where that is the nearest
+    within: tuple[Span, ...] = ()
+    is_face: bool = False
+
+    @property
+    def middle(self) -> Point:
+        """From which v counts."""
+        return self.body.mass_center if self.of_polyhedron else self.body.center
 
 
 def ball_of(names: Names, text: str) -> Ball | None:
@@ -92,25 +100,27 @@ def ball_of(names: Names, text: str) -> Ball | None:
     return None
 
 
-def core_of(names: Names, text: str, ball: Ball) -> Core | None:
-    """What of a body the ball stays away from; None where nothing is known of its form."""
+def cores_of(names: Names, text: str, ball: Ball) -> list[Core]:
+    """What of a body the ball stays away from; none where nothing is known of its form."""
     other = ball_of(names, text.removeprefix(INSIDE))
     if other is not None and (other.radius != ZERO or not text.startswith(INSIDE)):
         body, inside = names.known(other.center.body), text.startswith(INSIDE)
         reach = (body.inside_radius or ZERO) - ball.radius if inside else other.radius + ball.radius
-        return None if reach == ZERO else Core(body, text, body_axes(body.name), D, _size(D), reach, inside)
+        return [] if reach == ZERO else [Core(body, text, body_axes(body.name), D, _size(D), reach, inside)]
     body = names.known(text)
-    if text.startswith(INSIDE) or ball.radius == ZERO or body.solid not in _CORES or body.inner is not None:
-        return None  # nothing is known of the edge of a bore
-    axes, v, size = _CORES[body.solid](body)
-    return Core(body, text, axes, v, size, ball.radius)
+    if text.startswith(INSIDE) or ball.radius == ZERO or body.inner is not None:
+        return []  # nothing is known of the edge of a bore
+    if body.solid in _CORES:
+        axes, v, size = _CORES[body.solid](body)
+        return [Core(body, text, axes, v, size, ball.radius)]
+    solid = polyhedron_of(names, text)
+    return [] if solid is None else _cores_of_polyhedron(solid, ball)
 
 
-def place_on_body(names: Names, text: str, other: str) -> ContactPlace | None:
-    """The place at which a ball, or a point, can touch another body; None where the pair has none."""
+def places_on_body(names: Names, text: str, other: str) -> list[ContactPlace]:
+    """The places at which a ball, or a point, can touch another body; none where the pair has none."""
     ball = ball_of(names, text)
-    core = None if ball is None else core_of(names, other, ball)
-    return None if ball is None or core is None else _Touching(ball, core).place()
+    return [] if ball is None else [_Touching(ball, core).place() for core in cores_of(names, other, ball)]
 
 
 # -- cores ---------------------------------------------------------------------------------------
@@ -168,14 +178,42 @@ _CORES: dict[SolidKind, Callable[[RigidBody], Made]] = {
 }
 
 
+def _cores_of_polyhedron(solid: Polyhedron, ball: Ball) -> list[Core]:
+    """Its faces, edges and corners, each where it is what is nearest to the centre."""
+    body, center, found = solid.body, ball.center, list[Core]()
+
+    def core(v: Components, size: Expr, facing: str, *within: Span, is_face: bool = False) -> None:
+        axes = body_axes(body.name)
+        found.append(Core(body, facing, axes, v, size, ball.radius, of_polyhedron=True, within=within, is_face=is_face))
+
+    for face in solid.faces:
+        m = face.normal.components
+        above = dot(m, D) - face.offset
+        beside = [Span(Displacement(center, body.mass_center, s.along), s.low, s.high) for s in face.sides]
+        core(tuple(above * c for c in m), above, face.label, *beside, is_face=True)
+    for edge in solid.edges:
+        b, away = edge.along.components, tuple(d - c for d, c in zip(D, edge.start.offset, strict=True))
+        along = dot(b, away)
+        v = tuple(x - along * c for x, c in zip(away, b, strict=True))
+        outside = [at_least(Displacement(center, edge.start, out.along), out.sign) for out in edge.beyond]
+        core(
+            v, _size(v), edge.label(1), Span(Displacement(center, edge.start, edge.along), ZERO, edge.length), *outside
+        )
+    for corner in solid.corners:
+        v = tuple(d - c for d, c in zip(D, corner.point.offset, strict=True))
+        before = [at_least(Displacement(center, corner.point, e.along), -e.sign) for e in corner.leaving]
+        core(v, _size(v), corner.point.name, *before)
+    return found
+
+
 # -- the place -----------------------------------------------------------------------------------
 class _Touching:
     """Gap, slip and turning of a ball and a core."""
 
     def __init__(self, ball: Ball, core: Core) -> None:
         self.ball, self.core = ball, core
-        self.moves = [Displacement(ball.center, core.body.center, along) for along in core.axes]
-        self.seen: list[tuple[str, Measure]] = [(s.name, move) for s, move in zip(D, self.moves, strict=True)]
+        turns = ball.turns or core.body.turns
+        self.frame = ContactFrame.of(ball.center, core.middle, core.axes, D, turns=turns)
         n = self.n = tuple(c / core.reach for c in core.v)
         leaning = [dot(n, f) / (ONE + dot(n, Q)) for f in F]
         self.across = [
@@ -187,7 +225,7 @@ class _Touching:
         sphere = core.v == D
         gap: Measure = Distance(core.body.center, self.ball.center)
         if not sphere:
-            gap = Composed(core.size, tuple(self.seen), LENGTH, here=True)
+            gap = self.frame.composed(core.size, LENGTH)
         one, other = self.across
         return ContactPlace(
             self.ball.label,
@@ -196,9 +234,12 @@ class _Touching:
             core.reach,
             (self._slip(one, other, -1), self._slip(other, one, 1)),
             ("1", "2"),
-            lambda: (self._turning(one), self._turning(other)),
-            lambda: self._turning(self.n),
+            lambda: (self.frame.turning(one), self.frame.turning(other)),
+            lambda: self.frame.turning(self.n),
             -1 if core.inside else 1,
+            within=core.within,
+            obstacle=f"{self.ball.label} in {core.body.name}" if core.is_face else "",
+            bodies=(self.ball.center.body, core.body.name) if core.of_polyhedron else (),
             pitfall=self._pitfall(),
         )
 
@@ -213,29 +254,7 @@ class _Touching:
 
     def _slip(self, along: Components, other: Components, sign: int) -> NonholonomicForm:
         """b . d' + w . (r x b): r = -R n, and n x b_1 = b_2, n x b_2 = -b_1; inside r = R n."""
-        sign = -sign if self.core.inside else sign
-        terms: list[tuple[Measure, Measure]] = [
-            (Composed(c, tuple(self.seen), DIMENSIONLESS, here=True), move)
-            for c, move in zip(along, self.moves, strict=True)
-        ]
-        if self.ball.radius != ZERO:
-            arm = number(sign) * self.ball.radius
-            terms += self._rotating(tuple(arm * c for c in other), LENGTH)
-        return NonholonomicForm(tuple(terms), LENGTH)
-
-    def _turning(self, along: Components) -> NonholonomicForm:
-        return NonholonomicForm(tuple(self._rotating(along, DIMENSIONLESS)), DIMENSIONLESS)
-
-    def _rotating(self, along: Components, dimension: Dimension) -> list[tuple[Measure, Measure]]:
-        """w . u of the ball against the core, u by components along the core's axes e:
-        w . e_k = - sum_i (e_k+2 . a_i) d(e_k+1 . a_i)/dt, as in `model.spins`."""
-        terms: list[tuple[Measure, Measure]] = []
-        if not self.ball.turns and not self.core.body.turns:
-            return terms
-        e = self.core.axes
-        for k, c in enumerate(along):
-            p, q = e[(k + 1) % 3], e[(k + 2) % 3]
-            for a in body_axes(self.ball.center.body):
-                seen = (*self.seen, ("@c", Alignment(q, a)))
-                terms.append((Composed(-c * Symbol("@c"), seen, dimension, here=True), Alignment(p, a)))
-        return terms
+        if self.ball.radius == ZERO:
+            return self.frame.slip(along)
+        arm = number(-sign if self.core.inside else sign) * self.ball.radius
+        return self.frame.slip_by_moment(along, tuple(arm * c for c in other))

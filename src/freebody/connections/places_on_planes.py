@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
 from freebody.connections.joints import across_names
-from freebody.connections.polyhedra import corners_of_box
+from freebody.connections.polyhedra import corners_of
 from freebody.language.expression import ZERO, Call, Expr, Symbol
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
@@ -28,7 +28,7 @@ from freebody.measures.geometry import Direction, Point
 from freebody.measures.turn import Alignment
 from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
 from freebody.model.rotations import perpendiculars
-from freebody.model.solids import BOX, CYLINDER, ELLIPSOID
+from freebody.model.solids import BOX, CONVEX, CYLINDER, ELLIPSOID
 from freebody.model.spins import body_axes, spin, velocity_of_place
 
 if TYPE_CHECKING:
@@ -80,8 +80,8 @@ def places_on_plane(names: Names, text: str, plane: BodyPlane) -> list[PlaceOnPl
     body = names.known(owner)
     if dot or not body.turns:
         return [_point_of(names.point(text, "between"), text, plane)]
-    if body.solid == BOX:
-        return [_point_of(corner, corner.name, plane) for corner in corners_of_box(body)]
+    if body.solid in (BOX, CONVEX):
+        return [_point_of(corner, corner.name, plane) for corner in corners_of(body)]
     if body.solid == ELLIPSOID:
         return [ellipsoid_on_plane(body, plane)]
     if body.round == "sphere" and body.radius is not None:

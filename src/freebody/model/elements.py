@@ -152,6 +152,9 @@ class RigidBody:
     solid: SolidKind = NO_SOLID  # what it looks like, and its sizes
     sizes: Components = ()
     inner: Expr | None = None  # radius of what is hollow in it
+    faces: tuple[
+        tuple[str, tuple[str, ...]], ...
+    ] = ()  # of a convex body: names, and points that are the corners, counter-clockwise as seen from outside
 
     @property
     def inside_radius(self) -> Expr | None:
@@ -277,6 +280,11 @@ class Span:
     high: Expr | None = None
 
 
+def at_least(measure: Measure, sign: int) -> Span:
+    """sign * measure >= 0."""
+    return Span(measure, low=ZERO) if sign > 0 else Span(measure, high=ZERO)
+
+
 @dataclass(frozen=True)
 class UnilateralConstraint:
     """A measure that may not pass a limit: sign (measure - target) >= 0. While it is closed its row is held, and its
@@ -290,6 +298,8 @@ class UnilateralConstraint:
     obstacle: str = ""  # sites of the same family and obstacle face one corner or circle with all edges of an outline
     pitfall: Message | None = None  # how the bodies lie where the measure has no value
     is_crossing: bool = False  # of two edges in space, which it parts along their common normal
+    is_separating: bool = False  # of polyhedra in space: of its normal and those of the others one parts them
+    lost: Measure | None = None  # in `within`, not positive where more than a place touches: the pitfall says how
 
     @property
     def name(self) -> str:

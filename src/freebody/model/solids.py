@@ -42,5 +42,6 @@ FRUSTUM = SolidKind("frustum", is_round=True)  # radius of the base, of the top,
 DOME = SolidKind("dome")  # radius; half a ball about its own x from its reference point
 ROD = SolidKind("rod")  # length
 BOX = SolidKind("box")  # along x, y, z
+CONVEX = SolidKind("convex", has_lengths=False)  # none: it has corners and faces
 PLATE = SolidKind("plate", is_sheet=True)  # none: it has corners or a curved edge
 ROPE = SolidKind("rope", is_end=True)  # length

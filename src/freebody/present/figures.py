@@ -103,6 +103,7 @@ class Figure:
     # in space
     sizes: tuple[float, ...] = ()
     axis: Triple | None = None
+    faces: tuple[tuple[Place, ...], ...] = ()  # of a convex body, counter-clockwise as seen from outside
 
     @property
     def outline(self) -> Array:

@@ -266,6 +266,7 @@ class _Reader:
             plain,
             sizes=tuple(self.number(size) for size in body.sizes),
             axis=self.places.vector(body.axis) if body.axis else None,
+            faces=tuple(tuple(plain.points[name] for name in corners) for _name, corners in body.faces),
             is_toothed=plain.index in toothed,
         )
 

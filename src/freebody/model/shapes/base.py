@@ -43,6 +43,7 @@ class Build:
     solid: SolidKind = NO_SOLID
     sizes: Components = ()
     inner: Expr | None = None  # radius of what is hollow in it
+    faces: tuple[tuple[str, tuple[str, ...]], ...] = ()  # of a convex body: names, and corners as seen from outside
 
 
 class Shape(Spec):

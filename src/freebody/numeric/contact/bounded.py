@@ -8,7 +8,7 @@ the inequalities that the mode needs.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -185,6 +185,7 @@ class Bounded:
             is_ideal,
             grips,
             number(row.target) if kind == "contact" and isinstance(row.measure, Distance) and row.target else np.nan,
+            -1 if bound.lost is None else self.written.rows[bound.lost],
         )
 
     @property
@@ -341,6 +342,12 @@ class Bounded:
     def is_valid(self, k: int) -> bool:
         """Whether a barrier exists at the instant that `free` looked at last: a foot is on its edge."""
         return within(self.barriers[k], self.free.room.rows)
+
+    def spread_out(self, closed: Iterable[int]) -> UnilateralConstraint | None:
+        """Of closed contacts at the same instant one that is not in a single place."""
+        rows = self.free.room.rows
+        lost = (b for k in closed if (b := self.barriers[k]).lost >= 0 and rows[b.lost, kinematics.VALUE] <= 0.0)
+        return next((barrier.bound for barrier in lost), None)
 
     def problem(
         self, now: ContactInstant, closed: Sequence[int], drags: dict[int, int], *, of_rates: bool

@@ -22,6 +22,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, further, in_turn
 from freebody.numeric.contact.after import After, Choice
 from freebody.numeric.contact.bounded import Bounded
+from freebody.numeric.contact.overlaps import without_direction
 from freebody.numeric.contact.problem import OutcomeCount as Consistency
 from freebody.numeric.contact.record import PhaseRecord, merged
 from freebody.numeric.contact.rows import ContactInstant, ModeOf, within
@@ -107,6 +108,11 @@ class Hybrid:
             if not self.phases:
                 self.phases.append(self._no_phase(at.result.y, t))
             return Status.INCONSISTENT, contradiction(self.bounded, at.result, t)
+        if (spread := self.bounded.spread_out(at.result.mode.closed)) is not None:
+            if not self.phases:
+                self.phases.append(self._no_phase(at.result.y, t))
+            what = Message("{what} at t = {t:.9g} s", what=spread.pitfall or spread.name, t=t)
+            return Status.INCONSISTENT, without_direction(what, spread)
         if t >= until:
             return Status.FINISHED, ""
         left, steps_left = self._left(began)

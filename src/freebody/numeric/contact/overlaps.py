@@ -18,6 +18,7 @@ from freebody.model.elements import NonholonomicForm, UnilateralConstraint
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.reference import Reference
 
+NEARLY = 2e-5  # by the size of the system: gaps at which what lies flat touches
 PENETRATION = 1e-9  # by the size of the system: less than this is round-off
 
 
@@ -28,16 +29,30 @@ def gap_of(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) ->
     except CannotAnswer as error:
         if bound.pitfall is None:
             raise
-        told = Message(
-            "{what}, where no direction of the contact is known ({contact}). Start it elsewhere",
-            what=bound.pitfall,
-            contact=bound.row.connection,
-        )
-        raise CannotAnswer(told) from error
+        raise CannotAnswer(without_direction(bound.pitfall, bound)) from error
     target = 0.0 if bound.row.target is None else reference.number(bound.row.target)
     if bound.row.target is None and not isinstance(bound.row.measure, NonholonomicForm):
         target = reference.start_value(bound.row.measure)
-    return bound.row.sign * (value - target)
+    gap = bound.row.sign * (value - target)
+    if abs(gap) <= NEARLY * reference.sizes.length and _is_lost(reference, g, bound):
+        raise CannotAnswer(without_direction(bound.pitfall or bound.name, bound))
+    return gap
+
+
+def _is_lost(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> bool:
+    """Whether more than a place would touch."""
+    if bound.lost is None or reference.jet(g, bound.lost, bound.name).value > 0.0:
+        return False
+    return is_within(reference, g, bound)
+
+
+def without_direction(what: str, bound: UnilateralConstraint) -> Message:
+    """That bodies touch where a contact has no direction, or more than one place."""
+    return Message(
+        "{what}, where no direction of the contact is known ({contact}). Start it elsewhere",
+        what=what,
+        contact=bound.row.connection,
+    )
 
 
 def is_within(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, slack: float | None = None) -> bool:
@@ -81,7 +96,7 @@ def parting(
     apart: dict[str, dict[str, list[tuple[float, UnilateralConstraint]]]] = {}
     for bound in bounds:
         ends = bound.row.ends
-        if not bound.obstacle or len(ends) < 4:
+        if not bound.obstacle or len(ends) < 4 or (system.space and not bound.is_separating):
             continue
         if not system.space and any(len(system.bodies[name].corners) < 2 for name in ends[2:4]):
             continue

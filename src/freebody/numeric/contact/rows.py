@@ -37,6 +37,7 @@ class UnilateralRow:
     is_ideal: bool = False
     grips: tuple[int, ...] = ()  # places of rows that are held with it
     radius: float = np.nan  # of a gap that is a distance without it
+    lost: int = -1  # the row that is not positive where more than a place touches
 
 
 @dataclass(frozen=True)

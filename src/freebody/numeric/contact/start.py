@@ -136,7 +136,7 @@ def _next(
             if rest and any(b.name in closed for b in foot):
                 return rest[:1]
             continue
-        if any(b.is_crossing for b in bounds if b.family == family):
+        if any(b.is_separating for b in bounds if b.family == family):
             if not any(b.family == family for b in closed.values()):
                 return _nearest_of_polyhedra(reference, g, [b for b in bounds if b.family == family])
             continue

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Collection, Iterator
 from itertools import pairwise
 
@@ -23,6 +24,9 @@ from freebody.present.space.solids import (
     tube,
     turned_on_axis,
 )
+from freebody.present.space.solids import (
+    solid as make_solid,
+)
 
 THIN = 0.045  # half the thickness of a disk by its radius
 HOOP = (0.07, 0.035)  # half the width and half the depth of a ring by its radius
@@ -40,6 +44,14 @@ def convex(form: Figure, u: float) -> Solid | None:
 def _box(form: Figure, u: float) -> Solid:
     thick = min(form.sizes) > 0.0
     return (box(*form.sizes) if thick else plate(_middle_sheet(form.sizes))).moved(np.eye(3), form.center.at)
+
+
+def _convex(form: Figure, u: float) -> Solid:
+    corners = list(dict.fromkeys(itertools.chain(*form.faces)))
+    return make_solid(
+        np.array([corner.at for corner in corners]),
+        [tuple(corners.index(corner) for corner in face) for face in form.faces],
+    )
 
 
 def _plate(form: Figure, u: float) -> Solid | None:
@@ -93,6 +105,7 @@ def _rod(form: Figure, u: float) -> Solid:
 
 _CONVEX: dict[SolidKind, Callable[[Figure, float], Solid | None]] = {
     solids.BOX: _box,
+    solids.CONVEX: _convex,
     solids.PLATE: _plate,
     solids.CYLINDER: _cylinder,
     solids.CONE: _cone,

@@ -18,7 +18,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, listed
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
-from freebody.numeric.contact.overlaps import is_within, overlaps, parting
+from freebody.numeric.contact.overlaps import gap_of, is_within, overlaps, parting
 from freebody.numeric.contact.start import far_sides
 from freebody.numeric.instant import dynamics
 from freebody.numeric.jet_geometry import JetGeometry
@@ -171,7 +171,7 @@ def _first(
     """The sites that close first of a pair none of which is closed yet; of the first such pair."""
     for sites in pairs:
         if not any(site.name in closed for site in sites):
-            if any(site.is_crossing for site in sites):  # polyhedra
+            if any(site.is_separating for site in sites):
                 return {
                     site.name
                     for _gap_, places in parting(reference, g, sites).values()
@@ -197,7 +197,7 @@ def _apart(
         if site.is_crossing:
             continue
         pair = (site.row.connection, *site.row.ends[:1], *site.row.ends[-1:])
-        here = _gap(reference, g, site), site.name
+        here = gap_of(reference, g, site), site.name
         is_edge = isinstance(site.row.measure, Displacement)
         known = found if is_edge or is_within(reference, g, site, 0.0) else doubtful
         known[pair] = max(known.get(pair, (-math.inf, "")), here)
@@ -210,9 +210,7 @@ def _met(reference: Reference, g: JetGeometry, bounds: Iterable[UnilateralConstr
     return {
         bound.name
         for bound in bounds
-        if bound.name not in closed and abs(_gap(reference, g, bound)) <= size and is_within(reference, g, bound, size)
+        if bound.name not in closed
+        and abs(gap_of(reference, g, bound)) <= size
+        and is_within(reference, g, bound, size)
     }
-
-
-def _gap(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> float:
-    return bound.row.sign * reference.gap(bound.row, g).value

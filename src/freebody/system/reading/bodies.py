@@ -132,6 +132,7 @@ class BodySections:
             solid=build.solid,
             sizes=build.sizes,
             inner=build.inner,
+            faces=build.faces,
         )
 
     def _kind(self, word: str, value: Any) -> str | None:
