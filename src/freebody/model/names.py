@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any, ClassVar, Protocol, cast
 
 from freebody.language.expression import (
@@ -156,6 +157,7 @@ class Names(Formulas):
 
     def __init__(self) -> None:
         super().__init__()
+        self.folder: Path | None = None  # of the model file, in which its tables are
         self.bodies: dict[str, RigidBody] = {}
         self.measures: dict[str, Measure] = {}
         self.states: dict[str, ControllerState] = {}
