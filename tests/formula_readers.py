@@ -11,7 +11,7 @@ import re
 from collections.abc import Mapping
 from xml.etree import ElementTree
 
-from scipy.special import ellipk, ellipkinc
+from scipy.special import ellipk, ellipkinc, fresnel
 
 Known = Mapping[str, float]
 _FUNCTIONS = {
@@ -22,6 +22,8 @@ _FUNCTIONS = {
     **{"arcsin": math.asin, "arccos": math.acos, "arctan": math.atan, "exp": math.exp, "sqrt": math.sqrt, "abs": abs},
     **{"sign": lambda x: math.copysign(1.0, x)},
     **dict.fromkeys(("elliptic_K", "K"), lambda k: ellipk(k * k)),
+    **dict.fromkeys(("fresnel_c", "C"), lambda x: float(fresnel(x)[1])),
+    **dict.fromkeys(("fresnel_s", "S"), lambda x: float(fresnel(x)[0])),
     **dict.fromkeys(("elliptic_F", "F"), lambda *given: _first_kind(*(given if len(given) == 2 else given[0]))),
 }
 _RAISED = {c: str(k) for k, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"⁻": "-"}

@@ -758,6 +758,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "normal": "m*b*(g*cos(s) + c*rate(s)**2)/sqrt(b**2*cos(s)**2 + c**2*sin(s)**2)",
         "bottom": "sqrt(v**2 + 4*c*g)",
     },
+    # kappa = s/A^2; y = int_0^L sin(s^2/(2 A^2)) ds
+    "car_on_a_transition_curve": {
+        "force": "m*s*rate(s)**2/A**2",
+        "bend": "m*L*v**2/A**2",
+        "offset": "A*sqrt(pi)*fresnel_s(L/(A*sqrt(pi)))",
+        "fastest": "A*sqrt(F/(m*L))",
+    },
     # N = m (g cos(psi) + v^2/rho) = m (g + y'' x'^2)/sqrt(1 + y'^2) with y' = -h/b exp(-x/b)
     "sled_on_a_run_out": {
         "normal": "m*(g + h/b**2*exp(-x/b)*rate(x)**2)/sqrt(1 + h**2/b**2*exp(-2*x/b))",

@@ -36,14 +36,8 @@ CLOSING = [
     if any(str(c.get("closes", "")).startswith("when") for c in DOCUMENTS[name].get("connections", {}).values())
 ]
 COPIED = [name for name in PLANAR if any("copies" in str(b) for b in DOCUMENTS[name].get("bodies", {}).values())]
-CURVED = [  # as are curves in a parameter, and circles that roll on curves
-    name
-    for name in PLANAR
-    if any(
-        kind == "rolling_on_curve" or (kind == "curved_rail" and "x" in spec)
-        for c in DOCUMENTS[name].get("connections", {}).values()
-        for kind, spec in c.items()
-    )
+CURVED = [  # as are circles that roll on curves
+    name for name in PLANAR if any("rolling_on_curve" in c for c in DOCUMENTS[name].get("connections", {}).values())
 ]
 EXAMPLES = [name for name in PLANAR if name not in (*CLOSING, *COPIED, *CURVED)]  # copies are for the plane as well
 # nothing can touch or rub: any pose near by is possible

@@ -15,6 +15,7 @@ from freebody.connections.brake import Brake as _Brake
 from freebody.connections.brake import FrictionAlongMeasure as _FrictionAlongMeasure
 from freebody.connections.cam import Cam as _Cam
 from freebody.connections.chain import Chain as _Chain
+from freebody.connections.clothoid import Clothoid as _Clothoid
 from freebody.connections.constant_velocity import ConstantVelocity as _ConstantVelocity
 from freebody.connections.constraint import Constraint as _Constraint
 from freebody.connections.constraint import VelocityConstraint as _VelocityConstraint
@@ -294,7 +295,8 @@ class Cam(_Cam):
     `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
     `roller_radius`: it is the middle of a roller; of these `along` says on which side of the cam they are; guided
     through its centre, they have plain formulas. The lift is a formula in phi, the angle of the cam from where its x
-    axis points at the follower, or goes through `points: [[0 deg, 0 mm], [30 deg, 2 mm], ...]` of a turn:
+    axis points at the follower, or goes through `points: [[0 deg, 0 mm], [30 deg, 2 mm], ...]` of a turn, which a table
+    in the folder of the model may hold (`points: lift.csv`, with the head `phi [deg], lift [mm]`):
     `through: cubic` (a periodic spline, smooth to the acceleration) or `pchip` (no overshoot beside dwells, but the
     acceleration jumps at the points). The contact force is positive where the cam pushes (1 row)."""
 
@@ -304,7 +306,7 @@ class Cam(_Cam):
         follower: _Text,
         base_radius: _Formula,
         lift: _Formula | None = ...,
-        points: _List | None = ...,
+        points: _Text | _List | None = ...,
         through: _Text = ...,
         along: _Along | None = ...,
         form: _Text = ...,
@@ -323,6 +325,23 @@ class Chain(_Chain):
         pitch: _Formula,
         teeth: _List,
         length: _Formula | None = ...,
+    ) -> None: ...
+
+class Clothoid(_Clothoid):
+    """`clothoid: {point: car, scale: A}`: a point stays on a clothoid of another body (`on`, default the ground), which
+    starts straight along its x axis at its reference point and has the curvature s/A² after the length s; `bends: left`
+    (the default) or `right` (1 row, in space 2). `parameter of track` is s, as a measure. The normal force is positive
+    when it pushes to the left of the way. `leaves`, `friction` and `ends` are those of a `curved_rail`."""
+
+    def __init__(
+        self,
+        on: _Text = ...,
+        ends: _List | None = ...,
+        point: _Text = ...,
+        leaves: bool = ...,
+        friction: _Formula | _Mapping = ...,
+        scale: _Formula = ...,
+        bends: _Text = ...,
     ) -> None: ...
 
 class Composite(_Composite):
@@ -417,6 +436,9 @@ class Convex(_Convex):
 class CurvedRail(_CurvedRail):
     """`curved_rail: {point: bead, y: a*x^2}`: a point stays on the curve y = f(x) of another body (`on`, default the
     ground), x and y from its reference point along its axes (1 row, in space 2). f is a formula in x and parameters.
+    `curved_rail: {point: bead, points: [[0 m, 2 m], [1 m, 1.2 m], ...]}`: through points with growing x, which a table
+    in the folder of the model may hold (`points: track.csv`, with the head `x [m], y [m]`); `through: cubic` (a natural
+    spline) or `pchip` (no overshoot, but the curvature jumps at the points); beyond them the curve goes on straight.
     `curved_rail: {point: bead, x: R*(s + sin(s)), y: R*(1 - cos(s))}`: on a curve in a parameter s, an angle or a
     length, in the plane; `parameter of rail` is it as a measure. The normal force is positive when it pushes to the
     left of the way of growing x or s, which is up where a curve to the right is level. `leaves: true`: the point lies
@@ -425,13 +447,15 @@ class CurvedRail(_CurvedRail):
 
     def __init__(
         self,
-        y: _Formula,
-        x: _Formula | None = ...,
         on: _Text = ...,
         ends: _List | None = ...,
         point: _Text = ...,
         leaves: bool = ...,
         friction: _Formula | _Mapping = ...,
+        y: _Formula | None = ...,
+        x: _Formula | None = ...,
+        points: _Text | _List | None = ...,
+        through: _Text = ...,
     ) -> None: ...
 
 class Cylinder(_Cylinder):
@@ -958,17 +982,19 @@ class Rolling(_Rolling):
 
 class RollingOnCurve(_RollingOnCurve):
     """`rolling_on_curve: {body: ball, y: a*x^2}`: a round body rolls without slip on the curve y = f(x) of the ground
-    (or of another body, `on`), or on one in a parameter s, `x: ..., y: ...`; `parameter of contact` is where on it they
-    touch (2 rows). It lies on the left of the way of growing x or s, which is above a curve to the right; `below: true`
-    puts it on the other side. `ends: [x1, x2]`: from where to where the curve is drawn. A circle that is too large for
-    a curve is refused with the radius that would do."""
+    (or of another body, `on`), on one in a parameter s, `x: ..., y: ...`, or through `points` as a `curved_rail`;
+    `parameter of contact` is where on it they touch (2 rows). It lies on the left of the way of growing x or s, which
+    is above a curve to the right; `below: true` puts it on the other side. `ends: [x1, x2]`: from where to where the
+    curve is drawn. A circle that is too large for a curve is refused with the radius that would do."""
 
     def __init__(
         self,
-        y: _Formula,
-        x: _Formula | None = ...,
         on: _Text = ...,
         ends: _List | None = ...,
+        y: _Formula | None = ...,
+        x: _Formula | None = ...,
+        points: _Text | _List | None = ...,
+        through: _Text = ...,
         body: _Text = ...,
         below: bool = ...,
     ) -> None: ...

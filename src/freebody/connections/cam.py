@@ -66,7 +66,8 @@ class Cam(Connection, kind="cam"):
     `along: lever.y`). `form: edge`: the point of the follower itself runs on the edge; `form: roller` with a
     `roller_radius`: it is the middle of a roller; of these `along` says on which side of the cam they are; guided
     through its centre, they have plain formulas. The lift is a formula in phi, the angle of the cam from where its x
-    axis points at the follower, or goes through `points: [[0 deg, 0 mm], [30 deg, 2 mm], ...]` of a turn:
+    axis points at the follower, or goes through `points: [[0 deg, 0 mm], [30 deg, 2 mm], ...]` of a turn, which a table
+    in the folder of the model may hold (`points: lift.csv`, with the head `phi [deg], lift [mm]`):
     `through: cubic` (a periodic spline, smooth to the acceleration) or `pchip` (no overshoot beside dwells, but the
     acceleration jumps at the points). The contact force is positive where the cam pushes (1 row)."""
 
@@ -74,7 +75,7 @@ class Cam(Connection, kind="cam"):
     follower: str
     base_radius: Formula
     lift: Formula | None = None
-    points: list[list[Formula]] | None = None
+    points: list[list[Formula]] | str | None = None
     through: str = "cubic"
     along: Heading | None = None
     form: str = "flat"

@@ -14,8 +14,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
+from freebody.connections.points_given import GivenPoints, PointList, read_points
 from freebody.language.expression import ONE, PI, PLACE, ZERO, Call, Expr, GivenCall, Symbol, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -29,7 +30,7 @@ _SAME = 1e-9  # of a turn, and of the lift
 _BETWEEN = 0.381966  # where between two points a turn begins: no place at which a motion is likely to start
 
 
-def lift_through(names: Names, points: Sequence[Any], curve: str, angle: str) -> Expr | None:
+def lift_through(names: Names, points: PointList, curve: str, angle: str) -> Expr | None:
     """The lift in the angle of that name; None with a problem noted."""
     if curve not in CURVES:
         names.problem(Message("through is one of {names}", names=", ".join(CURVES)), "through")
@@ -41,27 +42,21 @@ def lift_through(names: Names, points: Sequence[Any], curve: str, angle: str) ->
     return GivenCall("lift", Symbol(angle), None, *forms, LENGTH)
 
 
-def _table(names: Names, points: Sequence[Any]) -> tuple[list[float], list[float]] | None:
+def _table(names: Names, points: PointList) -> tuple[list[float], list[float]] | None:
     """Angles within a turn [rad], growing, and lifts [m]."""
-    angles: list[float] = []
-    lifts: list[float] = []
-    for k, point in enumerate(points):
-        pair = cast("list[Any]", point) if isinstance(point, list) else []
-        if len(pair) != 2:
-            names.problem(Message("a point is an angle and a lift, e.g. [30 deg, 2 mm]"), "points", k)
-            return None
-        angle = names.numeric(names.formula(pair[0], DIMENSIONLESS, "points", k, 0))
-        lift = names.numeric(names.formula(pair[1], LENGTH, "points", k, 1))
-        if angle is None or lift is None:
-            names.problem(Message("a cam through points needs numbers: give the parameters values"), "points", k)
-            return None
-        angles.append(angle)
-        lifts.append(lift)
-    return _whole_turn(names, angles, lifts)
+    found = read_points(
+        names,
+        points,
+        (("phi", DIMENSIONLESS), ("lift", LENGTH)),
+        Message("a point is an angle and a lift, e.g. [30 deg, 2 mm]"),
+        Message("a cam through points needs numbers: give the parameters values"),
+    )
+    return None if found is None else _whole_turn(names, found)
 
 
-def _whole_turn(names: Names, angles: list[float], lifts: list[float]) -> tuple[list[float], list[float]] | None:
+def _whole_turn(names: Names, points: GivenPoints) -> tuple[list[float], list[float]] | None:
     """Without a last point that repeats the first one; None with a problem noted where they make no turn."""
+    angles, lifts = [x for x, _y in points.pairs], [y for _x, y in points.pairs]
     for k in range(1, len(angles)):
         if angles[k] <= angles[k - 1]:
             told = Message(
@@ -69,7 +64,7 @@ def _whole_turn(names: Names, angles: list[float], lifts: list[float]) -> tuple[
                 this=math.degrees(angles[k]),
                 last=math.degrees(angles[k - 1]),
             )
-            names.problem(told, "points", k)
+            points.problem(names, told, k)
             return None
     size = max(map(abs, lifts), default=0.0)
     if len(angles) > 1 and abs(angles[-1] - angles[0] - math.tau) <= _SAME * math.tau:
@@ -79,11 +74,11 @@ def _whole_turn(names: Names, angles: list[float], lifts: list[float]) -> tuple[
                 first=lifts[0],
                 last=lifts[-1],
             )
-            names.problem(told, "points", len(angles) - 1)
+            points.problem(names, told, len(angles) - 1)
             return None
         angles, lifts = angles[:-1], lifts[:-1]
     if len(angles) < _LEAST:
-        names.problem(Message("a turn needs at least {n} points, found {found}", n=_LEAST, found=len(angles)), "points")
+        points.problem(names, Message("a turn needs at least {n} points, found {found}", n=_LEAST, found=len(angles)))
         return None
     if angles[-1] - angles[0] >= math.tau:
         told = Message(
@@ -91,7 +86,7 @@ def _whole_turn(names: Names, angles: list[float], lifts: list[float]) -> tuple[
             first=math.degrees(angles[0]),
             last=math.degrees(angles[-1]),
         )
-        names.problem(told, "points", len(angles) - 1)
+        points.problem(names, told, len(angles) - 1)
         return None
     return angles, lifts
 
@@ -118,7 +113,7 @@ def _forms(angles: list[float], lifts: list[float], curve: str) -> tuple[tuple[E
     )
     half = (PLACE - number(begin) - PI) / 2
     turned = PI + 2 * Call("atan", Call("sin", half) / Call("cos", half))
-    return tuple(_piecewise(after, breaks, order, PLACE) for order in orders), turned
+    return tuple(piecewise(after, breaks, order, PLACE) for order in orders), turned
 
 
 def _derivative(found: Any, begin: float, low: float, high: float, order: int) -> float:
@@ -128,7 +123,7 @@ def _derivative(found: Any, begin: float, low: float, high: float, order: int) -
     return sum(float(found(middle, j)) * (-half) ** (j - order) / math.factorial(j - order) for j in range(order, 4))
 
 
-def _piecewise(after: Any, breaks: Sequence[float], order: int, w: Expr) -> Expr:
+def piecewise(after: Any, breaks: Sequence[float], order: int, w: Expr) -> Expr:
     """The derivative of an order: the first cubic, and what is added from each break on."""
 
     def polynomial(derivatives: Sequence[float], x: Expr) -> Expr:

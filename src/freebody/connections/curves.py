@@ -1,4 +1,4 @@
-"""Curves as connections state them: y = f(x), or x and y in a parameter s; what is drawn of them."""
+"""Curves as connections state them: y = f(x), x and y in a parameter s, or through points; what is drawn of them."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
+from freebody.connections.curve_points import curve_through
 from freebody.errors import ExpressionError, FreebodyError, UnitError
 from freebody.language.expression import Expr, Symbol, evaluate, number, substitute
 from freebody.language.parser import parse
@@ -30,14 +31,35 @@ N_LOOKED_AT = 400  # places at which a curve is looked at
 
 
 class AlongCurve(Connection):
-    """What a connection on a curve states of it: `y` in x, or `x` and `y` in s; `on` which body; `ends`."""
+    """What a connection on a curve states of it: `on` which body it is; `ends`, between which it is drawn."""
 
     called: ClassVar[tuple[str, ...]] = ("wire", "rail", "track", "curve", "chute")
 
-    y: Formula
-    x: Formula | None = None
     on: str = GROUND
     ends: list[Formula] | None = None
+
+    def curve(self, names: Names) -> Curve:
+        """The curve in s; s is x where y is given in x."""
+        raise NotImplementedError
+
+    def y_in_x(self, names: Names) -> Expr | None:
+        """y in the symbol x, where the curve is given so."""
+        return None
+
+    @property
+    def is_in_x(self) -> bool:
+        """Whether y is given in x."""
+        return False
+
+    def told_range(self, names: Names) -> tuple[Expr, Expr] | None:
+        """From where to where the curve is told, where that is all."""
+        return None
+
+    def placed(self, names: Names) -> tuple[Point, tuple[Direction, Direction]]:
+        """The point from which a curve is counted, and its axes."""
+        base = names.body(self.on, "on")
+        origin = base.center if base.name != GROUND else names.ground_origin
+        return origin, (self.axis(names, "x"), self.axis(names, "y"))
 
     def moved_point(self, names: Names) -> Point:
         """What is on the curve, or rolls on it."""
@@ -50,27 +72,6 @@ class AlongCurve(Connection):
     def axis(self, names: Names, key: str) -> Direction:
         return names.fixed_in(self.on, UNIT["xyz".index(key)][: len(names.origin)], key)
 
-    def curve(self, names: Names) -> Curve:
-        """The curve in s; s is x where y is given in x."""
-        base = names.body(self.on, "on")
-        origin = base.center if base.name != GROUND else names.ground_origin
-        axes = self.axis(names, "x"), self.axis(names, "y")
-        if self.x is None:
-            y = names.formula(self.y, LENGTH, "y", extra={"x": LENGTH})
-            return Curve(Symbol(PARAMETER), substitute(y, {"x": Symbol(PARAMETER)}), LENGTH, origin, axes)
-        dimension = self._dimension(names)
-        x, y = (names.formula(getattr(self, k), LENGTH, k, extra={"s": dimension}) for k in ("x", "y"))
-        s = {"s": Symbol(PARAMETER)}
-        return Curve(substitute(x, s), substitute(y, s), dimension, origin, axes)
-
-    def _dimension(self, names: Names) -> Dimension:
-        """Of the parameter: an angle or a number, or a length."""
-        try:
-            found = dimension_of(parse(str(self.x)), {**names.dimensions(), "s": DIMENSIONLESS})
-        except (ExpressionError, UnitError):
-            return LENGTH
-        return DIMENSIONLESS if found == LENGTH else LENGTH
-
     def curve_place(self, names: Names) -> CurvePlace | None:
         point, curve = self.moved_point(names), self.curve(names)
         h = self.height(names)
@@ -79,7 +80,7 @@ class AlongCurve(Connection):
     def _nearest(self, names: Names, curve: Curve, point: Point) -> Expr:
         """A guess for s: where the curve comes nearest to where the point is put."""
         put = _put(names, point)
-        if self.x is None:
+        if self.is_in_x:
             return put[0] if put is not None else number(0)
         place = None if put is None else [names.numeric(c) for c in put[:2]]
         ends = [names.numeric(end) for end in self._ends(names, curve)]
@@ -162,12 +163,66 @@ class AlongCurve(Connection):
                 first, second = (names.formula(e, curve.dimension, "ends", k) for k, e in enumerate(self.ends))
                 return first, second
             names.problem(Message("ends are two, from where to where the curve is drawn: ends: [-1 m, 1 m]"), "ends")
+        if (told := self.told_range(names)) is not None:
+            return told
         if curve.dimension == DIMENSIONLESS:
             return -Symbol("pi"), Symbol("pi")
         put = _put(names, self.moved_point(names))
         far = None if put is None else names.numeric(put[0])
         reach = number(Fraction(1.5 * abs(far)).limit_denominator(1000)) if far else number(1)
         return -reach, reach
+
+
+class WrittenCurve(AlongCurve):
+    """A curve that is written: `y` in x, `x` and `y` in s, or `points` that it goes `through`."""
+
+    y: Formula | None = None
+    x: Formula | None = None
+    points: list[list[Formula]] | str | None = None
+    through: str = "cubic"
+
+    @property
+    def is_in_x(self) -> bool:
+        return self.x is None
+
+    def is_written(self, names: Names) -> bool:
+        """Whether the curve is said in one way; else with a problem noted."""
+        if (self.y is None) == (self.points is None) or (self.x is not None and self.y is None):
+            told = Message("say what the curve is: y: a formula in x; x and y: formulas in s; or points: [[0, 0], ...]")
+            names.problem(told)
+            return False
+        return True
+
+    def y_in_x(self, names: Names) -> Expr | None:
+        if not self.is_in_x or (self.y is None and self.points is None):
+            return None
+        if self.points is None:
+            return names.formula(self.y, LENGTH, "y", extra={"x": LENGTH})
+        found = curve_through(names, self.points, self.through)
+        return number(0) if found is None else found[0]
+
+    def told_range(self, names: Names) -> tuple[Expr, Expr] | None:
+        with names.quietly():
+            found = None if self.points is None else curve_through(names, self.points, self.through)
+        return None if found is None else (number(found[1][0]), number(found[1][1]))
+
+    def curve(self, names: Names) -> Curve:
+        origin, axes = self.placed(names)
+        if self.is_in_x:
+            y = self.y_in_x(names) or number(0)
+            return Curve(Symbol(PARAMETER), substitute(y, {"x": Symbol(PARAMETER)}), LENGTH, origin, axes)
+        dimension = self._dimension(names)
+        x, y = (names.formula(getattr(self, k), LENGTH, k, extra={"s": dimension}) for k in ("x", "y"))
+        s = {"s": Symbol(PARAMETER)}
+        return Curve(substitute(x, s), substitute(y, s), dimension, origin, axes)
+
+    def _dimension(self, names: Names) -> Dimension:
+        """Of the parameter: an angle or a number, or a length."""
+        try:
+            found = dimension_of(parse(str(self.x)), {**names.dimensions(), "s": DIMENSIONLESS})
+        except (ExpressionError, UnitError):
+            return LENGTH
+        return DIMENSIONLESS if found == LENGTH else LENGTH
 
 
 def _put(names: Names, point: Point) -> tuple[Expr, ...] | None:

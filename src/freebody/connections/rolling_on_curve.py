@@ -14,36 +14,31 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from freebody.connections.curves import AlongCurve
+from freebody.connections.curves import WrittenCurve
 from freebody.language.expression import Expr, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
-from freebody.measures.geometry import GROUND, Point
+from freebody.measures.geometry import Point
 from freebody.model.curves import CurvePlace
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
-from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class RollingOnCurve(AlongCurve, kind="rolling_on_curve"):
+class RollingOnCurve(WrittenCurve, kind="rolling_on_curve"):
     """`rolling_on_curve: {body: ball, y: a*x^2}`: a round body rolls without slip on the curve y = f(x) of the ground
-    (or of another body, `on`), or on one in a parameter s, `x: ..., y: ...`; `parameter of contact` is where on it they
-    touch (2 rows). It lies on the left of the way of growing x or s, which is above a curve to the right; `below: true`
-    puts it on the other side. `ends: [x1, x2]`: from where to where the curve is drawn. A circle that is too large for
-    a curve is refused with the radius that would do."""
+    (or of another body, `on`), on one in a parameter s, `x: ..., y: ...`, or through `points` as a `curved_rail`;
+    `parameter of contact` is where on it they touch (2 rows). It lies on the left of the way of growing x or s, which
+    is above a curve to the right; `below: true` puts it on the other side. `ends: [x1, x2]`: from where to where the
+    curve is drawn. A circle that is too large for a curve is refused with the radius that would do."""
 
     body: str
-    y: Formula
-    x: Formula | None = None
-    on: str = GROUND
     below: bool = False
-    ends: list[Formula] | None = None
 
     in_plane = True
     has_contact_point = True
@@ -69,7 +64,7 @@ connections: {it: {rolling_on_curve: {body: ball, y: a*x^2}}}
             names.problem(Message("rolling on a curve is for models of the plane"))
             return False
         names.radius(body.name, "body")
-        return body.radius is not None
+        return self.is_written(names) and body.radius is not None
 
     def curve_place(self, names: Names) -> CurvePlace | None:
         return super().curve_place(names) if self._is_sound(names) else None

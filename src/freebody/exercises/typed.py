@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from freebody.assess.names import named_in
 from freebody.errors import ExpressionError
-from freebody.language.expression import ELLIPTIC, Call, Expr, Number, Symbol, replace_rates
+from freebody.language.expression import ELLIPTIC, FRESNEL, Call, Expr, Number, Symbol, replace_rates
 from freebody.language.notation.one_line import OneLineWriter
 from freebody.language.parser import parse
 from freebody.messages import Message
@@ -88,6 +88,8 @@ class Typing:
             raise ExpressionError(Message("it has the rate of more than a name"))
         if call.function in ELLIPTIC:
             raise ExpressionError(Message("it has an elliptic integral"))
+        if call.function in FRESNEL:
+            raise ExpressionError(Message("it has a Fresnel integral"))
         return f"{self.language.functions.get(call.function, call.function)}({argument})"
 
 

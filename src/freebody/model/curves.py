@@ -21,7 +21,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
+from freebody.measures.geometry import AXES, GROUND, RIGHT, UP, ZERO, Components, Direction, Point
 from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody, Start
 
 PARAMETER = "@s"  # as all names in a statement: no user can type it, so that no parameter is called so
@@ -118,19 +118,24 @@ class CurvePlace:
 
     def body(self) -> RigidBody:
         """What carries s and h: nothing that has mass."""
-        start = Start(near=Start(at=("center", self.near)))
-        points = {"center": (ZERO, ZERO), "mass_center": (ZERO, ZERO)}
-        return RigidBody(self.carrier, ZERO, ZERO, points, "center", turns=False, start=start)
+        start = Start(near=Start(at=("center", (*self.near, *self._zero[2:]))))
+        points = {"center": self._zero, "mass_center": self._zero}
+        return RigidBody(self.carrier, ZERO, ZERO, points, "center", turns=False, tensor=(ZERO,) * 6, start=start)
 
     def rows(self) -> list[ConstraintRow]:
         """What s and h are; nothing is transmitted."""
         (nx, ny), h = self.curve.normal, Symbol(_H)
         x = self._composed(Symbol(_X) - (self.curve.x + h * nx))
         y = self._composed(Symbol(_Y) - (self.curve.y + h * ny))
-        return [ConstraintRow(n, "", m, connection=self.carrier) for n, m in (("x", x), ("y", y))]
+        more = [("z", self._along(axis)) for axis in AXES[2 : len(self._zero)]]  # in space: it stays in a plane
+        return [ConstraintRow(n, "", m, connection=self.carrier) for n, m in (("x", x), ("y", y), *more)]
+
+    @property
+    def _zero(self) -> Components:
+        return tuple(ZERO for _each in self.curve.origin.offset)
 
     def _along(self, axis: Direction) -> Displacement:
-        return Displacement(Point(self.carrier), Point(GROUND), axis)
+        return Displacement(Point(self.carrier, self._zero), Point(GROUND, self._zero), axis)
 
     def _composed(self, expression: Expr) -> Composed:
         own = (PARAMETER, self._along(RIGHT)), (_H, self._along(UP))

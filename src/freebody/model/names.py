@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, ClassVar, Protocol, cast
 
 from freebody.language.expression import (
@@ -158,6 +159,7 @@ class Names(Formulas):
 
     def __init__(self) -> None:
         super().__init__()
+        self.folder: Path | None = None  # of the model file, in which its tables are
         self.bodies: dict[str, RigidBody] = {}
         self.measures: dict[str, Measure] = {}
         self.states: dict[str, ControllerState] = {}

@@ -22,6 +22,8 @@ from typing import Any, TypeAlias, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.language.expression import FLOAT_FUNCTIONS
+
 Array = NDArray[np.float64]
 Gradient: TypeAlias = "Array | GradientEntries | None"
 TIME = "t"
@@ -211,13 +213,15 @@ _SLOPES: Mapping[str, Callable[[float, float], tuple[float, float]]] = {
     "sinh": lambda x, y: (math.cosh(x), y),
     "cosh": lambda x, y: (math.sinh(x), y),
     "tanh": lambda x, y: (1.0 - y * y, -2.0 * y * (1.0 - y * y)),
+    "fresnel_c": lambda x, y: (math.cos(math.pi / 2 * x * x), -math.pi * x * math.sin(math.pi / 2 * x * x)),
+    "fresnel_s": lambda x, y: (math.sin(math.pi / 2 * x * x), math.pi * x * math.cos(math.pi / 2 * x * x)),
 }
 
 
 def function_of(name: str, x: Any) -> Any:
     """A function by its name, of a jet or a number."""
     value = float(x.value if isinstance(x, Jet) else x)
-    y = cast("float", getattr(math, name)(value))
+    y = cast("float", FLOAT_FUNCTIONS[name](value))
     if not isinstance(x, Jet):
         return y
     return Jet(y) if x.is_constant else x.chain(y, *_SLOPES[name](value, y))

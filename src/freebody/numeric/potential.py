@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, children, evaluate, free_symbols
+from freebody.language.expression import FLOAT_FUNCTIONS, FRESNEL, Call, Expr, children, evaluate, free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
@@ -74,6 +74,7 @@ def _has_rate(expr: Expr) -> bool:
 ARRAY_FUNCTIONS: Mapping[str, Any] = {
     **{name: getattr(np, name) for name in ("sqrt", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh")},
     **{"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "abs": np.abs, "sign": np.sign},
+    **{name: np.vectorize(FLOAT_FUNCTIONS[name], otypes=[float]) for name in FRESNEL},
     "pi": math.pi,
     "number": float,
 }

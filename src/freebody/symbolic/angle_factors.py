@@ -10,7 +10,7 @@ from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.polynomials import Poly
 from freebody.symbolic.signs import Sign, sign_of
 
-_ODD = ("atan", "asin", "sinh", "tanh")  # functions with the sign of their argument
+_ODD = ("atan", "asin", "sinh", "tanh", "fresnel_c", "fresnel_s")  # functions with the sign of their argument
 
 
 def open_parts(x: Ratio) -> list[Ratio]:

@@ -104,7 +104,7 @@ def function_atom(
             compute=lambda v, f: (
                 _sign(field.evaluate(argument, v, f))
                 if name == "sign"
-                else getattr(f, name)(field.evaluate(argument, v, f))
+                else getattr(f, name, FLOAT_FUNCTIONS[name])(field.evaluate(argument, v, f))
             ),
             made_of=field.ingredients(argument),
             remake=lambda follow: (

@@ -395,6 +395,16 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
     def atan(x: Ratio) -> Ratio:
         return _arc_or_known(field, "atan", x, lambda u: 1 / (1 + u * u))
 
+    def fresnel(name: str, of: Callable[[Ratio], Ratio]) -> Callable[[Ratio], Ratio]:
+        """An integral of cos(pi t^2/2), or of the sine: odd."""
+
+        def call(x: Ratio) -> Ratio:
+            if x.is_zero() or next(iter(field.terms(x.num).values())) < 0:
+                return field.zero if x.is_zero() else -call(-x)
+            return function_atom(field, name, x, lambda _f, u: of(field.pi * u * u / 2), call)
+
+        return call
+
     def elliptic_k(k: Ratio) -> Ratio:
         return elliptic_f(field.pi / 2, k)
 
@@ -406,6 +416,7 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
 
     named = (cos, sin, tan, exp, log, sinh, cosh, tanh, asin, acos, atan, sign)
     table: dict[str, Any] = {function.__name__: function for function in named}
+    table |= {"fresnel_c": fresnel("fresnel_c", cos), "fresnel_s": fresnel("fresnel_s", sin)}
     table |= {"elliptic_K": elliptic_k, "elliptic_F": elliptic_f, "given": given}
     return table | {"number": field.element, "pi": field.pi, "sqrt": root, "abs": absolute}
 

@@ -308,6 +308,8 @@ def _dual_functions(plain: FieldGeometry, f: Mapping[str, Any]) -> dict[str, Any
         "asin": lambda x, _y: 1 / f["sqrt"](1 - x * x),
         "acos": lambda x, _y: -1 / f["sqrt"](1 - x * x),
         "atan": lambda x, _y: 1 / (1 + x * x),
+        "fresnel_c": lambda x, _y: f["cos"](plain.field.pi * x * x / 2),
+        "fresnel_s": lambda x, _y: f["sin"](plain.field.pi * x * x / 2),
         "abs": lambda x, y: x / y,
         "sign": lambda x, _y: x - x,
     }

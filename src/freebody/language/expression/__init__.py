@@ -13,7 +13,9 @@ from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, r
 from freebody.language.expression.inspection import depth, domain, free_symbols, has_jump, in_one_order, n_operations
 from freebody.language.expression.rates import replace_rates
 from freebody.language.expression.tree import (
+    ELEMENTARY,
     ELLIPTIC,
+    FRESNEL,
     FUNCTIONS,
     MAX_EXPONENT,
     MINUS_ONE,
@@ -44,8 +46,10 @@ from freebody.language.expression.tree import (
 )
 
 __all__ = [
+    "ELEMENTARY",
     "ELLIPTIC",
     "FLOAT_FUNCTIONS",
+    "FRESNEL",
     "FUNCTIONS",
     "MAX_EXPONENT",
     "MINUS_ONE",

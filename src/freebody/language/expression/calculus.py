@@ -16,6 +16,7 @@ from freebody.language.expression.tree import (
     ELLIPTIC,
     MINUS_ONE,
     ONE,
+    PI,
     ZERO,
     Call,
     Expr,
@@ -119,6 +120,8 @@ _DERIVATIVES: Mapping[str, Callable[[Expr], Expr]] = {
     "sinh": lambda u: Call("cosh", u),
     "cosh": lambda u: Call("sinh", u),
     "tanh": lambda u: 1 - Call("tanh", u) ** 2,
+    "fresnel_c": lambda u: Call("cos", PI * u**2 / 2),
+    "fresnel_s": lambda u: Call("sin", PI * u**2 / 2),
     "abs": lambda u: Call("sign", u),
     "sign": lambda u: ZERO,
 }

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 from freebody.errors import ExpressionError
 from freebody.language.expression.elliptic import elliptic_F, elliptic_K
+from freebody.language.expression.fresnel import fresnel_c, fresnel_s
 from freebody.language.expression.tree import (
     ELEMENTARY,
     PLACE,
@@ -35,6 +36,8 @@ def _sign(x: float) -> float:
 
 FLOAT_FUNCTIONS: Mapping[str, Any] = {
     **{name: getattr(math, name) for name in ELEMENTARY},
+    "fresnel_c": fresnel_c,
+    "fresnel_s": fresnel_s,
     "elliptic_K": elliptic_K,
     "elliptic_F": elliptic_F,
     "abs": abs,

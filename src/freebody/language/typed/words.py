@@ -21,7 +21,7 @@ FUNCTIONS = {
     },
     **{"arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctg": "atan", "tg": "tan", "ln": "log", "abs": "abs"},
     **{"cot": "cot", "ctg": "cot", "sec": "sec", "csc": "csc", "sgn": "sign", "sign": "sign", "√": "sqrt"},
-    **{"elliptic_K": "elliptic_K", "elliptic_F": "elliptic_F", "rate": "rate"},
+    **{name: name for name in ("elliptic_K", "elliptic_F", "fresnel_c", "fresnel_s", "rate")},
 }
 _VARIANTS = {"ς": "sigma", "ϑ": "theta", "ϕ": "phi", "ϵ": "epsilon", "\u00b5": "mu", "\u2126": "Omega"}
 _LETTERS = {**GREEK, **_VARIANTS}

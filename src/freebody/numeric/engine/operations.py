@@ -27,6 +27,8 @@ from freebody.numeric.kernels.operations import (
     COSH,
     DIVIDE,
     EXP,
+    FRESNEL_C,
+    FRESNEL_S,
     FUNCTIONS,
     INPUT,
     LOG,
@@ -215,6 +217,8 @@ class OperationGraph(ABC):
             return self.function(SINH, x)
         if op == TANH:
             return one - here * here
+        if op in (FRESNEL_C, FRESNEL_S):
+            return self.function(COS if op == FRESNEL_C else SIN, self.constant(math.pi / 2) * x * x)
         return self.function(SIGN, x) if op == ABS else self.constant(0.0)
 
     # -- programs -----------------------------------------------------------------------------

@@ -7,6 +7,8 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import (
+    ELEMENTARY,
+    FRESNEL,
     PLACE,
     Call,
     Expr,
@@ -24,7 +26,7 @@ from freebody.language.expression import (
 from freebody.language.sentences import Message
 from freebody.numeric.kernels import tape
 
-_NAMES = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "abs", "sign")
+_NAMES = (*ELEMENTARY, "abs", "sign", *FRESNEL)
 _OPS: dict[str, int] = {name: getattr(tape, name.upper()) for name in _NAMES}
 
 

@@ -17,6 +17,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from freebody.errors import CannotAnswer
+from freebody.language.expression import FRESNEL
+from freebody.language.sentences import Message
 from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.ensemble.copies import Copies, Extreme
 from freebody.numeric.kernels.operations import (
@@ -120,6 +123,8 @@ class _Writer:
             return f"abs({x})"
         if op == SIGN:
             return f"(1.0 if {x} > 0.0 else (-1.0 if {x} < 0.0 else 0.0))"
+        if FUNCTIONS[op - SQRT] in FRESNEL:
+            raise CannotAnswer(Message("many copies together know no Fresnel integrals"))
         return f"math.{FUNCTIONS[op - SQRT]}({x})"
 
     def _named(self, k: int, still: str) -> str:

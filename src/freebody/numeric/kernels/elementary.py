@@ -12,7 +12,24 @@ import math
 
 from freebody.numeric.kernels.balls import EPS, chained, product, times, widened
 from freebody.numeric.kernels.declaring import kernel
-from freebody.numeric.kernels.operations import ABS, ACOS, ASIN, ATAN, COS, COSH, EXP, LOG, SIGN, SIN, SINH, SQRT, TANH
+from freebody.numeric.kernels.fresnel import fresnel
+from freebody.numeric.kernels.operations import (
+    ABS,
+    ACOS,
+    ASIN,
+    ATAN,
+    COS,
+    COSH,
+    EXP,
+    FRESNEL_C,
+    FRESNEL_S,
+    LOG,
+    SIGN,
+    SIN,
+    SINH,
+    SQRT,
+    TANH,
+)
 
 
 @kernel
@@ -53,6 +70,19 @@ def circular(C, R, op, k, i, c, r):
         chained(C, R, k, i, s, min(abs(o) * r + 0.5 * r * r, w) + EPS, o, w, -0.5 * s, w)
     else:
         chained(C, R, k, i, o, min(abs(s) * r + 0.5 * r * r, w) + EPS, -s, w, -0.5 * o, w)
+
+
+@kernel
+def fresnel_integral(C, R, op, k, i, c, r):
+    """Their slopes are cosine and sine of pi x^2/2, of which neither is larger than 1; half of their second
+    derivatives, -pi x/2 sin(pi x^2/2) and pi x/2 cos(pi x^2/2), are so large at most as pi |x|/2."""
+    s, o = math.sin(0.5 * math.pi * c * c), math.cos(0.5 * math.pi * c * c)
+    far = 0.5 * math.pi * (abs(c) + r)
+    w = min(2.0 * far * r, 2.0) + 8.0 * EPS * (1.0 + far * far)
+    if op == FRESNEL_C:
+        chained(C, R, k, i, fresnel(c, False), r + 8.0 * EPS, o, w, -0.5 * math.pi * c * s, far * (1.0 + EPS))
+    else:
+        chained(C, R, k, i, fresnel(c, True), r + 8.0 * EPS, s, w, 0.5 * math.pi * c * o, far * (1.0 + EPS))
 
 
 @kernel
@@ -177,6 +207,8 @@ def function(C, R, op, k, i):
         circular(C, R, op, k, i, c, r)
     elif op in (ABS, SIGN):
         signed(C, R, op, k, i, c, r)
+    elif op in (FRESNEL_C, FRESNEL_S):
+        fresnel_integral(C, R, op, k, i, c, r)
     elif op == COSH:
         hyperbolic_cosine(C, R, k, i, c, r)
     elif op == SQRT:

@@ -11,6 +11,7 @@ import math
 from freebody.numeric.kernels.arrays import Floats, Floats2, Ints, Ints2
 from freebody.numeric.kernels.declaring import entry, kernel
 from freebody.numeric.kernels.elementary import over
+from freebody.numeric.kernels.fresnel import fresnel
 from freebody.numeric.kernels.operations import (
     ABS,
     ADD,
@@ -18,6 +19,8 @@ from freebody.numeric.kernels.operations import (
     COS,
     COSH,
     DIVIDE,
+    FRESNEL_C,
+    FRESNEL_S,
     INPUT,
     MULTIPLY,
     POWER,
@@ -47,6 +50,8 @@ def played_function(registers, op, k, i, n):
             registers[k, m] = abs(x)
         elif op == SIGN:
             registers[k, m] = 1.0 if x > 0.0 else (-1.0 if x < 0.0 else 0.0)
+        elif op in (FRESNEL_C, FRESNEL_S):
+            registers[k, m] = fresnel(x, op == FRESNEL_S)
         else:
             registers[k, m] = over(op, x)
 

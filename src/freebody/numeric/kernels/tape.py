@@ -9,10 +9,12 @@ last register by the rows that it reads. Source: Griewank & Walther, Evaluating 
 import math
 
 from freebody.numeric.kernels.declaring import kernel, leaf
+from freebody.numeric.kernels.fresnel import fresnel
 
 CONSTANT, TIME, VALUE, RATE = 0, 1, 2, 3
 ADD, MULTIPLY, DIVIDE, WHOLE_POWER, POWER = 4, 5, 6, 7, 8
 SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, EXP, LOG, SINH, COSH, TANH, ABS, SIGN = range(9, 23)
+FRESNEL_C, FRESNEL_S = 23, 24
 
 
 @leaf
@@ -55,6 +57,11 @@ def function_derivatives(op, x):
         r = math.tanh(x)
         d = 1.0 - r * r
         return r, d, -2.0 * r * d
+    if op in (FRESNEL_C, FRESNEL_S):
+        c, s = math.cos(0.5 * math.pi * x * x), math.sin(0.5 * math.pi * x * x)
+        if op == FRESNEL_C:
+            return fresnel(x, False), c, -math.pi * x * s
+        return fresnel(x, True), s, math.pi * x * c
     s = 1.0 if x > 0.0 else (-1.0 if x < 0.0 else 0.0)
     if op == ABS:
         return abs(x), s, 0.0

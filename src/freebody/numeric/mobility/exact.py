@@ -15,7 +15,7 @@ from typing import Any
 
 import flint
 
-from freebody.language.expression import Expr, evaluate
+from freebody.language.expression import FLOAT_FUNCTIONS, FRESNEL, Expr, evaluate
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Pose, SpatialPose, Vector
@@ -42,7 +42,7 @@ class Arithmetic:
     pi: Callable[[], Any]
 
 
-_ELEMENTARY = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh")
+_ELEMENTARY = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", *FRESNEL)
 
 
 def _ball(x: Any) -> Any:
@@ -55,7 +55,7 @@ def _method(name: str) -> Callable[[Any], Any]:
     return lambda x: getattr(_flint.arb, name)(x)
 
 
-FLOATS = Arithmetic(float, {name: getattr(math, name) for name in _ELEMENTARY}, math.atan2, lambda: math.pi)
+FLOATS = Arithmetic(float, {name: FLOAT_FUNCTIONS[name] for name in _ELEMENTARY}, math.atan2, lambda: math.pi)
 BALLS = Arithmetic(
     _ball,
     {name: _method(name) for name in _ELEMENTARY},
@@ -187,6 +187,10 @@ def _slope(name: str, x: Any, y: Any, arithmetic: Arithmetic) -> Any:
             return y
         case "log":
             return 1 / x
+        case "fresnel_c":
+            return call["cos"](arithmetic.pi() * x * x / 2)
+        case "fresnel_s":
+            return call["sin"](arithmetic.pi() * x * x / 2)
         case "sinh":
             return call["cosh"](x)
         case "cosh":

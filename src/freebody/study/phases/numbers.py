@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.language.expression import FLOAT_FUNCTIONS, free_symbols
+from freebody.language.expression import ELLIPTIC, FLOAT_FUNCTIONS, FRESNEL, free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
@@ -49,8 +49,7 @@ _FUNCTIONS = SimpleNamespace(
     asin=_of_floats(np.arcsin),
     atan=_of_floats(np.arctan),
     atan2=_of_floats(np.arctan2),
-    elliptic_K=_of_floats(np.vectorize(FLOAT_FUNCTIONS["elliptic_K"], otypes=[float])),
-    elliptic_F=_of_floats(np.vectorize(FLOAT_FUNCTIONS["elliptic_F"], otypes=[float])),
+    **{name: _of_floats(np.vectorize(FLOAT_FUNCTIONS[name], otypes=[float])) for name in (*FRESNEL, *ELLIPTIC)},
 )
 
 
