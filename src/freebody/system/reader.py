@@ -38,10 +38,12 @@ from freebody.system.reading.style import read_style
 from freebody.system.reading.validity import read_validities
 
 
-def read_system(document: Document, file: str | None) -> SystemDescription:
-    """What a document describes. Raises ModelError with all its problems."""
+def read_system(document: Document, file: str | None, usual: tuple[str, ...] = ()) -> SystemDescription:
+    """What a document describes. usual: what is asked of the model in its file, where it is asked something else.
+    Raises ModelError with all its problems."""
     source = Source(document, file)
     names = source.names
+    names.usual_questions = usual
     check_sections(source)
     read_space(source)
     read_parameters(source)

@@ -76,12 +76,12 @@ class System(SystemDescription):
             document = document.with_value(path, value)
         return self._read_given(document, "parameters")
 
-    def _read_given(self, document: Document, *under: str | int | None) -> Self:
+    def _read_given(self, document: Document, *under: str | int | None, usual: tuple[str, ...] = ()) -> Self:
         """What was read with a value that no file has: of a mistake in it no place in the file is told. under: where
         the value stands in the document, None for any; what follows there, such as the name of a parameter, is its
         place."""
         try:
-            return self._read(document, self.file)
+            return self._read(document, self.file, usual)
         except ModelError as error:
             n = len(under)
 
@@ -98,8 +98,8 @@ class System(SystemDescription):
         return self._read(self.document.with_value(("start", "mode"), name), self.file)
 
     @classmethod
-    def _read(cls, document: Document, file: str | None) -> Self:
-        read = read_system(document, file)
+    def _read(cls, document: Document, file: str | None, usual: tuple[str, ...] = ()) -> Self:
+        read = read_system(document, file, usual)
         return cls(**{f.name: getattr(read, f.name) for f in fields(read)})
 
     # -- asking -------------------------------------------------------------------------------
@@ -122,7 +122,8 @@ class System(SystemDescription):
                     Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
                 )
         document = Document.from_plain({**self.document.data, "questions": [{"find": text} for text in texts]})
-        return self._read_given(document, "questions", None, "find").questions
+        usual = tuple(question.understood or question.text for question in self.questions)
+        return self._read_given(document, "questions", None, "find", usual=usual).questions
 
     def to_yaml(self) -> str:
         """The model file, with its comments."""
