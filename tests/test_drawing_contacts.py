@@ -141,6 +141,38 @@ connections: {c: {contact: {between: [b, wedge.face]}}}
     assert not lines(drawing, "hatch")
 
 
+def test_a_particle_lies_on_the_floor_of_a_cabin_which_is_no_ground() -> None:
+    drawing = drawn("""
+bodies:
+  cabin:
+    rectangle: {mass: 9 kg, width: 2 m, height: 2 m}
+    at: [0, 1 m]
+    lines: {floor: {through: [0, -1 m], along: right}}
+  man: {particle: {mass: 1 kg}, near: {at: [0.3 m, 0]}}
+connections:
+  shaft: {slider: {body: cabin, along: up}}
+  feet: {contact: {between: [man, cabin.floor], friction: 0.3, touching: true}}
+""")
+    (man,) = lines(drawing, "dot")
+    assert man[:, 1].min() == pytest.approx(0.0, abs=1e-9)
+    assert man[:, 0].mean() == pytest.approx(0.3)
+    floors = [line for line in lines(drawing, "surface") if np.ptp(line[:, 1]) < 1e-9]
+    assert [float(line[0, 1]) for line in floors] == [pytest.approx(0.0)]
+    assert all(np.ptp(hatch[:, 0]) < 2 * drawing.symbol for hatch in lines(drawing, "hatch"))  # of the shaft alone
+
+
+def test_a_load_on_a_wedge_lies_on_it_beside_a_wall_that_ends_above() -> None:
+    drawing = drawn((FilePath(__file__).parents[1] / "examples/wedge_under_load.yaml").read_text(encoding="utf-8"))
+    slope, width = float(np.tan(np.radians(12))), 0.4
+    (load,) = lines(drawing, "dot")
+    face = slope * (width - load[:, 0])
+    middle = abs(load[:, 0] - load[:, 0].mean()).max() * slope  # a corner is that much in it
+    assert (load[:, 1] > face - 1.1 * middle - 0.2 * drawing.symbol).all()
+    (wall,) = [line for line in lines(drawing, "surface") if np.ptp(line[:, 0]) < 1e-9]
+    assert wall[:, 0] == pytest.approx(load[:, 0].max())
+    assert wall[:, 1].min() == pytest.approx(slope * width / 2)
+
+
 def test_a_line_is_cut_by_planes_on_both_sides_or_lies_behind_them() -> None:
     start, along = np.array([0.0, 0.0]), np.array([1.0, 0.0])
     right, left = np.array([1.0, 0.0]), np.array([-1.0, 0.0])

@@ -181,6 +181,7 @@ class Names(Formulas):
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.up: Components = (ZERO, ONE)
+        self.usual_questions: tuple[str, ...] = ()  # what the file asks, in the words of the grammar
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
 
     def for_questions(self) -> Names:

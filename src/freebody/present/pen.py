@@ -14,16 +14,18 @@ from freebody.model import glyphs
 from freebody.present.edges import Edges
 from freebody.present.figures import (
     GROUND,
+    Array,
     Figure,
     Heading,
     Place,
     Spring,
+    angles,
     is_within,
     positions,
     turned,
 )
 from freebody.present.guides import Guides
-from freebody.present.layout import Layout, headings
+from freebody.present.layout import Layout, headings, placed_in
 from freebody.present.picture.label import equation
 from freebody.present.scene import Scene
 from freebody.present.strokes import Caption, Path, Strand, Stretch, Stroke
@@ -43,6 +45,9 @@ from freebody.present.symbols import (
 )
 
 _END = 0.16  # the end of a rope, in sizes of symbols
+
+
+_STEEP = 0.3  # sine of the angle of two surfaces between which something is drawn higher along one of them
 
 
 class Pen:
@@ -211,12 +216,47 @@ class Pen:
             along = next((s.along for s in rough if any(tip.body == figure.name for tip in s.tips)), None)
         if along is None:
             along, size = self._hung_along(figure), (0.9, 0.9)
-        if along is None:
-            points = circle(figure.scale * surplus(figure, self.u))
-            return Path(figure.mass_center, figure.index, points, fill, True, figure.number)
         long, tall = (side * figure.scale * self.u for side in size)
-        points = turned(along.angle, *box(long, tall).T)
-        return Path(figure.mass_center, along.body, points, fill, True, figure.number)
+        half = figure.scale * surplus(figure, self.u)
+        carrying, higher = self._carried(figure, (half, half) if along is None else (long, tall))
+        if along is None:
+            points = circle(half)
+        else:
+            along = along if carrying is None else carrying
+            points = turned(along.angle, *box(long, tall).T)
+        turn = along.body if along is not None else figure.index if carrying is None else carrying.body
+        return Path(figure.mass_center, turn, points + higher, fill, True, figure.number)
+
+    def _carried(self, figure: Figure, half: tuple[float, float]) -> tuple[Heading | None, Array]:
+        """The direction along which what lies on a moving body is turned, and (2,) [m] by how much higher it is drawn,
+        in the axes of that: the edge that carries it cannot be drawn lower. Beside a wall it keeps away from that.
+        half: [m] of its drawn length and height."""
+        walls = [wall for wall in self.scene.walls if any(tip.body == figure.name for tip in wall.tips)]
+        carrying = next((wall.along for wall in walls if wall.through.body != GROUND), None)
+        carrying = self._edge_under(figure) if carrying is None else carrying
+        if carrying is None:
+            return None, np.zeros(2)
+        normal = turned(float(angles(self.poses, carrying)[0]) + np.pi / 2, 1.0, 0.0)
+        for wall in (wall for wall in walls if wall.is_endless):
+            rise = float(normal @ np.array(wall.along.xy))
+            if abs(rise) > _STEEP:
+                return wall.along, half[0] / rise * np.array(wall.along.xy)
+        return carrying, half[1] * np.array(carrying.normal().xy)
+
+    def _edge_under(self, figure: Figure) -> Heading | None:
+        """The edge, with what is free on its left, of a polygon on which a particle lies."""
+        for other in self.scene.figures:
+            if other.index == GROUND or (figure.index, other.index) not in self.scene.touching or not other.corners:
+                continue
+            corners = np.array([corner.xy for corner in other.corners])
+            at = placed_in(self.poses[:1], other.index, figure.mass_center)[0]
+            for a, b in pairwise([*corners, corners[0]]):
+                e = (b - a) / (float(np.hypot(*(b - a))) or 1.0)
+                ahead, aside = (at - a) @ e, (at - a) @ np.array([-e[1], e[0]])
+                if abs(aside) < 0.5 * self.u and 0.0 <= ahead <= float((b - a) @ e):
+                    inside = (corners.mean(axis=0) - a) @ np.array([-e[1], e[0]])
+                    return Heading(other.index, *map(float, -np.sign(inside) * e))
+        return None
 
     def _hung_along(self, figure: Figure) -> Heading | None:
         """The direction of the straight lead of a string at whose end a point mass hangs."""

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.present.figures import Array, Figure, Pair, Place, Tip, Wall, turned
+from freebody.present.figures import GROUND, Array, Figure, Pair, Place, Tip, Wall, positions, turned
 from freebody.present.layout import Layout, along_wall
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path
@@ -54,7 +54,27 @@ class Surfaces:
         others = [s for s in self.scene.walls if s.is_endless and s is not surface]
         solid = [self._free_side(s) for s in others if names <= {tip.body for tip in s.tips}]
         start, along = self._at(surface, 0.0), np.array(surface.along.xy)
-        return clipped(start, along, [*frame, *solid]) or clipped(start, along, frame)
+        ends = clipped(start, along, [*frame, *solid]) or clipped(start, along, frame)
+        return ends and self._outside(surface, ends, names)
+
+    def _outside(self, surface: Wall, ends: Pair, touching: set[str]) -> Pair:
+        """The part of a surface on which it is touched, as far as it is inside no body that does not touch it."""
+        low, high = ends
+        start, along = np.array(surface.through.xy), np.array(surface.along.xy)
+        touched = [float(along_wall(surface, tip, self.poses)[0][0]) for tip in surface.tips]
+        middle = float(np.mean(touched)) if touched else 0.5 * (low + high)
+        for figure in self.scene.figures:
+            if figure.name in touching or len(figure.corners) < 3:
+                continue
+            corners = np.array([positions(self.poses, corner)[0] for corner in figure.corners])
+            inside = crossed(start, along, corners)
+            if inside is None or inside[1] <= low or inside[0] >= high:
+                continue
+            if inside[1] < middle + 0.5 * self.u:
+                low = max(low, inside[1])
+            elif inside[0] > middle - 0.5 * self.u:
+                high = min(high, inside[0])
+        return (low, high) if low < high else ends
 
     def _free_side(self, surface: Wall) -> Plane:
         normal = np.array(surface.along.normal().xy)
@@ -76,7 +96,8 @@ class Surfaces:
     def _at(self, surface: Wall, travel: float) -> Array:
         """(2,) [m] a point of the surface as drawn, in its body."""
         along, normal = np.array(surface.along.xy), np.array(surface.along.normal().xy)
-        lower = 0.0 if surface.edge else min((self._surplus(tip) for tip in surface.tips), default=0.0)
+        is_fixed = surface.through.body == GROUND and surface.edge is None
+        lower = 0.0 if not is_fixed else min((self._surplus(tip) for tip in surface.tips), default=0.0)
         return np.array(surface.through.xy) + travel * along - lower * normal
 
     def _surplus(self, tip: Tip) -> float:
@@ -89,7 +110,7 @@ class Surfaces:
         low, high = ends
         line, angle = np.array([(low, 0.0), (high, 0.0)]), surface.along.angle
         yield Path(Place(body, x, y), body, turned(angle, *line.T), "surface")
-        if surface.edge is None or surface.edge != ends:
+        if body == GROUND and (surface.edge is None or surface.edge != ends):
             strokes = hatched(low, high, -self.u, self.u)
             yield Path(Place(body, x, y), body, turned(angle, *strokes.T), "hatch")
 
@@ -120,6 +141,19 @@ def clipped(start: Array, along: Array, planes: Sequence[Plane]) -> Pair | None:
         else:
             high = min(high, -room / slope)
     return (low, high) if low < high else None
+
+
+def crossed(start: Array, along: Array, corners: Array) -> Pair | None:
+    """From where to where a line start + s along crosses a polygon (n, 2); None where it misses it, or only touches."""
+    away = corners - start
+    across = away @ np.array([-along[1], along[0]])
+    travel = away @ along
+    places: list[float] = []
+    for k in range(len(corners)):
+        a, b = float(across[k - 1]), float(across[k])
+        if a * b < 0.0:
+            places.append(float(travel[k - 1] + (travel[k] - travel[k - 1]) * a / (a - b)))
+    return (min(places), max(places)) if len(places) > 1 else None
 
 
 def _sides(low: Array, high: Array) -> Iterator[tuple[Array, float, Array]]:

@@ -123,6 +123,7 @@ class System(SystemDescription):
                     Message("a question has at most {most} characters, this one {n}", most=LONGEST, n=len(text))
                 )
         names = self.names.for_questions()
+        names.usual_questions = tuple(question.understood or question.text for question in self.questions)
         found = read_questions(names, [{"find": text} for text in texts])
         place_ground_points(names)
         if names.problems:  # of a mistake in what no file has no place is told

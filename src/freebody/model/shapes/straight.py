@@ -85,7 +85,7 @@ class Rectangle(Shape, kind="rectangle"):
     and the middles `left`, `right`, `top`, `bottom` of its sides. A side that is left out is zero, unless one of
     these points is used."""
 
-    called: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car")
+    called: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car", "domino")
     also: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car")
 
     mass: Formula = 0
@@ -130,7 +130,7 @@ class Box(Shape, kind="box"):
     space_only = True
     in_plane_take = "rectangle"
 
-    called: ClassVar[tuple[str, ...]] = ("block", "crate", "brick")
+    called: ClassVar[tuple[str, ...]] = ("block", "crate", "brick", "domino")
     also: ClassVar[tuple[str, ...]] = ("block", "crate", "brick")
 
     mass: Formula = 0

@@ -148,7 +148,7 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
     is_zero = value in ("0", "zero") or value.startswith("0 ")
     for quantity in clause.all("quantity")[-1:]:
         if quantity == "angle":
-            found = lookup.angles(names, of)
+            found = lookup.angles(names, of) or lookup.hung(names, of)
             led = [] if of else [angle for angle in found if angle in joining.driven(names)]  # that of the motor
             yield [f"{angle} = {value}" for angle in led or found]
         elif quantity == "height":

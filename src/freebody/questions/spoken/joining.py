@@ -65,6 +65,17 @@ def drive_parameters(names: Names) -> list[str]:
     return [name for name in names.parameters if name in used]
 
 
+def driven_bodies(names: Names, parameter: str) -> set[str]:
+    """The bodies of which a connection says how they go with time, by a parameter."""
+    rows = (row for row in names.constraint_rows if row.reaction in ("driving torque", "driving force"))
+    return {
+        body
+        for row in rows
+        if row.target is not None and parameter in free_symbols(row.target)
+        for body in row.measure.bodies()
+    }
+
+
 def slipping(names: Names, things: list[str]) -> str | None:
     """The only rough contact of all things that are named, where other contacts are rough as well."""
     own = [thing for thing in things if thing in names.connections or thing in names.bodies or is_joined(names, thing)]
@@ -103,6 +114,16 @@ def led_round(names: Names) -> list[tuple[str, str]]:
         if "link" in names.called.get(name, ()) and len(ends) == 1 and GROUND in spec.mentions(names):
             found += [(next(iter(ends)), str(given["length"]))] if given.get("length") is not None else []
     return found
+
+
+def turned_with(names: Names, name: str) -> list[str]:
+    """Angles of the line between the ends of a link, against the ground."""
+    if "link" not in names.called.get(name, ()) or name in names.bodies:
+        return []
+    ends = {end.partition(".")[0] for end in ends_of(names, name)} & names.bodies.keys()
+    angles = ((angle, lookup.bearing(names, angle)) for angle in names.measures)
+    lines = ((angle, line) for angle, line in angles if line is not None and line.origin == GROUND)
+    return [angle for angle, line in lines if {line.start.body, line.end.body} == ends]
 
 
 def tracks(names: Names) -> list[str]:
@@ -201,10 +222,11 @@ def joined_at(names: Names, name: str) -> str:
 
 
 def pinned_at(names: Names, name: str) -> str:
-    """For a pin on the ground the point there. Else what is named."""
-    if name not in names.connections or "pin" not in names.called.get(name, ()):
+    """For a pin on the ground the point there, for another one its first end. Else what is named."""
+    if name not in names.connections or "pin" not in names.called.get(name, ()) or name in names.bodies:
         return name
-    return next((end for end in ends_of(names, name) if end.partition(".")[0] == GROUND), name)
+    ends = [end for end in ends_of(names, name) if end.partition(".")[0] in names.bodies]
+    return next((end for end in ends if end.partition(".")[0] == GROUND), next(iter(ends), name))
 
 
 def ends_of(names: Names, name: str) -> list[str]:
@@ -213,6 +235,13 @@ def ends_of(names: Names, name: str) -> list[str]:
     for value in given_of(names.connections[name]).values():
         ends += map(str, cast("list[object]", value) if isinstance(value, list | tuple) else [value])
     return ends
+
+
+def planets(names: Names) -> list[str]:
+    """Gears with more meshes than one that turn about no axle of the ground."""
+    toothed = [body for row in names.constraint_rows if row.reaction == "tooth force" for body in row.measure.bodies()]
+    turning = lookup.turning(names)
+    return [body for body in turning if toothed.count(body) > 1 and not axle_points(names, body)]
 
 
 def axles(names: Names) -> list[str]:

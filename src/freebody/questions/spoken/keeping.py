@@ -47,7 +47,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not _is_thing(names, thing) or _stands(names, thing, things):
                 continue
             is_said = k < cut and any(_is_of(names, thing, other) for other in things & names.parameters.keys())
-            if not is_said and not _is_meant(names, thing, things, text):
+            is_of_another = is_of_all and k < cut and "." not in thing and _is_pushed_elsewhere(names, thing, text)
+            if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
 
@@ -147,6 +148,12 @@ def _is_of(names: Names, thing: str, parameter: str) -> bool:
         for joint in joints
         for value in joining.given_of(names.connections[joint]).values()
     )
+
+
+def _is_pushed_elsewhere(names: Names, thing: str, text: str) -> bool:
+    """Whether the force or torque that is asked for acts on other bodies than on the one that it is said to act on."""
+    pushing = [load for load in names.applied_loads if free_symbols(load.law) & {*_THING.findall(text)}]
+    return thing in names.bodies and bool(pushing) and all(thing not in _bodies(names, load.load) for load in pushing)
 
 
 def _bodies(names: Names, thing: str) -> set[str]:

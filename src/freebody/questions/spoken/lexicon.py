@@ -315,6 +315,13 @@ def things_alike() -> tuple[frozenset[str], ...]:
 
 
 @cache
+def things() -> frozenset[str]:
+    """Words for things that are bodies, or hold them."""
+    held = cast("list[str]", _file(ENGLISH)["things"]["held"])
+    return frozenset[str]().union(held, *kinds_apart(), *things_alike())
+
+
+@cache
 def leading() -> frozenset[str]:
     """Words for what leads something round: a track, which a file may describe as a link."""
     return frozenset(cast("list[str]", _file(ENGLISH)["things"]["leading"]))

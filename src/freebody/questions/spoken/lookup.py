@@ -115,7 +115,15 @@ def angles(names: Names, body: str) -> list[str]:
 
 def hung(names: Names, body: str) -> list[str]:
     """Angles of lines that end at a body."""
-    return [name for name, m in names.measures.items() if isinstance(m, Bearing) and m.end.body == body]
+    return [name for name in names.measures if (m := bearing(names, name)) is not None and m.end.body == body]
+
+
+def bearing(names: Names, name: str) -> Bearing | None:
+    """The angle of a line that a measure is, which way round it may be counted."""
+    measure = names.measures[name]
+    if isinstance(measure, Composed) and len(measure.measures) == 1:
+        [(_, measure)] = measure.measures
+    return measure if isinstance(measure, Bearing) else None
 
 
 def gone(names: Names, body: str, by: str, sense: int) -> list[str]:

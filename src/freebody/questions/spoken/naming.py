@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import strings
+from freebody.questions.spoken import joining, strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
 from freebody.questions.spoken.lexicon import (
     CLOSE,
@@ -98,6 +98,8 @@ def elements_of(names: Names) -> Elements:
         found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
         found.add(name)
+    for name in joining.planets(names):
+        found.add(name, ("planet", "planets"))
     heavy = [name for name in found.bodies if names.bodies[name].mass != ZERO]
     if len(heavy) == 1 and not any("load" in element.words for element in found.exact.values()):
         found.add(heavy[0], ("load", "object"))
@@ -208,6 +210,7 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
         of_kind = [e for e in elements.exact.values() if "." not in e.name and words[0] in e.words]
         of_kind = [e for e in of_kind if _PINION not in e.name.lower()] or of_kind  # the wheel that it drives
         own = [e for e in of_kind if words[0] in e.name.lower()]  # the block among blocks and boxes
+        own = own or [e for e in of_kind if len(e.name) > 2 and words[0].endswith(e.name.lower())]  # turntable
         own = own or [e for e in of_kind if words[0] in _alike(e.name)]  # the elevator among them is the cabin
         yield from ((element.name, INFERRED) for element in own or of_kind)
     for k in range(1, len(words)):  # a name beside the word for its kind; `the bead lift off` has a verb

@@ -46,6 +46,10 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         return
     own = {row.reaction for row in names.constraint_rows}
     kinds = _KINDS.get(quantity, (quantity,))
+    in_space = any(kind.startswith("friction force ") for kind in own) and not rest.has("part")
+    if quantity == "friction force" and quantity not in own and in_space:
+        yield from _in_components(names, rest)
+        return
     if quantity == "tension" and (belts := _tightened(names, rest)):
         yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
         return
@@ -89,6 +93,15 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     for kind in kinds:
         if kind not in ("radial tooth force", "axial tooth force") or joining.feel_as_first(names, rest.names):
             yield from _of_joint(names, kind, rest)
+
+
+def _in_components(names: Names, rest: Clause) -> Groups:
+    """Both components of a force along a surface, of each connection that has them and is named, or is at what is."""
+    rows = [row for row in names.constraint_rows if row.reaction.startswith("friction force ")]
+    for joint in dict.fromkeys(row.connection for row in rows):
+        if all(name == joint or joining.touches(names, joint, name) for _, name in rest.names):
+            own = dict.fromkeys(row.reaction for row in rows if row.connection == joint)
+            yield [JOINT.join(f"{kind} of {joint}" for kind in own)]
 
 
 def _torques_on(names: Names, rest: Clause) -> list[str]:

@@ -73,6 +73,10 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         return
     if quantity.startswith("angular") and name in names.bodies and not names.bodies[name].turns and not end:
         yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.hung(names, name)]
+    if (
+        quantity.startswith("angular") and not end
+    ):  # of a rod without mass: of the line from one of its ends to the other
+        yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in joining.turned_with(names, name)]
     yield [f"{quantity} of {name}{end}"]
     if relative and not along and quantity in ("velocity", "acceleration"):  # of measures along the same line
         other = relative.removeprefix(" relative to ")

@@ -66,7 +66,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         return  # it stays at the top
     if any(names.bodies[name].fixed for name in of if name in names.bodies) and verbs & {"hold", "stop"}:
         return  # what is held already
-    if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or clause.all("quantity") == ["equilibrium"]:
+    is_balance = clause.all("quantity") == ["equilibrium"] and "stable" not in verbs
+    if (verbs & {"hold"} and not negated and verbs <= {"hold", "move"}) or is_balance:
         yield ["it stays at rest"] if everything or _is_held(clause) else []
     elif clause.all("instant") == ["in equilibrium"] and not verbs:
         yield ["it stays at rest"] if everything else []

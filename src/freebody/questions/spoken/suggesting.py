@@ -8,9 +8,13 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import permutations
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.elements import Elements
+from freebody.questions.spoken.lexicon import is_verb, languages, quantity_words, things
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -44,7 +48,14 @@ _COMMON = frozenset(  # words that say nothing of what is meant
         "how",
     }
 )
-_LIMIT = re.compile(r"\b(?:slip|slid|hold|rest\b|moves?\b|stay|tip|rutsch|gleit|ruhe|kipp|hält)", re.IGNORECASE)
+_LIMIT = re.compile(
+    r"\b(?:slip|slid|hold|rest\b|moves?\b|stay|tip|steep|rough|steil|\brau|rutsch|gleit|ruhe|kipp|hält)", re.IGNORECASE
+)
+_FASTEST = re.compile(r"\bfastest|(?:max\w*|top|greatest|highest) speed|schnellsten|höchstgeschw", re.IGNORECASE)
+_LIMIT_OF_REST = re.compile(r"\b(?:stays? at rest|keeps it at rest|not slip|does it hold|not tip)\b")
+_STABLE = re.compile(
+    r"stabil|stable|\bupright|\bbalanc|\bfall(?:s|ing)? over|aufrecht|umfäll|umkipp|balancier", re.IGNORECASE
+)
 _RATIO = re.compile(
     r"\bratio|übersetzung|verhältnis|\bturns?\b.+\b(?:rad/s|rpm|turns?)\b|dreht.+\b(?:rad/s|U/min)\b", re.IGNORECASE
 )
@@ -59,10 +70,11 @@ def suggestions(names: Names, text: str, near: Iterable[str], read: Callable[[st
 
     read: what a question asks for, None where it cannot be read."""
     typed = _words(text)
-    others = sorted(dict.fromkeys(_askable(names)), key=lambda question: -_likeness(typed, _words(question)))
+    askable = dict.fromkeys((*names.usual_questions, *_askable(names)))
+    others = sorted(askable, key=lambda question: -_likeness(typed, _words(question)))
     found: dict[str, object] = {}
     first = [*_time_ratios(names, text), *_ratios(names, text), *_advantages(names, text)]
-    first += _efficiencies(names, text)
+    first += [*_efficiencies(names, text), *_stability(names, text), *_fastest(names, text)]
     for question in (*first, *near, *_limits(names, text), *_turning_points(names, text), *others):
         if len(found) >= MOST:
             break
@@ -70,6 +82,19 @@ def suggestions(names: Names, text: str, near: Iterable[str], read: Callable[[st
         if asked is not None and asked not in found.values():
             found[question] = asked
     return list(found)
+
+
+def absent(elements: Elements, text: str) -> str:
+    """The first thing that a text names, as it names it, and the model has not; nothing where it has all of them."""
+    known = {word for element in elements.exact.values() for word in element.words}
+    known |= {word for key in elements.spoken for word in key}
+    for word in re.findall(r"[^\W\d_]{3,}", text):
+        for language in languages():
+            said = in_english_nouns(word, language).lower()
+            is_thing = not ({said, word.lower()} & known or is_verb(said)) and said not in quantity_words(language)
+            if is_thing and any(form in things() for form in (said, said.removesuffix("s"))):
+                return word if said.removesuffix("s") not in known else ""
+    return ""
 
 
 def _askable(names: Names) -> Iterator[str]:
@@ -92,7 +117,9 @@ def _askable(names: Names) -> Iterator[str]:
             yield from (f"angular {what} of {name}" for what in ("velocity", "acceleration", "momentum"))
     for name in names.loads:
         yield f"force in {name}"
-    for event in ("rolling begins", "slipping ends", "contact opens"):
+    rough, bound = bool(joining.rough(names, "")), any(row.unilateral for row in names.constraint_rows)
+    events = {"rolling begins": rough and lookup.can_roll(names), "slipping ends": rough, "contact opens": bound}
+    for event in (event for event, is_possible in events.items() if is_possible):
         yield f"time when {event}"
         yield f"energy lost until {event}"
     yield from ("degrees of freedom", "natural frequencies", "period of small oscillations", "total energy")
@@ -106,11 +133,40 @@ def _turning_points(names: Names, text: str) -> Iterator[str]:
         yield from (f"{name} when rate({name}) = 0" for name in measures)
 
 
+def _fastest(names: Names, text: str) -> Iterator[str]:
+    """How fast things get, if that is what a text is about: those that it names first."""
+    if _FASTEST.search(text) is not None:
+        typed = _words(text)
+        moving = sorted(lookup.moving(names), key=lambda name: name.lower() not in typed)
+        yield from (f"greatest speed of {name}" for name in moving[: MOST // 2])
+
+
 def _limits(names: Names, text: str) -> Iterator[str]:
-    """Limits of rest, if that is what a text is about: of the parameters that it names."""
-    if _LIMIT.search(text) is not None:
-        named = [name for name in re.findall(r"\w+", text) if name in names.parameters]
+    """Limits of rest, if that is what a text is about: of the parameters that it names, of the friction, and of what
+    can be chosen of the kind that it asks for; what a drive turns never rests."""
+    if _LIMIT.search(text) is None:
+        return
+    yield from (usual for usual in names.usual_questions if _LIMIT_OF_REST.search(usual) is not None)
+    named = [name for name in re.findall(r"\w+", text) if name in names.parameters]
+    if lookup.rests(names):
         yield from (f"range of {name} that keeps it at rest" for name in dict.fromkeys(named))
+    rough = given.parameters(names, "friction coefficient", "")
+    yield from (f"least {name} so that it does not slip" for name in rough)
+    for word in [word for word in text.split() if given.can_end_rest(word)]:
+        chosen = given.chosen(names, given.KIND_OF[word], [])
+        yield from (f"range of {name} that keeps it at rest" for name in chosen)
+
+
+def _stability(names: Names, text: str) -> Iterator[str]:
+    """What is asked of stability, if that is what a text is about: with which values of a controller there is one."""
+    if _STABLE.search(text) is None:
+        return
+    yield from (usual for usual in names.usual_questions if "stab" in usual)
+    kind = "steady motion" if lookup.is_controlled(names) else "equilibrium"
+    yield f"stability of {kind}"
+    pushes = [load.law for load in names.applied_loads if load.load in lookup.driving(names)]
+    used = frozenset[str]().union(*map(free_symbols, pushes)) if lookup.is_controlled(names) else frozenset[str]()
+    yield from (f"least {name} so that the {kind} is stable" for name in names.parameters if name in used)
 
 
 def _ratios(names: Names, text: str) -> Iterator[str]:

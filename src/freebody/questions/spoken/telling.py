@@ -13,7 +13,7 @@ _WITH_MASS = re.compile(
     r"\b([^\W\d_]+) (?:of|with|with a|mit|mit der|von) (?:mass|masse)? ?(\d+(?:[.,]\d+)?) ?(kg|g|t)\b"
 )
 _IN_KILOGRAMS = {"kg": 1.0, "g": 1e-3, "t": 1e3}
-_MASSES = ("mass", "masses", "body", "one")
+_MASSES = ("mass", "masses", "body", "one", "side", "seite")
 _SIZES = ("heavier", "lighter", "bigger", "smaller")
 # words for what can hang on a string, whatever its shape
 _HANGS = (*_MASSES, "weight", "block", "box", "crate", "load", "particle", "object", "bucket", "cart")
@@ -52,7 +52,11 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
         return hung
     kind = second if second.isalpha() else first
     of_kind = _plain_masses(elements, _of_kind(elements, kind), kind) or (
-        list(elements.masses) if kind.lower() in ("one", "two") else []
+        [name for name in elements.masses if elements.masses[name] > 0.0 and name not in elements.radii]
+        if kind.lower() in ("side", "seite")
+        else list(elements.masses)
+        if kind.lower() in ("one", "two")
+        else []
     )
     number = second if second.isdigit() else _meant(numbered(), first)
     if number:

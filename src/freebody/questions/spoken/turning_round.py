@@ -91,19 +91,28 @@ def _leaving_at_top(names: Names, clause: Clause) -> Groups:
 
 def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     """At what speed do the inner wheels lift off: with which nothing presses there, where nothing moves yet; at what
-    rpm does the tappet lift off its cam: the largest of the drive with which it stays on."""
-    known = clause.only("ask", "quantity", "name", "verb", *SILENT) and clause.all("ask") in (
-        ["with"],
-        ["from"],
-        ["for"],
-    )
+    rpm does the tappet lift off its cam, or the coin slip off its table: the largest of the drive with which it does
+    not."""
+    is_over = clause.all("ask") in (["with"], ["from"], ["for"])
+    is_before = clause.all("ask") == ["fast"] and clause.all("mark") == ["until"]  # how fast may it spin before
+    clause = clause.without("mark").without("degree", "greatest") if is_before else clause
+    known = clause.only("ask", "quantity", "name", "verb", *SILENT) and (is_over or is_before)
     asked = clause.all("quantity")
-    if not known or clause.all("verb") != ["leave"] or len(asked) != 1 or not given.is_by_unit(asked[0]):
+    doing = set(clause.all("verb")) - {"start"}
+    if not known or doing not in ({"leave"}, {"slide"}) or len(asked) != 1 or not given.is_by_unit(asked[0]):
         return
     named = [name for _, name in clause.names if name in names.parameters]
     things = [name for _, name in clause.names if name not in named]
     chosen = named or given.of_kind(names, asked[0])
     if len(chosen) != 1 or not 1 <= len(things) <= 2:
+        return
+    if is_before and doing != {"slide"}:
+        return
+    if doing == {"slide"}:
+        slipping = [thing for thing in things if thing not in joining.driven_bodies(names, chosen[0])]
+        is_one = bool(slipping) and all(joining.is_all_that_slips(names, thing) for thing in slipping)
+        is_one = is_one and chosen[0] in joining.drive_parameters(names)
+        yield [f"largest {chosen[0]} so that it does not slip"] if is_one else []
         return
     joints = [joint for joint in names.connections if all(joining.touches(names, joint, thing) for thing in things)]
     bound = [name for name in joints if joining.may_open(names, name)]

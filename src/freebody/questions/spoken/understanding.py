@@ -22,7 +22,7 @@ from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.several import each_of, paired, parts
-from freebody.questions.spoken.suggesting import MOST, suggestions
+from freebody.questions.spoken.suggesting import MOST, absent, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
 if TYPE_CHECKING:
@@ -125,6 +125,13 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         )
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
+        if thing := absent(elements_of(names), text):
+            none = Message(
+                "cannot read '{text}': there is no {thing} in this model. One can ask for\n    {askable}",
+                text=text,
+                thing=thing,
+                askable=askable,
+            )
         names.unknown(text, none, "find")
     return []
 
