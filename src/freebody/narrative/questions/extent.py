@@ -47,7 +47,7 @@ def _of_extent(
 ) -> list[DerivationStage]:
     """By the turn of its coordinate where it goes one way with it, else as an extreme of the motion."""
     setup = context.setup
-    if setup.model.coordinates and not goes_one_way(setup, quantity.measure):
+    if not setup.model.coordinates or not goes_one_way(setup, quantity.measure):
         return _extreme(quantity.of_motion, context, question, answer, method)
     return _turning(quantity, context, question, answer, method)
 
