@@ -95,10 +95,8 @@ class FormulaPassage:
             stored = self._potentials(others, 1)
         except CannotAnswer:
             return None
-        moving = (self.elements(Energy("kinetic"), state) for state in (first.begin, first.end))
-        before, after = (
-            first.told(first.begin.model.field.element(x)) + v for x, v in zip(moving, stored, strict=True)
-        )
+        moving = [self.elements(Energy("kinetic"), state) for state in (first.begin, first.end)]
+        before, after = (first.told(x) + v for x, v in zip(moving, stored, strict=True) if not isinstance(x, tuple))
         return before.field.lowest_terms(before), after.field.lowest_terms(after)
 
     def _potentials(self, loads: Sequence[str], sign: int) -> tuple[Ratio, Ratio]:
