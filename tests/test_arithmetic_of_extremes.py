@@ -7,6 +7,7 @@ import math
 import pytest
 
 import freebody as fb
+from posed import is_derived
 
 HUNG = """
 parameters: {m: 2 kg, k: 80 N/m, g: 9.81 m/s^2, v: SPEED}
@@ -49,6 +50,27 @@ def test_extremes_are_calculated_with(model: str, question: str, by_hand: float)
     assert answer.expression is not None
     assert answer.evidence is not None
     assert answer.value == pytest.approx(by_hand)
+
+
+@pytest.mark.parametrize(
+    ("model", "question"),
+    [
+        (HUNG.replace("SPEED", "1.5 m/s"), "greatest change of y"),
+        (PENDULUM, "(greatest tension of rod)/(tension of rod at start)"),
+    ],
+)
+def test_each_of_them_is_derived_and_then_put_together(model: str, question: str) -> None:
+    told = is_derived(model, question)
+    assert "what is asked becomes" in told["en"]
+    assert "wird das Gesuchte zu" in told["de"]
+
+
+def test_an_extreme_that_a_law_of_motion_tells_is_derived_by_its_first_turn() -> None:
+    # m y'' = -m g - b y': with k = b/m it turns at t = log(1 + k v/g)/k, at v/k - g log(1 + k v/g)/k^2
+    resisted = HUNG.replace("SPEED", "1.5 m/s").replace("force: -k*y", "force: -k*rate(y)").replace("N/m,", "N s/m,")
+    (answer,) = fb.System.from_text(resisted).solve("greatest y").answers
+    assert answer.value == pytest.approx(1.5 / 40 - 9.81 * math.log(1 + 40 * 1.5 / 9.81) / 40**2)
+    assert "y' = 0" in is_derived(resisted, "greatest y")["en"]
 
 
 def test_what_is_meant_at_no_instant_is_asked_for_one() -> None:

@@ -17,7 +17,7 @@ from freebody.narrative.principles.loops import closed_loops
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.questions.base import Quantity
-from freebody.questions.course import Change, Travelled
+from freebody.questions.course import Change, EnergyLost, Travelled
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question, QuestionEvent
@@ -163,19 +163,39 @@ def _counted(q: Quantity, way: AtEvent, lines: Sequence[int], why: str) -> None:
 
 @_tell_asked.register(Work)
 def _work(quantity: Work, way: AtEvent, lines: Sequence[int]) -> None:
-    """The work of a load that has a potential: what the potential is less than at the start."""
+    """The work of a load: what its potential is less than at the start; of the only one without, what T + V gains."""
+    _tell_work(way, quantity.of, 1, lines)
+
+
+@_tell_asked.register(EnergyLost)
+def _lost(quantity: EnergyLost, way: AtEvent, lines: Sequence[int]) -> None:
+    """What a load has taken: minus its work."""
+    if not quantity.is_load:
+        raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
+    _tell_work(way, quantity.of, -1, lines)
+
+
+def _tell_work(way: AtEvent, load: str, sign: int, lines: Sequence[int]) -> None:
+    """sign: -1 for what the load takes."""
     context, script, f = way.context, way.script, way.context.setup.model.field
-    setup, uses = context.setup, tuple(lines)
-    states = setup.start_instant, SymbolicState(setup.model, setup.motion.known_at(way.reached))
-    applied_loads = [p for p in context.system.applied_loads if p.load == quantity.of]
-    before, after = (f.lowest_terms(sum((s.potential(p) for p in applied_loads), f.zero)) for s in states)
+
+    def at(quantity: Quantity, state: SymbolicState) -> Ratio:
+        return f.lowest_terms(f.element(quantity.value(context.system, state)))
+
+    passage, uses = smooth_passage(context.setup, way.reached, at), tuple(lines)
+    first, then, is_balance = passage.energies(load)
+    if not is_balance:  # the potential itself, which has become less
+        first, then = -then, -first
+    if sign < 0:
+        first, then = then, first
     with script.stage("stage.there", "hint.there"):
         symbol = asked_symbol(context, way.question)
         script.add(asked_entry(symbol, way.question))
-        right = add(tidy(before), multiply(number(-1), tidy(after)))
-        args: dict[str, Argument] = {"load": quantity.of, "lines": uses}
-        last = script.line(symbol, right, why="course.work", args=args, uses=uses, when="event")
-        total = tidy(f.lowest_terms(before - after))
+        right = add(tidy(then), multiply(number(-1), tidy(first)))
+        args: dict[str, Argument] = {"load": load, "lines": uses}
+        why = ("course.balance" if is_balance else "course.work") + ("" if sign > 0 else "_taken")
+        last = script.line(symbol, right, why=why, args=args, uses=uses, when="event")
+        total = tidy(f.lowest_terms(then - first))
         if total != right:
             script.line(symbol, total, why="course.there", args={"lines": (last,)}, uses=(last,), when="event")
 

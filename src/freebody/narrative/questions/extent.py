@@ -8,6 +8,7 @@ from functools import singledispatch
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage
@@ -21,6 +22,7 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.extent import extent_in_numbers, goes_one_way, kept_on_the_way, turn_of
+from freebody.study.answering.solve import solve
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.tidy import tidy
 
@@ -30,7 +32,9 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     if question.quantity.is_of_answers:
-        raise CannotAnswer(Message("it is calculated from several quantities: ask for each alone, and it is derived"))
+        from freebody.narrative.questions.calculated import derive_calculated
+
+        return derive_calculated(context, question, answer, method)
     return _told(question.quantity, context, question, answer, method)
 
 
@@ -47,7 +51,7 @@ def _of_extent(
 ) -> list[DerivationStage]:
     """By the turn of its coordinate where it goes one way with it, else as an extreme of the motion."""
     setup = context.setup
-    if setup.model.coordinates and not goes_one_way(setup, quantity.measure):
+    if not setup.model.coordinates or not goes_one_way(setup, quantity.measure):
         return _extreme(quantity.of_motion, context, question, answer, method)
     return _turning(quantity, context, question, answer, method)
 
@@ -64,7 +68,7 @@ def _turning(
     with setup.motion.on_one_side():
         c, found, x = turn_of(setup, measure, side, str(getattr(quantity, "name", "")))
     if found.time is not None:
-        raise CannotAnswer(Message("ask for it when its rate is zero; that is derived"))
+        return _first_turn(quantity, context, question, answer, method)
     script = context.script()
     lines = first_integral(context, script)
     lines += tell_momenta(script, setup.motion.integrals, c, lines, "start")
@@ -89,6 +93,19 @@ def _turning(
         args: dict[str, Argument] = {"line": square}
         script.line(symbol, tidy(x), why="course.farthest", args=args, uses=(square,), when="start")
     return script.stages
+
+
+def _first_turn(
+    quantity: Quantity, context: Context, question: Question, answer: Answer, method: Method
+) -> list[DerivationStage]:
+    """Where its law of motion tells when its rate is zero first: its value then."""
+    assert isinstance(quantity, Extent)
+    of, event, _side = quantity.turn
+    asked = replace(question, quantity=of, event=event, options={}, key=None)
+    (given,) = solve(replace(context.system, questions=(asked,)), setup=context.setup).answers
+    if given.expression != answer.expression:
+        raise CannotAnswer(Message("ask for it when its rate is zero; that is derived"))
+    return derivation_of(context.system, asked)(context, asked, given, method)
 
 
 @_told.register(ExtremeOfMotion)

@@ -19,6 +19,7 @@ from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.narrative.space.spatial import SpatialTelling
 from freebody.numeric.jets import Array
+from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
@@ -30,18 +31,16 @@ from freebody.study.steady.ask import looked_at
 from freebody.study.steady.drive import FreeToTurn, followed
 from freebody.study.steady.extremes import (
     ExtremaSearch,
-    angle_of,
-    at_start_but_for,
-    elsewhere,
     is_of_motion,
     told,
+    turning_with,
 )
+from freebody.study.steady.phase import Phase, extremes_of_period
 from freebody.study.steady.round_turn import STEP, DrawnTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
-from freebody.symbolic.unknowns import Coordinate
 
 _PLACE = 1e-9  # [rad] the place of an extreme; its value is far better
 
@@ -62,32 +61,33 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
         if q.what not in ("least", "greatest"):
             raise CannotAnswer(Message("of a motion the greatest and the least value are derived one by one"))
         return tell_extreme(context, question, ExtremeOfMotion(q.of, q.what), "auto")
-    c = angle_of(model, q, x)
     general = x
-    x = at_start_but_for(setup, question, x, c)
-    turning = TurningAngle(model, c, elsewhere(setup, c, q.of))
+    turning, x = turning_with(setup, question, q, x)
+    is_phase = isinstance(turning, Phase)
     search = ExtremaSearch(turning)
     found, least, largest = search.extremes(setup, x)
-    script = context.script()
+    if is_phase:
+        drawn = by_the_drive(context, lead, q.of)
+    script = context.script() if not is_phase else lead
     uses = drawn or _leading_up(context, script, q)
     with script.stage("steady.turn", "steady.turn_hint"):
         symbol = Symbol(fresh(context, "y", "y_turn"))
 
         def read(world: World) -> float:
-            return DrawnTurn(setup, world.draw, c, q.of).value(world.snapshot.q)
+            return DrawnTurn(setup, world.draw, turning.angle, q.of).value(world.snapshot.q)
 
-        meaning = Meaning(symbol, Sentence("steady.followed", {"name": Symbol(c.name)}), read if is_driven else q.of)
+        meaning = Meaning(symbol, Sentence("steady.followed", {"name": turning.shown}), read if is_driven else q.of)
         named(context, script, meaning)
-        args: dict[str, Argument] = {"lines": uses, "name": Symbol(c.name)}
-        why = "steady.driven" if is_driven else "steady.quantity"
+        args: dict[str, Argument] = {"lines": uses, "name": turning.shown}
+        why = "steady.phase" if is_phase else "steady.driven" if is_driven else "steady.quantity"
         first = script.line(symbol, tidy(general), why=why, args=args, uses=uses)
-        script.say("steady.slope", name=Symbol(c.name), factor=tidy(_slope(turning, x, c)))
-        _table(script, found, c.name)
+        script.say("steady.slope", name=turning.shown, factor=tidy(_slope(turning, x)))
+        _table(script, found, turning)
     with script.stage("stage.value"):
         names = tuple(
             Symbol(fresh(context, f"{symbol.name}_{end}", f"{symbol.name}_{end}_1")) for end in ("min", "max")
         )
-        sweep = _Sweep(context, q, c, search)
+        sweep = _Sweep(context, q, turning, search)
         meanings = [
             Meaning(name, Sentence(f"steady.{which}"), sweep.extreme(way))
             for name, which, way in zip(names, ("least", "largest"), (1, -1), strict=True)
@@ -134,22 +134,22 @@ def _leading_up(context: Context, script: Script, q: Extremes) -> tuple[int, ...
     return () if unknowns else SpatialTelling(context, script).parts(q.of).lines
 
 
-def _slope(turning: TurningAngle, x: Ratio, c: Coordinate) -> Ratio:
+def _slope(turning: TurningAngle, x: Ratio) -> Ratio:
     """The factors of the slope along the angle that can vanish on the way."""
     f, varying = x.field, x.field.one
-    for base, _exponent in f.factor(f.lowest_terms(f.derivative(x, c.index)).num)[1]:
+    for base, _exponent in f.factor(f.lowest_terms(f.derivative(x, turning.angle.index)).num)[1]:
         if turning.occurs_in(base):
             varying = varying * base
     return varying
 
 
-def _table(script: Script, found: list[Extremum], name: str) -> None:
+def _table(script: Script, found: list[Extremum], turning: TurningAngle) -> None:
     """Every stationary value with its places."""
     script.say("steady.places")
     header = (Sentence("steady.table_place"), Sentence("steady.table_value"))
     rows: list[tuple[str | Expr, ...]] = []
     for e in found:
-        places = ", ".join(dict.fromkeys(p.text(name) for p in e.places))
+        places = ", ".join(dict.fromkeys(p.text(turning.shown) for p in e.places))
         rows.append((places, tidy(e.value)))
     script.add(FormulaTable(header, tuple(rows)))
 
@@ -157,14 +157,21 @@ def _table(script: Script, found: list[Extremum], name: str) -> None:
 class _Sweep:
     """The full system in poses round the turn, once for each draw."""
 
-    def __init__(self, context: Context, q: Extremes, c: Coordinate, search: ExtremaSearch) -> None:
-        self.context, self.q, self.c, self.search = context, q, c, search
+    def __init__(self, context: Context, q: Extremes, turning: TurningAngle, search: ExtremaSearch) -> None:
+        self.context, self.q, self.turning, self.search = context, q, turning, search
         self._known: dict[int, tuple[World, DrawnTurn, list[tuple[float, float, Array]]]] = {}
 
     def extreme(self, way: int) -> Callable[[World], float]:
-        """Reads the least (way 1) or the largest value, by Brent's method about the best pose."""
-
+        """Reads the least (way 1) or the largest value, by Brent's method about the best pose; over the period of a
+        drive by a simulation."""
+        phase = self.turning
+        if isinstance(phase, Phase):
+            return lambda world: self._simulated(phase, world)[way < 0]
         return lambda world: self._found(way, world)[1]
+
+    def _simulated(self, phase: Phase, world: World) -> tuple[float, float]:
+        self._insist(world, world.draw.start())
+        return extremes_of_period(self.context.setup, world.draw, self.q.of, phase)
 
     def place(self, way: int, world: World) -> float:
         """How far from the start the angle is there."""
@@ -187,12 +194,15 @@ class _Sweep:
         )
         return float(found.x), way * float(found.fun)
 
+    def _insist(self, world: World, start: Snapshot) -> None:
+        if not all(holds(self.context.setup, k, world.draw, start) for k in self.search.conditions):
+            raise CannotAnswer(Message("these numbers do not meet the conditions of the answer"))
+
     def _round(self, world: World) -> tuple[DrawnTurn, list[tuple[float, float, Array]]]:
         """(value, angle from the start, pose) all round the turn."""
         if id(world) not in self._known:
-            turn = DrawnTurn(self.context.setup, world.draw, self.c, self.q.of)
-            if not all(holds(self.context.setup, k, world.draw, turn.start) for k in self.search.conditions):
-                raise CannotAnswer(Message("these numbers do not meet the conditions of the answer"))
+            turn = DrawnTurn(self.context.setup, world.draw, self.turning.angle, self.q.of)
+            self._insist(world, turn.start)
             poses = [(turn.value(pose), away, pose) for away, pose in turn.poses()]
             self._known[id(world)] = world, turn, poses
         return self._known[id(world)][1:]

@@ -180,8 +180,9 @@ class QuestionSolver:
             roots = _roots(q.of, found.element)
             needs = formula._completion().conditions
             needed = [[] if isinstance(x, Fraction) else needs(found, x, k) for k, x in enumerate(roots)]
-            in_place = q.of.scope != "steady motion"  # a steady motion is looked for by its own route
-            if is_of_turn and q.relation != "=" and (in_place or depends_on(setup, q.parameter, needed)):
+            is_range = is_of_turn and q.relation != "="
+            in_place = q.of.scope != "steady motion" and not is_range  # what goes on evenly has a route of its own
+            if is_range and depends_on(setup, q.parameter, needed):
                 told = Message(
                     "where the extreme of a turn is changes with {name}; ask for the value of {name} at which it is so",
                     name=q.parameter,
@@ -351,8 +352,13 @@ class QuestionSolver:
     def _extent(self, q: Extent) -> Finding:
         from freebody.study.answering.extent import find, goes_one_way
         from freebody.study.answering.modal_extremes import wave_of
+        from freebody.study.steady.phase import is_led
 
-        if not goes_one_way(self.setup, q.measure) or wave_of(self.setup, q.of_motion.of) is not None:
+        if (
+            is_led(self.setup, q.measure)
+            or not goes_one_way(self.setup, q.measure)
+            or wave_of(self.setup, q.of_motion.of) is not None
+        ):
             return self._extreme(q.of_motion)
         return find(self.setup, self.question.text, q.measure, q.side, q.name)
 

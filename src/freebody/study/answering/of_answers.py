@@ -45,7 +45,7 @@ def calculated(system: System, question: Question, answers: Mapping[str, Answer]
         if part.cases:
             raise CannotAnswer(Message("it depends on the case: ask for each quantity alone"))
     setup = Setup(system, 1)
-    formulas = _operands(question, [part.expression for part in parts])
+    formulas = operands_of(question, [part.expression for part in parts])
     refuse_vectors(formulas)
     found = _made(question, tuple(map(setup.model.geometry.scalar, formulas)), setup.state)
     return made(
@@ -64,7 +64,7 @@ def number(setup: Setup, question: Question, answers: Mapping[str, Answer]) -> f
     if not setup.has_values or not all(isinstance(x, float) for x in values):
         return None
     own = setup.draws[0].values
-    found = [evaluate(x, own) if isinstance(x, Expr) else x for x in _operands(question, values)]
+    found = [evaluate(x, own) if isinstance(x, Expr) else x for x in operands_of(question, values)]
     return float(_made(question, tuple(found), OnTheWay()))
 
 
@@ -73,7 +73,7 @@ def _made(question: Question, values: tuple[Any, ...], of: Functions) -> Any:
     return question.quantity.made_of(values, of)
 
 
-def _operands(question: Question, found: Sequence[Any]) -> tuple[Any, ...]:
+def operands_of(question: Question, found: Sequence[Any]) -> tuple[Any, ...]:
     """Of all operands, in their order: what was found of them, and the formulas in the parameters."""
     rest = iter(found)
     return tuple(q.expr if isinstance(q, OfParameters) else next(rest) for q in question.quantity.inner)

@@ -19,11 +19,13 @@ from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Described, Quantity
+from freebody.questions.energy import Energy
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.first_integrals import is_driven
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.system.system import System
@@ -64,16 +66,48 @@ class FormulaPassage:
         return x.field.lowest_terms(x)
 
     def work(self, load: str) -> Ratio:
-        """Of a load that is a function of its own measure: minus the change of its potential."""
-        applied_loads = [p for p in self.system.applied_loads if p.load == load]
-        if not applied_loads:
+        """Of a load that is a function of its own measure: minus the change of its potential. Of the only one that is
+        not, what T + V gains."""
+        before, after, _is_balance = self.energies(load)
+        return before.field.lowest_terms(after - before)
+
+    def energies(self, load: str) -> tuple[Ratio, Ratio, bool]:
+        """At the start and at the end, of which the work of a load is the difference: minus its potential, or T + V of
+        all else, then True."""
+        if all(p.load != load for p in self.system.applied_loads):
             raise CannotAnswer(_no_load(load))
+        try:
+            return (*self._potentials([load], -1), False)
+        except CannotAnswer:
+            found = self._balance(load)
+            if found is None:
+                raise
+            return (*found, True)
+
+    def _balance(self, load: str) -> tuple[Ratio, Ratio] | None:
+        """T, and V of all other loads; None where not these alone do work: where dry friction does, something is led
+        through time, or one phase follows another."""
+        first = self.phases[0]
+        if len(self.phases) > 1 or self.system.dry_friction or is_driven(first.begin.model):
+            return None
+        try:
+            others = list(dict.fromkeys(p.load for p in self.system.applied_loads if p.load != load))
+            stored = self._potentials(others, 1)
+        except CannotAnswer:
+            return None
+        moving = [self.elements(Energy("kinetic"), state) for state in (first.begin, first.end)]
+        before, after = (first.told(x) + v for x, v in zip(moving, stored, strict=True) if not isinstance(x, tuple))
+        return before.field.lowest_terms(before), after.field.lowest_terms(after)
+
+    def _potentials(self, loads: Sequence[str], sign: int) -> tuple[Ratio, Ratio]:
+        """The potential energy of some loads, with a sign, at the start and at the end."""
         first, last = self.phases[0], self.phases[-1]
-        parts: list[Ratio] = []
-        for push in applied_loads:
+        before = after = first.told(first.begin.model.field.zero)
+        for push in (p for load in loads for p in self.system.applied_loads if p.load == load):
             law_polynomial(push)
-            parts.append(first.told(first.begin.potential(push)) - last.told(last.end.potential(push)))
-        return parts[0].field.lowest_terms(sum(parts[1:], parts[0]))
+            before = before + sign * first.told(first.begin.potential(push))
+            after = after + sign * last.told(last.end.potential(push))
+        return before, after
 
     def heat(self, of: str) -> Ratio:
         raise CannotAnswer(_WORK_INSTEAD)

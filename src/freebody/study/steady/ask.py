@@ -48,6 +48,8 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
 
     if q.what == "time ratio" or question.at_start:
         return None
+    if not isinstance(setup, FreeToTurn) and not setup.model.coordinates:
+        return _number_of_period(q, setup)
     if isinstance(setup, FreeToTurn):
         c = turned_by_drive(setup)
     elif q.of.kinematic_order != 0 and not q.of.is_of_pose_in_motion:
@@ -58,7 +60,10 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
         c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
     turn = DrawnTurn(setup, setup.draws[0], c, q.of)
     refuse_vectors((turn.quantity_at(setup.draws[0].q),))
-    least, largest = extremes_in_numbers(turn)
+    return _of_both(q, *extremes_in_numbers(turn))
+
+
+def _of_both(q: Extremes, least: float, largest: float) -> Value:
     match q.what:
         case "extremes":
             return least, largest
@@ -68,6 +73,17 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
             return largest
         case _:
             return largest - least
+
+
+def _number_of_period(q: Extremes, setup: Setup) -> Value:
+    """Over the period of a drive."""
+    from freebody.study.steady.drive import followed
+    from freebody.study.steady.phase import extremes_of_period, phase_of
+
+    x = followed(setup, q.of)
+    refuse_vectors((x,))
+    phase = phase_of(setup.model, setup.model.field.element(x))
+    return None if phase is None else _of_both(q, *extremes_of_period(setup, setup.draws[0], q.of, phase))
 
 
 @number.register(SteadyOscillations)

@@ -24,6 +24,7 @@ from freebody.study.answering.motion_extremes import along, is_size
 from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
+from freebody.study.steady.phase import Phase, is_timed, over_a_period, phase_of
 from freebody.study.steady.round_turn import DrawnTurn, over_a_turn
 from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
@@ -47,19 +48,30 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))
     if is_of_motion(setup, question, x):
         return _over_motion(setup, question, q)
-    if q.what in ("least", "greatest") and not _moving(model, x):
+    if q.what in ("least", "greatest") and not _moving(model, x) and not is_timed(model, x):
         return _constant(setup, question, q, x)
-    c = angle_of(model, q, x)
-    x = at_start_but_for(setup, question, x, c)
-    turning = TurningAngle(model, c, elsewhere(setup, c, q.of))
+    turning, x = turning_with(setup, question, q, x)
     turning.check(x)
     search = ExtremaSearch(turning)
     _all, least, largest = search.extremes(setup, x)
     conditions = search.conditions + _kept(setup, turning)
-    evidence = over_a_turn(setup, question.text, q.of, c, least, largest, conditions)
-    notes = [_where(Message("least"), least, c), _where(Message("largest"), largest, c), *turning.notes]
+    if isinstance(turning, Phase):
+        evidence = over_a_period(setup, question.text, q.of, turning, (least.value, largest.value), conditions)
+    else:
+        evidence = over_a_turn(setup, question.text, q.of, turning.angle, least, largest, conditions)
+    notes = [_where(Message(end), e, turning) for end, e in (("least", least), ("largest", largest))] + turning.notes
     element = told(search, q, least, largest)
     return Finding(element, evidence, conditions, notes)
+
+
+def turning_with(setup: Setup, question: Question, q: Extremes, x: Ratio) -> tuple[TurningAngle, Ratio]:
+    """What makes the turn, the angle of a coordinate or the phase of a drive, and the quantity as it depends on it."""
+    if q.over is None and not _moving(setup.model, x) and not question.at_start:
+        phase = phase_of(setup.model, x)
+        if phase is not None and phase.is_alone_in(x):
+            return phase, x
+    c = angle_of(setup.model, q, x)
+    return TurningAngle(setup.model, c, elsewhere(setup, c, q.of)), at_start_but_for(setup, question, x, c)
 
 
 def _moving(model: SymbolicModel, x: Ratio) -> list[Coordinate]:
@@ -140,7 +152,7 @@ def angle_of(model: SymbolicModel, q: Extremes, x: Ratio) -> Coordinate:
     inside = model.field.ingredients(x)
     moving = [c for c in model.coordinates if c.index in inside]
     if not moving:
-        if any(model.field.generators[g].kind == "time" for g in inside):
+        if is_timed(model, x):
             raise CannotAnswer(
                 Message(
                     "it varies with time, as it is driven, and not with a coordinate that is free. Leave the driver "
@@ -175,8 +187,8 @@ def at_start_but_for(setup: Setup, question: Question, x: Ratio, c: Coordinate) 
     return setup.model.field.follow(x, {k: v for k, v in setup.start.values.items() if k != c.index})
 
 
-def _where(which: str, e: Extremum, c: Coordinate) -> str:
-    places = list(dict.fromkeys(p.text(c.name) for p in e.places))
+def _where(which: str, e: Extremum, turning: TurningAngle) -> str:
+    places = list(dict.fromkeys(p.text(turning.shown) for p in e.places))
     return reworded(
         Message("{which} at {places}", which=which, places=in_turn(places, "{first} and {second}")),
         joined(places, " or "),

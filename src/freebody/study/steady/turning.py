@@ -20,8 +20,8 @@ from typing import Any
 import flint
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Call
-from freebody.language.notation import Stated, compared, joined, reworded, to_text
+from freebody.language.expression import ZERO, Call, Expr, Symbol
+from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
@@ -48,12 +48,11 @@ class TurnPose:
     sin: Ratio
     must_be_positive: tuple[Ratio, ...] = ()
 
-    def text(self, name: str) -> str:
+    def text(self, angle: Expr) -> str:
         both = self.cos.fraction(), self.sin.fraction()
         if None not in both and both in _QUARTERS:
             quarter, machine = _QUARTERS[both]  # type: ignore[index]
-            return Stated(f"{to_text(tidy_name(name))} = {quarter}", f"{name} == {machine}")
-        angle = tidy_name(name)
+            return Stated(f"{to_text(angle)} = {quarter}", f"{to_python(angle)} == {machine}")
         cos, sin = Call("cos", angle), Call("sin", angle)
         return joined((compared(cos, "=", tidy(self.cos)), compared(sin, "=", tidy(self.sin))), ", ")
 
@@ -71,25 +70,25 @@ def _shown(x: Ratio) -> str:
     return to_text(tidy(x)) if len(x.num) <= _MOST_TERMS else Message("a sum of {n} terms", n=len(x.num))
 
 
-def tidy_name(name: str) -> Any:
-    from freebody.language.expression import Symbol
-
-    return Symbol(name)
-
-
 class TurningAngle:
-    """One angle of a model on its way round. others: more admissible values, beside the samples of the model."""
+    """One angle of a model on its way round. others: more admissible values, beside the samples of the model; shown: as
+    what it is told."""
 
     def __init__(self, model: SymbolicModel, angle: Coordinate, others: Sequence[dict[int, Any]] = ()) -> None:
         self.model, self.angle, self.field = model, angle, model.field
         self.others = tuple(others)
         self.notes: list[str] = []
-        pair = self.field.pair_of(angle.index)
+        self.shown: Expr = Symbol(angle.name)
+        self.cos, self.sin = self._pair()
+
+    def _pair(self) -> tuple[int, int]:
+        """The generators of its cosine and sine."""
+        pair = self.field.pair_of(self.angle.index)
         if pair is None:
             raise CannotAnswer(
-                Message("it depends on {angle} in another way than by its cosine and sine", angle=angle.name)
+                Message("it depends on {angle} in another way than by its cosine and sine", angle=self.angle.name)
             )
-        self.cos, self.sin = pair
+        return pair
 
     def moves(self, index: int) -> bool:
         return self.angle.index in {index} | self.field.generators[index].made_of
@@ -113,9 +112,7 @@ class TurningAngle:
         try:
             value = self.field.follow(x, {self.cos: place.cos, self.sin: place.sin})
         except ZeroDivisionError:
-            raise CannotAnswer(
-                Message("it grows without bound near {place}", place=place.text(self.angle.name))
-            ) from None
+            raise CannotAnswer(Message("it grows without bound near {place}", place=place.text(self.shown))) from None
         return self._with_arcs(without_square_roots(self.model, self.field.lowest_terms(value)))
 
     def _with_arcs(self, x: Ratio) -> Ratio:

@@ -67,9 +67,11 @@ class InTime(MotionLaw):
         return self._zeros(self.at(self.model.field.time)[1] - value)
 
     def _zeros(self, x: Ratio) -> Instants:
-        """Of a polynomial in the time all of whose factors are of the second degree at most."""
+        """Of a polynomial in the time all of whose factors are of the second degree at most, or of a power of it."""
         f, t = self.model.field, self._clock
         x = f.lowest_terms(x).numerator()
+        if (single := self._of_power(x)) is not None:
+            return single
         for base, _exponent in f.factor(x.num)[1]:
             if t.index in f.ingredients(base):
                 parts = base.coefficients(t.index)
@@ -81,6 +83,19 @@ class InTime(MotionLaw):
             place, rate = map(f.lowest_terms, self.at(time))
             found.append(LawInstant(time, place, rate, time))
         return found, []
+
+    def _of_power(self, x: Ratio) -> Instants:
+        """c + a t^n = 0 with n > 2 has one zero after the start where -c/a is positive, and none else."""
+        f, t = self.model.field, self._clock.index
+        if {g for g in x.generators() if t in f.ingredients(f.variable(g))} != {t}:
+            return None
+        c, *middle, a = x.coefficients(t)
+        if len(middle) < 2 or c.is_zero() or not all(m.is_zero() for m in middle):
+            return None
+        share = f.lowest_terms(-c / a)
+        time = self.function("exp", self.function("log", share) / (len(middle) + 1))
+        place, rate = map(f.lowest_terms, self.at(time))
+        return [LawInstant(time, place, rate, None)], [(share, ">")]
 
     @property
     def limit(self) -> Limit | None:
