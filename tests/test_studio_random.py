@@ -220,11 +220,12 @@ def at_rest(page: Any, text: str) -> int:
         page.keyboard.press("Escape")
     page.evaluate("document.querySelectorAll('.notice button:last-of-type').forEach((each) => each.click())")
     page.click("#tab-ask")
+    page.locator('.view .choice button').first.click()  # the picture has no canvas
     page.click(".cm-content")
     page.keyboard.press("Control+a")
     page.keyboard.insert_text(text)
     # a locator leaves nothing behind; what `wait_for_selector` returns would hold the page as it was then
-    page.locator("canvas").first.wait_for(timeout=WAIT)
+    page.locator(".view canvas").wait_for(timeout=WAIT)
     page.wait_for_function("() => !document.querySelector('.stamp, .badge.bad')", timeout=WAIT).dispose()
     page.locator(".badge.dof:not(.stale)").first.wait_for(timeout=WAIT)
     page.wait_for_function("() => !document.querySelector('.working')", timeout=WAIT).dispose()
