@@ -29,7 +29,7 @@ start: {theta: -60 deg}
 questions:
   - {id: first, find: acceleration of theta}
 """
-WAIT = 15_000  # [ms] for what is computed
+WAIT = 60_000  # [ms] for what is computed
 TEXT = "[...document.querySelectorAll('.cm-line')].map((line) => line.textContent).join('\\n')"
 READY = ".badge.dof:not(.stale)"
 
@@ -67,8 +67,8 @@ def served(file: Path, port: int = 0) -> Iterator[tuple[str, subprocess.Popen[st
 
 
 @pytest.fixture
-def file(tmp_path: Path) -> Path:
-    """Of a pendulum."""
+def pendulum(tmp_path: Path) -> Path:
+    """A file with it."""
     file = tmp_path / "pendulum.yaml"
     file.write_text(PENDULUM, encoding="utf-8")
     return file
@@ -83,9 +83,9 @@ def listened(page: Any) -> list[str]:
 
 
 @pytest.fixture
-def page(browser: Any, file: Path) -> Iterator[Any]:
+def page(browser: Any, pendulum: Path) -> Iterator[Any]:
     """The page with the pendulum, of a studio of its own. Nothing may go wrong in it."""
-    with served(file) as (address, _process):
+    with served(pendulum) as (address, _process):
         page = browser.new_context(viewport={"width": 1500, "height": 900}, locale="en-GB").new_page()
         wrong = listened(page)
         page.goto(address)

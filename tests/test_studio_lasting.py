@@ -17,10 +17,7 @@ from tests.studio_browser import (
     READY,
     TEXT,
     WAIT,
-    browser,  # noqa: F401  (a fixture)
-    file,  # noqa: F401
     listened,
-    page,  # noqa: F401
     served,
     text_of,
     type_all,
@@ -77,7 +74,7 @@ def test_a_draft_of_a_window_that_is_gone_is_offered(page: Any) -> None:
     later.wait_for_selector(".notice", state="detached")
 
 
-def test_two_windows_of_one_file_know_of_each_other(page: Any, file: Path) -> None:  # noqa: F811
+def test_two_windows_of_one_file_know_of_each_other(page: Any, pendulum: Path) -> None:
     other = page.context.new_page()
     other.goto(page.url)
     other.wait_for_selector(READY, timeout=WAIT)
@@ -96,51 +93,51 @@ def test_two_windows_of_one_file_know_of_each_other(page: Any, file: Path) -> No
     assert text_of(other) == THEIRS
     other.keyboard.press("Control+s")
     other.click("dialog[open] >> text=Go on without saving")
-    assert file.read_text(encoding="utf-8") == MINE + "# more\n"
+    assert pendulum.read_text(encoding="utf-8") == MINE + "# more\n"
     other.click("text=Keep mine")
     other.keyboard.press("Control+s")
     other.wait_for_function(IS_SAVED)
-    assert file.read_text(encoding="utf-8") == THEIRS
+    assert pendulum.read_text(encoding="utf-8") == THEIRS
     wait_for_text(page, "^# theirs")
     page.click(".notice >> text=Undo")
     assert text_of(page) == MINE + "# more\n"
 
 
-def test_a_file_that_changes_on_the_disk_is_shown_or_offered(page: Any, file: Path) -> None:  # noqa: F811
-    file.write_text(THEIRS, encoding="utf-8")
+def test_a_file_that_changes_on_the_disk_is_shown_or_offered(page: Any, pendulum: Path) -> None:
+    pendulum.write_text(THEIRS, encoding="utf-8")
     wait_for_text(page, "^# theirs")
     page.wait_for_selector(".notice:has-text('as it is now')")
     type_all(page, MINE)
-    file.write_text(PENDULUM, encoding="utf-8")
+    pendulum.write_text(PENDULUM, encoding="utf-8")
     page.wait_for_selector(".notice:has-text('another program')", timeout=WAIT)
     assert text_of(page) == MINE
     page.click(".notice >> text=Show that")
     assert text_of(page) == PENDULUM
     page.click(".notice >> text=Undo")
     assert text_of(page) == MINE
-    file.unlink()
+    pendulum.unlink()
     page.keyboard.press("Control+s")
     page.wait_for_function(IS_SAVED)  # one that is gone is written again
-    assert file.read_text(encoding="utf-8") == MINE
+    assert pendulum.read_text(encoding="utf-8") == MINE
 
 
-def test_saving_twice_at_once_is_no_conflict_with_oneself(page: Any, file: Path) -> None:  # noqa: F811
+def test_saving_twice_at_once_is_no_conflict_with_oneself(page: Any, pendulum: Path) -> None:
     for text in (MINE, THEIRS):
         type_all(page, text)
         page.keyboard.press("Control+s")
     page.wait_for_function(IS_SAVED, timeout=WAIT)
     assert not page.is_visible("dialog[open]")
-    assert file.read_text(encoding="utf-8") == THEIRS
+    assert pendulum.read_text(encoding="utf-8") == THEIRS
 
 
-def test_a_file_that_is_being_saved_stays_apart_from_one_that_is_opened(page: Any, file: Path) -> None:  # noqa: F811
+def test_a_file_that_is_being_saved_stays_apart_from_one_that_is_opened(page: Any, pendulum: Path) -> None:
     """The answer to what was saved comes when another model is shown: that one keeps its name and its text."""
     page.keyboard.press("Control+o")
     page.wait_for_selector("dialog[open] .cards button", timeout=WAIT)
     page.keyboard.press("Escape")
     type_all(page, MINE)
     waiting: list[Any] = []
-    page.route("**/api/save", waiting.append)
+    page.route("**/api/save", lambda route: waiting.append(route))
     page.keyboard.press("Control+s")
     page.keyboard.press("Control+o")
     page.locator("dialog[open] .cards button").first.click()
@@ -152,7 +149,7 @@ def test_a_file_that_is_being_saved_stays_apart_from_one_that_is_opened(page: An
     assert page.inner_text(".top .name strong") == name != "pendulum.yaml"
     assert text_of(page) == text
     page.wait_for_selector(".top .name:has-text('not saved')")
-    assert file.read_text(encoding="utf-8") == MINE
+    assert pendulum.read_text(encoding="utf-8") == MINE
 
 
 def test_a_fix_of_an_older_text_does_nothing_to_a_newer_one(page: Any) -> None:
@@ -174,11 +171,11 @@ def test_a_fix_of_an_older_text_does_nothing_to_a_newer_one(page: Any) -> None:
     )
 
 
-def test_a_server_that_is_gone_is_waited_for(browser: Any, file: Path) -> None:  # noqa: F811
+def test_a_server_that_is_gone_is_waited_for(browser: Any, pendulum: Path) -> None:
     """What is typed meanwhile is there in the page of the next server, at the same address."""
     page = browser.new_context(viewport={"width": 1500, "height": 900}, locale="en-GB").new_page()
     page.on("dialog", lambda dialog: dialog.accept())
-    with served(file) as (address, process):
+    with served(pendulum) as (address, _process):
         page.goto(address)
         page.wait_for_selector(READY, timeout=WAIT)
         page.context.set_offline(True)
@@ -190,7 +187,7 @@ def test_a_server_that_is_gone_is_waited_for(browser: Any, file: Path) -> None: 
         assert text_of(page) == MINE
     page.wait_for_selector(".notice:has-text('does not answer')", timeout=WAIT)
     type_all(page, "# and more\n" + MINE)
-    with served(file) as (again, _process):
+    with served(pendulum) as (again, _process):
         assert again.partition("#")[0] == address.partition("#")[0]
         page.wait_for_selector(".notice:has-text('started anew')", timeout=WAIT)
         page.goto(again)
@@ -248,10 +245,10 @@ def is_worker(pid: int) -> bool:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="NOT RUN: processes are found by ps")
-def test_a_worker_that_ends_is_told_and_replaced(browser: Any, file: Path) -> None:  # noqa: F811
+def test_a_worker_that_ends_is_told_and_replaced(browser: Any, pendulum: Path) -> None:
     page = browser.new_context(viewport={"width": 1500, "height": 900}, locale="en-GB").new_page()
     wrong = listened(page)
-    with served(file) as (address, process):
+    with served(pendulum) as (address, process):
         page.goto(address)
         page.wait_for_selector(READY, timeout=WAIT)
         type_all(page, SLOW)
@@ -297,5 +294,7 @@ def test_a_model_beyond_closed_forms_is_answered_in_numbers_with_the_reason(page
     page.wait_for_selector(READY, timeout=WAIT)
     page.click("#tab-ask")
     page.wait_for_selector(".content .freebody-report:not(.stale)", timeout=WAIT)
-    page.wait_for_function(f"() => !{TEXT}.includes('acceleration') && !document.querySelector('.working')", timeout=WAIT)
+    page.wait_for_function(
+        f"() => !{TEXT}.includes('acceleration') && !document.querySelector('.working')", timeout=WAIT
+    )
     assert "closed form" in page.inner_text(".content") or "elliptic" in page.inner_text(".content").lower()
