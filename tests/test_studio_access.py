@@ -1,6 +1,6 @@
-"""Whether everybody can use the studio: axe-core with the rules of WCAG 2.2, A and AA, on every view of the page, wide and
-as narrow as a telephone, light and dark, English and German; and what no program sees: the scene in words, and a click for
-everything that is dragged."""
+"""Whether everybody can use the studio: axe-core with the rules of WCAG 2.2, A and AA, on every view of the page, wide
+and as narrow as a telephone, light and dark, English and German; and what no program sees: the scene in words, and a
+click for everything that is dragged."""
 
 from __future__ import annotations
 

@@ -18,41 +18,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.studio_browser import PENDULUM, ROOT, TEXT, WAIT, text_of, wait_for_text
 
-ROOT = Path(__file__).parents[1]
-BROWSER = next(
-    (found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None
-)
-PENDULUM = """# a pendulum
-title: Rod on a pin
-parameters: {L: 1 m, m: 2 kg, g: 9.81 m/s^2}  # what can be moved
-bodies:
-  rod: {rod: {mass: m, length: L}}  # thin
-connections:
-  A: {pin: [ground.A, rod.start]}
-loads: {weight: {gravity: g}}
-measures: {theta: {angle of rod}}
-start: {theta: -60 deg}
-questions:
-  - {id: first, find: acceleration of theta}
-"""
 PICTURE = "document.querySelector('.view canvas').toDataURL()"
-WAIT = 60_000  # [ms] for what is computed
 
 pytestmark = pytest.mark.slow
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    if BROWSER is None:
-        pytest.skip("NOT RUN: there is no Chromium on the path, so the page of the studio is not looked at")
-    playwright = pytest.importorskip(
-        "playwright.sync_api", reason="NOT RUN: pip install playwright to look at the page"
-    )
-    with playwright.sync_playwright() as running:
-        browser = running.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
-        yield browser
-        browser.close()
 
 
 @pytest.fixture(scope="module")
@@ -82,17 +52,6 @@ def page(browser: Any, studio: tuple[str, Path]) -> Iterator[Any]:
     yield page
     page.close()
     assert wrong == []
-
-
-TEXT = "[...document.querySelectorAll('.cm-line')].map((line) => line.textContent).join('\\n')"
-
-
-def text_of(page: Any) -> str:
-    return str(page.evaluate(TEXT))
-
-
-def wait_for_text(page: Any, pattern: str) -> None:
-    page.wait_for_function(f"pattern => new RegExp(pattern).test({TEXT})", arg=pattern, timeout=WAIT)
 
 
 def select_word(page: Any, line: str, word: str) -> None:
@@ -322,7 +281,6 @@ def test_a_file_is_saved_and_a_draft_survives(page: Any, studio: tuple[str, Path
     page.evaluate("window.onbeforeunload = null")
     page.on("dialog", lambda dialog: dialog.accept())
     page.reload()
-    page.click("text=Take the draft", timeout=WAIT)
     wait_for_text(page, "# a pendulum of mine")
     page.keyboard.press("Control+s")
     page.wait_for_function("() => !document.body.textContent.includes('not saved')")
@@ -383,79 +341,6 @@ def test_points_are_connected_by_keys_with_a_preview(page: Any) -> None:
         page.focus(f".view .spot[aria-label='{name}']")
         page.keyboard.press("Enter")
     wait_for_text(page, r"damper: \{damper: \{first: rod\.end, second: ground\.origin, damping")
-
-
-class Hand:
-    """Builds by the mouse alone: its values are those of the smallest examples."""
-
-    def __init__(self, page: Any) -> None:
-        self.page = page
-
-    def choose(self, kind: str) -> None:
-        self.page.click(".top button:has-text('Add')")
-        self.page.locator(f"dialog[open] .list button:has(strong:text-is('{kind}'))").click()
-
-    def press(self, words: str) -> None:
-        self.page.locator(f"dialog[open] form button:text-is('{words}')").click()
-
-    def spot(self, name: str) -> None:
-        self.page.click(f".view .spot[aria-label='{name}']")
-
-
-class Keys(Hand):
-    """The same by the keyboard alone."""
-
-    def to(self, selector: str) -> None:
-        for _ in range(100):
-            if self.page.evaluate(f"document.activeElement.matches({json.dumps(selector)})"):
-                return
-            self.page.keyboard.press("Tab")
-        raise AssertionError(f"{selector} is not reached by Tab")
-
-    def choose(self, kind: str) -> None:
-        self.page.keyboard.press("Control+i")
-        self.page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
-        self.page.keyboard.type(kind)
-        self.page.keyboard.press("Enter")
-        self.page.wait_for_selector("dialog[open] form")
-
-    def press(self, words: str) -> None:
-        self.to(
-            {"Add": "dialog[open] form .primary", "Point in the scene": "dialog[open] form .primary + button"}[words]
-        )
-        self.page.keyboard.press("Enter")
-
-    def spot(self, name: str) -> None:
-        self.to(f".view .spot[aria-label='{name}']")
-        self.page.keyboard.press("Enter")
-
-
-ATWOOD: list[tuple[str, list[str], str]] = [
-    ("disk", [], r"disk: \{disk: "),
-    ("particle", [], r"particle: \{particle: "),
-    ("particle", [], r"particle2: \{particle: "),
-    ("pin", ["ground.origin", "disk"], r"pin: \{pin: \[ground\.origin, disk\]"),
-    ("string", ["particle", "disk", "particle2"], r"from: particle, over: \[disk\], to: particle2"),
-    ("gravity", [], r"gravity: \{gravity: 9\.81 m/s\^2\}"),
-]
-
-
-@pytest.mark.parametrize("way", [Hand, Keys])
-def test_atwoods_machine_is_built_from_nothing(page: Any, way: type[Hand]) -> None:
-    page.click(".cm-content")
-    page.keyboard.press("Control+a")
-    page.keyboard.press("Delete")
-    page.wait_for_selector(".stamp:has-text('add a body')", timeout=WAIT)
-    page.evaluate("document.activeElement.blur()")
-    builder = way(page)
-    for kind, spots, written in ATWOOD:
-        builder.choose(kind)
-        builder.press("Point in the scene" if spots else "Add")
-        for name in spots:
-            builder.spot(name)
-        wait_for_text(page, written)
-        page.wait_for_function("() => !document.querySelector('.badge.stale, .stamp')", timeout=WAIT)
-    page.wait_for_selector(".badge.dof:has-text('1 degree of freedom'):not(.stale)", timeout=WAIT)
 
 
 def test_a_new_point_is_pointed_at_by_its_place(page: Any) -> None:
@@ -591,7 +476,7 @@ def test_what_is_typed_while_another_model_is_opened_is_neither_lost_nor_mixed(
     page.locator("dialog[open] .cards button").first.click()
     page.keyboard.press("Control+o")
     page.locator("dialog[open] .list button:has-text('other.yaml')").click()
-    page.click("text=Take the draft", timeout=WAIT)  # what was typed just before another model was opened
+    wait_for_text(page, "# and mine")  # what was typed just before another model was opened
     assert text_of(page) == "title: Another one\n# and mine\n"
 
 
