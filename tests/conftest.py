@@ -7,6 +7,7 @@ import gc
 import os
 import random
 import re
+from collections import Counter
 from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
@@ -15,6 +16,7 @@ from typing import Any
 import mpmath
 import pytest
 import sympy
+from tests.studio_browser import browser, page, pendulum  # noqa: F401  (fixtures of what looks at the studio)
 
 import freebody as fb
 
@@ -49,6 +51,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         case = item.nodeid.partition("[")[2].removesuffix("]").partition("-")[0]
         if item.nodeid in tests or case in examples:
             item.add_marker(pytest.mark.slow)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_terminal_summary(terminalreporter: Any) -> None:
+    """What was left out for want of a tool is said in any case, not with `-rs` alone."""
+    said = [str(report.longrepr[2]) for report in terminalreporter.stats.get("skipped", []) if report.longrepr]
+    missing = Counter(text.removeprefix("Skipped: ") for text in said if "NOT RUN" in text)
+    if missing:
+        terminalreporter.section("left out")
+    for text, n in sorted(missing.items()):
+        terminalreporter.line(f"{text} ({n} {'test' if n == 1 else 'tests'})", yellow=True)
 
 
 # files that share explained examples (`examples_told`), and so one worker

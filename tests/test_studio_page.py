@@ -18,42 +18,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.studio_browser import PENDULUM, ROOT, TEXT, WAIT, text_of, wait_for_text
 
-ROOT = Path(__file__).parents[1]
-BROWSER = next(
-    (found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None
-)
-AXE = ROOT / "studio" / "node_modules" / "axe-core" / "axe.min.js"
-PENDULUM = """# a pendulum
-title: Rod on a pin
-parameters: {L: 1 m, m: 2 kg, g: 9.81 m/s^2}  # what can be moved
-bodies:
-  rod: {rod: {mass: m, length: L}}  # thin
-connections:
-  A: {pin: [ground.A, rod.start]}
-loads: {weight: {gravity: g}}
-measures: {theta: {angle of rod}}
-start: {theta: -60 deg}
-questions:
-  - {id: first, find: acceleration of theta}
-"""
 PICTURE = "document.querySelector('.view canvas').toDataURL()"
-WAIT = 60_000  # [ms] for what is computed
 
 pytestmark = pytest.mark.slow
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    if BROWSER is None:
-        pytest.skip("NOT RUN: there is no Chromium on the path, so the page of the studio is not looked at")
-    playwright = pytest.importorskip(
-        "playwright.sync_api", reason="NOT RUN: pip install playwright to look at the page"
-    )
-    with playwright.sync_playwright() as running:
-        browser = running.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
-        yield browser
-        browser.close()
 
 
 @pytest.fixture(scope="module")
@@ -83,17 +52,6 @@ def page(browser: Any, studio: tuple[str, Path]) -> Iterator[Any]:
     yield page
     page.close()
     assert wrong == []
-
-
-TEXT = "[...document.querySelectorAll('.cm-line')].map((line) => line.textContent).join('\\n')"
-
-
-def text_of(page: Any) -> str:
-    return str(page.evaluate(TEXT))
-
-
-def wait_for_text(page: Any, pattern: str) -> None:
-    page.wait_for_function(f"pattern => new RegExp(pattern).test({TEXT})", arg=pattern, timeout=WAIT)
 
 
 def select_word(page: Any, line: str, word: str) -> None:
@@ -401,7 +359,6 @@ def test_a_file_is_saved_and_a_draft_survives(page: Any, studio: tuple[str, Path
     page.evaluate("window.onbeforeunload = null")
     page.on("dialog", lambda dialog: dialog.accept())
     page.reload()
-    page.click("text=Take the draft", timeout=WAIT)
     wait_for_text(page, "# a pendulum of mine")
     page.keyboard.press("Control+s")
     page.wait_for_function("() => !document.body.textContent.includes('not saved')")
@@ -462,79 +419,6 @@ def test_points_are_connected_by_keys_with_a_preview(page: Any) -> None:
         page.focus(f".view .spot[aria-label='{name}']")
         page.keyboard.press("Enter")
     wait_for_text(page, r"damper: \{damper: \{first: rod\.end, second: ground\.origin, damping")
-
-
-class Hand:
-    """Builds by the mouse alone: its values are those of the smallest examples."""
-
-    def __init__(self, page: Any) -> None:
-        self.page = page
-
-    def choose(self, kind: str) -> None:
-        self.page.click(".top button:has-text('Add')")
-        self.page.locator(f"dialog[open] .list button:has(strong:text-is('{kind}'))").click()
-
-    def press(self, words: str) -> None:
-        self.page.locator(f"dialog[open] form button:text-is('{words}')").click()
-
-    def spot(self, name: str) -> None:
-        self.page.click(f".view .spot[aria-label='{name}']")
-
-
-class Keys(Hand):
-    """The same by the keyboard alone."""
-
-    def to(self, selector: str) -> None:
-        for _ in range(100):
-            if self.page.evaluate(f"document.activeElement.matches({json.dumps(selector)})"):
-                return
-            self.page.keyboard.press("Tab")
-        raise AssertionError(f"{selector} is not reached by Tab")
-
-    def choose(self, kind: str) -> None:
-        self.page.keyboard.press("Control+i")
-        self.page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
-        self.page.keyboard.type(kind)
-        self.page.keyboard.press("Enter")
-        self.page.wait_for_selector("dialog[open] form")
-
-    def press(self, words: str) -> None:
-        self.to(
-            {"Add": "dialog[open] form .primary", "Point in the scene": "dialog[open] form .primary + button"}[words]
-        )
-        self.page.keyboard.press("Enter")
-
-    def spot(self, name: str) -> None:
-        self.to(f".view .spot[aria-label='{name}']")
-        self.page.keyboard.press("Enter")
-
-
-ATWOOD: list[tuple[str, list[str], str]] = [
-    ("disk", [], r"disk: \{disk: "),
-    ("particle", [], r"particle: \{particle: "),
-    ("particle", [], r"particle2: \{particle: "),
-    ("pin", ["ground.origin", "disk"], r"pin: \{pin: \[ground\.origin, disk\]"),
-    ("string", ["particle", "disk", "particle2"], r"from: particle, over: \[disk\], to: particle2"),
-    ("gravity", [], r"gravity: \{gravity: 9\.81 m/s\^2\}"),
-]
-
-
-@pytest.mark.parametrize("way", [Hand, Keys])
-def test_atwoods_machine_is_built_from_nothing(page: Any, way: type[Hand]) -> None:
-    page.click(".cm-content")
-    page.keyboard.press("Control+a")
-    page.keyboard.press("Delete")
-    page.wait_for_selector(".stamp:has-text('add a body')", timeout=WAIT)
-    page.evaluate("document.activeElement.blur()")
-    builder = way(page)
-    for kind, spots, written in ATWOOD:
-        builder.choose(kind)
-        builder.press("Point in the scene" if spots else "Add")
-        for name in spots:
-            builder.spot(name)
-        wait_for_text(page, written)
-        page.wait_for_function("() => !document.querySelector('.badge.stale, .stamp')", timeout=WAIT)
-    page.wait_for_selector(".badge.dof:has-text('1 degree of freedom'):not(.stale)", timeout=WAIT)
 
 
 def test_a_new_point_is_pointed_at_by_its_place(page: Any) -> None:
@@ -670,7 +554,7 @@ def test_what_is_typed_while_another_model_is_opened_is_neither_lost_nor_mixed(
     page.locator("dialog[open] .cards button").first.click()
     page.keyboard.press("Control+o")
     page.locator("dialog[open] .list button:has-text('other.yaml')").click()
-    page.click("text=Take the draft", timeout=WAIT)  # what was typed just before another model was opened
+    wait_for_text(page, "# and mine")  # what was typed just before another model was opened
     assert text_of(page) == "title: Another one\n# and mine\n"
 
 
@@ -717,145 +601,6 @@ def test_a_dialog_is_opened_right_after_another_one(page: Any) -> None:
         page.keyboard.press("Escape")
     page.keyboard.press("Control+i")
     page.wait_for_selector("dialog[open] >> text=particle")
-
-
-class Auditor:
-    """axe-core, rules of WCAG 2.2 A and AA, wherever it is told to look."""
-
-    def __init__(self, page: Any) -> None:
-        if not AXE.exists():
-            pytest.skip("NOT RUN: npm install in studio/ brings axe-core")
-        self.page, self.found = page, list[str]()
-        page.evaluate(AXE.read_text(encoding="utf-8"))
-
-    def look(self, where: str) -> None:
-        self.page.wait_for_timeout(300)
-        tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
-        for violation in self.page.evaluate("tags => axe.run(document, { runOnly: tags })", tags)["violations"]:
-            places = [f"{node['target']} {node['html'][:120]}" for node in violation["nodes"][:3]]
-            self.found.append(f"{where}: {violation['id']} {places}")
-
-
-def show_pane(page: Any, name: str) -> None:
-    """On a narrow screen, where one pane is seen at a time."""
-    button = page.locator(f".switch button:has-text('{name}')")
-    if button.is_visible():
-        button.click()
-
-
-@pytest.fixture(params=[(390, "light"), (390, "dark"), (1500, "light"), (1500, "dark")], ids=lambda p: f"{p[0]}-{p[1]}")
-def auditor(page: Any, request: pytest.FixtureRequest) -> Iterator[Auditor]:
-    """On a narrow and a wide screen, light and dark."""
-    width, theme = request.param
-    if theme == "dark":
-        page.click("[aria-label='Light or dark']")
-    page.set_viewport_size({"width": width, "height": 900})
-    auditor = Auditor(page)
-    yield auditor
-    assert not auditor.found, "\n".join(auditor.found)
-
-
-def test_every_panel_is_accessible(page: Any, auditor: Auditor) -> None:
-    for pane in ("Model", "Scene", "Results"):
-        show_pane(page, pane)
-        auditor.look(pane)
-    for panel in ("ask", "derivation", "free", "mobility", "conserved", "more", "properties", "export"):
-        page.click(f"#tab-{panel}")
-        if panel not in ("properties", "export"):
-            page.wait_for_selector(".content :is(.freebody-report, .picture svg, .message)", timeout=WAIT)
-            page.wait_for_function("() => !document.querySelector('.working')", timeout=WAIT)
-        auditor.look(panel)
-    show_pane(page, "Scene")
-    for menu in (".transport .menu", ".plots .menu"):
-        page.click(f"{menu} > summary")
-        auditor.look(menu)
-        page.click(f"{menu} > summary")
-    page.click(".choice >> text=Picture")
-    page.wait_for_selector(".view .picture svg", timeout=WAIT)
-    auditor.look("picture")
-
-
-def test_every_dialog_is_accessible(page: Any, auditor: Auditor, studio: tuple[str, Path]) -> None:
-    for keys in ("Control+k", "Control+o", "Control+i", "F1"):
-        page.keyboard.press(keys)
-        if keys in ("Control+o", "Control+i"):
-            page.wait_for_selector("dialog[open] .list button", timeout=WAIT)
-        auditor.look(keys)
-        if keys == "Control+i":
-            page.keyboard.type("spring")
-            page.keyboard.press("Enter")
-            auditor.look("a new element")
-        page.keyboard.press("Escape")
-    page.click(".top .name")
-    auditor.look("save as")
-    page.keyboard.press("Escape")
-    show_pane(page, "Model")
-    page.click(".cm-line:has-text('# a pendulum')")
-    page.keyboard.type("# more")
-    studio[1].write_text(PENDULUM + "# changed by another program", encoding="utf-8")
-    page.keyboard.press("Control+s")
-    page.wait_for_selector("dialog[open] >> text=another program", timeout=WAIT)
-    auditor.look("changed elsewhere")
-    page.keyboard.press("Escape")
-
-
-def test_mistakes_and_drafts_are_shown_accessibly(page: Any, auditor: Auditor) -> None:
-    show_pane(page, "Model")
-    select_word(page, "pin:", "start")
-    page.keyboard.type("strat")
-    page.wait_for_selector(".badge.bad", timeout=WAIT)
-    auditor.look("a mistake")
-    page.hover(".cm-lintRange-error")
-    page.wait_for_selector(".cm-diagnosticAction")
-    auditor.look("a fix")
-    show_pane(page, "Scene")
-    auditor.look("an old scene")
-    show_pane(page, "Model")
-    page.click(".cm-line:has-text('loads')")
-    page.keyboard.press("Home")
-    page.keyboard.type("lo")
-    page.keyboard.press("Control+Space")
-    page.wait_for_selector(".cm-tooltip-autocomplete", timeout=WAIT)
-    auditor.look("completion")
-    page.wait_for_timeout(800)
-    page.on("dialog", lambda dialog: dialog.accept())
-    page.reload()
-    page.wait_for_selector("text=Take the draft", timeout=WAIT)
-    auditor.page.evaluate(AXE.read_text(encoding="utf-8"))
-    auditor.look("a draft")
-
-
-def test_pointing_is_accessible(page: Any, auditor: Auditor) -> None:
-    begin_pointing(page, "spring")
-    auditor.look("pointing")
-    page.focus(".view .spot[aria-label='rod.end']")
-    page.keyboard.press("Enter")
-    page.focus(".view .spot[aria-label='ground.origin']")
-    page.wait_for_selector(".joining code", timeout=WAIT)
-    auditor.look("with a preview")
-    page.keyboard.press("Escape")
-
-
-def test_judging_is_accessible(page: Any, auditor: Auditor) -> None:
-    show_pane(page, "Results")
-    page.get_by_label("Let me answer").first.check()
-    form = page.locator("form.judged").first
-    form.get_by_role("button", name="Hint").click()
-    form.locator(".hints li").first.wait_for(timeout=WAIT)
-    auditor.look("a hint")
-    for k, answer in enumerate(("g/L", "-1.5*g*cos(theta)/L")):
-        form.get_by_label("Your answer").fill(answer)
-        form.get_by_role("button", name="Check").click()
-        form.get_by_text(f"attempts: {k + 1}").wait_for(timeout=WAIT)
-        auditor.look(answer)
-    page.click("#tab-free")
-    page.wait_for_selector(".content .picture svg", timeout=WAIT)
-    page.click(".content details > summary")
-    form = page.locator("form.judged").first
-    form.locator("textarea").fill("A right at start")
-    form.get_by_role("button", name="Check").click()
-    form.locator(".freebody-report").wait_for(timeout=WAIT)
-    auditor.look("forces")
 
 
 def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) -> None:

@@ -1,11 +1,11 @@
 // The editor of the text: YAML with the reader's own messages, their fixes, and completion from the schema.
 import { acceptCompletion, autocompletion, closeBrackets, type CompletionContext, type CompletionResult, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
+import { defaultKeymap, history, historyField, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
 import { yaml } from "@codemirror/lang-yaml";
 import { bracketMatching, HighlightStyle, indentUnit, syntaxHighlighting } from "@codemirror/language";
 import { type Diagnostic, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Annotation, Compartment, EditorState, Transaction } from "@codemirror/state";
+import { Annotation, Compartment, EditorState, type Text, Transaction } from "@codemirror/state";
 import { EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import type { Studio, Writer } from "./state.svelte";
@@ -66,19 +66,29 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
       studio.canRedo = redoDepth(update.state) > 0;
     }),
   ];
-  const stateOf = (doc: string) => EditorState.create({ doc, extensions: [EditorState.readOnly.of(studio.isShared || !studio.isOpen), ...extensions] });
+  const all = () => [EditorState.readOnly.of(studio.isShared || !studio.isOpen), ...extensions];
+  const stateOf = (doc: string) => EditorState.create({ doc, extensions: all() });
   const view = new EditorView({ parent, state: stateOf(studio.text) });
+  function take(state: EditorState) {
+    studio.changed(state.doc.toString()); // what is asked about it is on its way while the editor is made
+    const hasFocus = view.hasFocus;
+    view.setState(state);
+    // out of the page and in again: the browser's own history of what was typed, which nobody uses here, would keep all
+    // lines that there ever were
+    view.dom.remove();
+    parent.append(view.dom);
+    if (hasFocus) view.focus();
+    [studio.canUndo, studio.canRedo] = [undoDepth(state) > 0, redoDepth(state) > 0];
+  }
 
   const writer: Writer = {
     change(changes, userEvent) {
       const isSlide = userEvent === "input.type.slider";
       view.dispatch({ changes, userEvent, annotations: isSlide ? [] : [isolateHistory.of("full")] });
     },
-    load(text) {
-      studio.changed(text); // what is asked about it is on its way while the editor is made
-      view.setState(stateOf(text));
-      [studio.canUndo, studio.canRedo] = [false, false];
-    },
+    load: (text) => take(stateOf(text)),
+    kept: () => view.state.toJSON({ history: historyField }),
+    restore: (state) => take(EditorState.fromJSON(state, { extensions: all() }, { history: historyField })),
     select(from, to) {
       const most = view.state.doc.length;
       view.dispatch({ selection: { anchor: Math.min(from, most), head: Math.min(to, most) }, scrollIntoView: true, annotations: [isLoad.of(true), Transaction.addToHistory.of(false)] });
@@ -92,20 +102,27 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
     writer,
     setLabel: (text: string) => view.dispatch({ effects: name.reconfigure(EditorView.contentAttributes.of({ "aria-label": text })) }),
     show(remarks: Remark[]) {
-      view.dispatch(setDiagnostics(view.state, remarks.map((remark) => diagnostic(remark, view.state.doc.length))));
+      view.dispatch(setDiagnostics(view.state, remarks.map((remark) => diagnostic(remark, view.state.doc))));
     },
   };
 }
 
-function diagnostic(remark: Remark, most: number): Diagnostic {
+/** A remark on a text. When that has changed, until it is read again, a fix has moved with the remark, and mends
+ * nothing where its words are not there any more. */
+function diagnostic(remark: Remark, doc: Text): Diagnostic {
+  const from = Math.min(remark.span.start, doc.length);
   return {
-    from: Math.min(remark.span.start, most),
-    to: Math.min(remark.span.end, most),
+    from,
+    to: Math.min(remark.span.end, doc.length),
     severity: remark.severity,
     message: remark.message,
-    actions: remark.fixes.map((fix) => ({
-      name: fix.label,
-      apply: (view) => view.dispatch({ changes: { from: fix.span.start, to: fix.span.end, insert: fix.text }, userEvent: "input.fix" }),
+    actions: remark.fixes.map(({ label, span, text }) => ({
+      name: label,
+      apply: (view, now) => {
+        const [start, end] = [span.start + now - from, span.end + now - from];
+        if (start < 0 || view.state.sliceDoc(start, end) !== doc.sliceString(span.start, span.end)) return;
+        view.dispatch({ changes: { from: start, to: end, insert: text }, userEvent: "input.fix" });
+      },
     })),
   };
 }

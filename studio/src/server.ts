@@ -25,8 +25,15 @@ function keyOf(kind: string, request: object): string {
 
 const token = new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
 
-/** Why there is no answer: the server is gone, or refuses this page. */
-export class Unreachable extends Error {}
+// the address of another start of the studio: the same page, with another token
+addEventListener("hashchange", () => location.reload());
+
+/** Why there is no answer. status: of HTTP; 0 where the server is gone */
+export class Unreachable extends Error {
+  constructor(readonly status: number, message = "") {
+    super(message);
+  }
+}
 
 async function post<T>(name: string, body: unknown): Promise<T> {
   if (notebook) return fromKernel<T>(name, body);
@@ -38,7 +45,7 @@ async function post<T>(name: string, body: unknown): Promise<T> {
       body: JSON.stringify(body),
     });
   } catch {
-    throw new Unreachable("the server does not answer");
+    throw new Unreachable(0);
   }
   if (response.ok) return (await response.json()) as T;
   const text = await response.text();
@@ -48,7 +55,7 @@ async function post<T>(name: string, body: unknown): Promise<T> {
   } catch {
     // it is no JSON: the text itself
   }
-  throw new Unreachable(message || `${response.status}`);
+  throw new Unreachable(response.status, message || `${response.status}`);
 }
 
 export type Told<K extends keyof Answers> = Omit<Reply, "answer"> & { answer: Answers[K] | null };

@@ -1,11 +1,13 @@
 // The state of the page. The text is the only truth: everything else here follows from it, or is a matter of view.
+import * as drafts from "./drafts";
+import { kept, keptByWindow } from "./kept";
 import { Latest, debounced } from "./latest";
 import { hearText, notebook, tellText } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
 import type { Place } from "virtual:player";
-import type { Answers, Element, End, Kind, MotionAnswer, Parameter, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
+import type { Answers, Element, End, Kind, MotionAnswer, OpenedFile, Parameter, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
 import { WORDS, type Word } from "./words";
 
 export type Language = "en" | "de";
@@ -32,29 +34,14 @@ export interface Pull {
 export interface Writer {
   change(changes: Change[], userEvent: string): void;
   load(text: string): void;
+  /** The text with all that can be undone, and the same again. */
+  kept(): unknown;
+  restore(state: unknown): void;
   select(from: number, to: number): void;
   undo(): void;
   redo(): void;
   focus(): void;
 }
-
-const kept = {
-  get: (key: string) => {
-    try {
-      return localStorage.getItem(`freebody.${key}`);
-    } catch {
-      return null;
-    }
-  },
-  set: (key: string, value: string | null) => {
-    try {
-      if (value === null) localStorage.removeItem(`freebody.${key}`);
-      else localStorage.setItem(`freebody.${key}`, value);
-    } catch {
-      // a browser that keeps nothing: drafts and choices last as long as the page
-    }
-  },
-};
 
 /** Of the width that the outer panes have, unless somebody chooses. */
 export const SHARES = { model: 24, results: 32 };
@@ -70,7 +57,11 @@ export class Studio {
   files = $state<string[]>([]);
   version = $state("");
   savedText = $state("");
-  draft = $state<string | null>(null);
+  draft = $state.raw<drafts.Draft | null>(null);
+  /** The file as another program, or another window, has written it meanwhile. */
+  other = $state.raw<OpenedFile | null>(null);
+  /** What has happened by itself. */
+  told = $state<Word | "">("");
   read = $state.raw<ReadAnswer | null>(null);
   model = $state.raw<ReadAnswer | null>(null);
   modelText = $state("");
@@ -87,6 +78,9 @@ export class Studio {
   count = $state.raw<StudyAnswer | null>(null);
   isStale = $state(false);
   failure = $state("");
+  /** Whether the server answers; how often it has come back. */
+  isLost = $state(false);
+  nReturns = $state(0);
 
   // -- the view
   language = $state<Language>("en");
@@ -101,6 +95,9 @@ export class Studio {
   isMoving = false; // by hand: what is shown is on its way
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
   derived = $state<string | null>(null);
+  /** The question that is being typed, and the one that is answered. */
+  question = $state("");
+  asking = $state<string | null>(null);
   joining = $state.raw<Joining | null>(null);
   /** Where the sliders of a shared page stand. */
   places = $state.raw<number[]>(server.sliders.map((slider) => slider.own));
@@ -115,6 +112,9 @@ export class Studio {
   private dragging = new Latest();
   private looking = new Latest();
   private draggedTo = "";
+  private nOpened = 0;
+  private nAsked = 0;
+  private saving: Promise<void> = Promise.resolve();
   private learning: Promise<void> | null = null;
   /** Of what the reader takes. */
   schema: Record<string, unknown> | null = null;
@@ -153,12 +153,14 @@ export class Studio {
   // -- files
   async begin(): Promise<void> {
     try {
-      const opening = await this.opening;
+      const opening = await this.opening, before = this.viewBefore();
       this.files = opening.files;
       this.release = opening.version;
       this.usual = opening.until;
-      this.take(opening.file.name, opening.file.text, opening.file.version);
-      if (!opening.file.text) {
+      const file = before && before.file !== opening.file.name ? await server.openFile(before.file) : opening.file;
+      this.take(file.name, file.text, file.version);
+      if (before) this.restore(before);
+      else if (!file.text) {
         if (opening.is_file) this.load("");
         else this.dialog = "gallery";
       }
@@ -178,16 +180,26 @@ export class Studio {
     await this.learning;
   }
 
-  /** Shows a file. A draft of it that differs is offered. What was typed into the one before is kept. */
+  /** Shows a file, as this window has left it; what another one has left is offered. What was typed into the one
+   * before is kept. */
   take(name: string, text: string, version: string): void {
     if (this.isOpen) this.keepDraftNow();
     this.isOpen = true;
+    this.nOpened += 1;
     [this.file, this.version, this.savedText] = [name, version, text];
-    const draft = kept.get(`draft.${name}`);
-    this.draft = !this.isShared && draft !== null && draft !== text ? draft : null;
+    [this.draft, this.other, this.told, this.asking, this.question, this.derived] = [null, null, "", null, "", null];
     this.until = notebook?.until ?? (Number(kept.get(`until.${name}`)) || this.usual);
     this.selected = null;
+    const own = this.hasDrafts ? drafts.ownOf(name) : null;
     this.load(text);
+    if (own !== null && own !== text) {
+      this.rewrite(own, "input.draft");
+      this.told = "restored";
+    }
+    void this.offer();
+  }
+  private get hasDrafts(): boolean {
+    return !this.isShared && !this.isNotebook;
   }
 
   load(text: string): void {
@@ -201,19 +213,59 @@ export class Studio {
     this.writer?.load(text);
   }
 
+  /** The latest of what windows that are gone have left of this file. */
+  private async offer(): Promise<void> {
+    if (!this.hasDrafts) return;
+    const n = this.nOpened, [latest] = await drafts.left(this.file, this.text);
+    if (n === this.nOpened) this.draft = latest ?? null;
+  }
   takeDraft(): void {
-    if (this.draft !== null) this.rewrite(this.draft, "input.draft");
-    this.draft = null;
+    if (this.draft) this.rewrite(this.draft.text, "input.draft");
+    this.dropDraft();
   }
   dropDraft(): void {
-    kept.set(`draft.${this.file}`, null);
+    if (this.draft) drafts.drop(this.draft);
     this.draft = null;
+    void this.offer();
   }
 
-  /** The dialog stays until the file is there: what is typed meanwhile would go into the one before. */
+  // -- what this window shows, when its page is loaded anew
+  private viewBefore() {
+    if (!drafts.isReloaded || !this.hasDrafts) return null;
+    try {
+      return JSON.parse(keptByWindow.get("view") ?? "null") as ReturnType<Studio["view"]> | null;
+    } catch {
+      return null;
+    }
+  }
+  private view() {
+    const { file, version, savedText, panel, pane, selected, time, derived, asking } = this;
+    return { file, version, savedText, panel, pane, selected, time, derived, asking, editor: this.writer?.kept() };
+  }
+  private restore(view: ReturnType<Studio["view"]>): void {
+    // what the text was made of: if the file is another one now, that is told
+    [this.version, this.savedText] = [view.version, view.savedText];
+    if (view.editor) this.writer?.restore(view.editor);
+    this.told = "";
+    const { panel, pane, selected, time, derived, asking } = view;
+    [this.panel, this.pane, this.selected, this.time, this.derived] = [panel, pane, selected, time, derived];
+    [this.asking, this.question] = [asking, asking ?? ""];
+    void this.lookAtFile();
+  }
+  /** When the page may be gone soon. */
+  keepAll(): void {
+    if (!this.isOpen || !this.hasDrafts) return;
+    this.keepDraftNow();
+    keptByWindow.set("view", JSON.stringify(this.view()));
+  }
+
+  /** The dialog stays until the file is there: what is typed meanwhile would go into the one before. Of two that are
+   * opened the later one is shown. */
   async openFile(name: string): Promise<void> {
+    const n = (this.nAsked += 1), before = this.nOpened;
     try {
       const file = await server.openFile(name);
+      if (n !== this.nAsked || before !== this.nOpened) return;
       this.dialog = "";
       this.take(file.name, file.text, file.version);
     } catch (error) {
@@ -221,32 +273,70 @@ export class Studio {
     }
   }
 
-  async save(overwrite = false, name = this.file): Promise<void> {
-    const text = this.text;
+  /** One after the other: the next one is about what the one before has written. */
+  save(overwrite = false, name = this.file): Promise<void> {
+    this.saving = this.saving.then(() => this.saveNow(overwrite, name));
+    return this.saving;
+  }
+  private async saveNow(overwrite: boolean, name: string): Promise<void> {
+    const { text, file } = this, n = this.nOpened;
     try {
-      const version = name === this.file ? this.version : "";
+      const version = name === file ? this.version : "";
       const done = await server.save({ name, text, version, overwrite, language: this.language });
+      const isShown = n === this.nOpened; // else another file was opened meanwhile
       if (done.is_changed) {
-        this.dialog = "changed";
-        return;
+        if (isShown) this.dialog = "changed";
+        return this.lookAtFile();
       }
       if (done.message) {
         this.failure = done.message;
         return;
       }
-      this.dialog = "";
-      [this.file, this.version, this.savedText, this.failure] = [name, done.version, text, ""];
-      kept.set(`draft.${name}`, null);
+      for (const each of [file, name]) drafts.keep(each, null);
       if (!this.files.includes(name)) this.files = [...this.files, name].sort();
+      if (!isShown) return;
+      if (["save", "changed"].includes(this.dialog)) this.dialog = "";
+      [this.file, this.version, this.savedText, this.failure] = [name, done.version, text, ""];
+      [this.other, this.told] = [null, ""];
+      kept.set("saved", `${name} ${done.version}`); // which other windows hear
     } catch (error) {
       this.fail(error);
     }
+  }
+
+  /** Whether the file is still what it was. Where nothing is lost by it, the page follows; else it asks. */
+  async lookAtFile(): Promise<void> {
+    if (!this.isOpen || !this.hasDrafts) return;
+    const n = this.nOpened, { file, version } = this;
+    try {
+      const found = await server.openFile(file);
+      this.answered();
+      if (n !== this.nOpened || version !== this.version || !found.version) return;
+      if (found.version === version) this.other = null;
+      else if (found.text === this.text) [this.version, this.savedText, this.other] = [found.version, found.text, null];
+      else if (version && this.isSaved) this.takeOther(found);
+      else if (this.other?.version !== found.version) this.other = found;
+    } catch (error) {
+      if (error instanceof server.Unreachable && error.status !== 409) this.fail(error);
+    }
+  }
+  /** The text becomes that of the file, which can be undone. */
+  takeOther(other: OpenedFile): void {
+    [this.version, this.savedText, this.other, this.dialog] = [other.version, other.text, null, ""];
+    this.rewrite(other.text, "input.file");
+    this.told = "followed";
+  }
+  /** The text stays: saved, it takes the place of what the other one has written. */
+  keepOwn(): void {
+    if (this.other) this.version = this.other.version;
+    this.other = null;
   }
 
   // -- the text
   /** The editor has another text. */
   changed(text: string): void {
     this.text = text;
+    if (this.told) this.told = "";
     this.joining = null;
     this.isStale = true;
     if (this.isNotebook) this.keepInKernel();
@@ -263,9 +353,7 @@ export class Studio {
 
   private keepDraft = debounced(500, () => this.keepDraftNow());
   private keepDraftNow(): void {
-    if (this.isShared || this.isNotebook) return;
-    if (this.text === this.savedText) kept.set(`draft.${this.file}`, null);
-    else if (!this.draft) kept.set(`draft.${this.file}`, this.text);
+    if (this.hasDrafts && this.isOpen) drafts.keep(this.file, this.isSaved ? null : this.text);
   }
   private readSoon = debounced(60, () => this.readNow());
 
@@ -324,6 +412,7 @@ export class Studio {
     const text = this.modelText;
     this.counting.run(async () => {
       const told = await this.asked("count", { text, language: this.language, name: "mobility", prefix: "count-" });
+      if (text !== this.modelText) return; // the next one is on its way
       if (told?.answer) this.count = told.answer;
       else if (told && told.status !== "replaced") this.count = null;
     });
@@ -459,7 +548,7 @@ export class Studio {
   async asked<K extends keyof Answers>(kind: K, request: Parameters<typeof server.ask<K>>[1], topic?: string): Promise<Told<K> | null> {
     try {
       const told = await server.ask(kind, request, topic);
-      if (this.failure === this.word("unreachable")) this.failure = "";
+      this.answered();
       return told;
     } catch (error) {
       this.fail(error);
@@ -476,8 +565,16 @@ export class Studio {
   }
 
   fail(error: unknown): void {
-    const message = error instanceof Error ? error.message : String(error);
-    this.failure = message === "the server does not answer" ? this.word("unreachable") : message;
+    if (!(error instanceof server.Unreachable)) this.failure = error instanceof Error ? error.message : String(error);
+    else if (error.status === 0) this.isLost = true;
+    else this.failure = error.status === 401 ? this.word("otherStart") : error.message;
+  }
+  /** The server is there: after it was not, all that is shown is asked for again. */
+  private answered(): void {
+    if (!this.isLost) return;
+    this.isLost = false;
+    this.nReturns += 1;
+    this.readNow();
   }
 
   // -- the view

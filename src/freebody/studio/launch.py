@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import socket
 import webbrowser
 from contextlib import suppress
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +16,8 @@ from freebody.studio import nursery
 
 
 def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
-    """Serves the studio until it is interrupted. port: 0 for any that is free. The first line printed is the address.
-    Raises InputError where the extra is not installed, or the port is taken."""
+    """Serves the studio until it is interrupted. port: 0 for that of the folder, or any where it is taken. The first
+    line printed is the address. Raises InputError where the extra is not installed, or the port is taken."""
     nursery.begin()
     try:
         import uvicorn
@@ -27,7 +29,7 @@ def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
             Message('the studio needs {package}; pip install "freebody[studio]"', package=error.name or "")
         ) from None
     folder = Folder.of(file)
-    bound = _bound(port)
+    bound = _bound(port) if port else _bound_for(folder.path)
     port, token = bound.getsockname()[1], new_token()
     address = f"http://127.0.0.1:{port}/#token={token}"
     print(address, flush=True)
@@ -46,9 +48,24 @@ def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
         Server(config).run(sockets=[bound])
 
 
+def port_of(folder: Path) -> int:
+    """Browsers keep drafts by the address, so a folder has the same one whenever it is opened. Below the ports from
+    which systems reach out."""
+    return 20_000 + int.from_bytes(sha256(str(folder).encode("utf-8", "surrogatepass")).digest()[:4]) % 12_000
+
+
+def _bound_for(folder: Path) -> socket.socket:
+    try:
+        return _bound(port_of(folder))
+    except InputError:  # somebody has it, perhaps a studio of this folder
+        return _bound(0)
+
+
 def _bound(port: int) -> socket.socket:
     """A socket of this machine alone."""
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    if os.name == "posix":  # else a port is not free for minutes after a page has used it; on Windows it means to share
+        bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         bound.bind(("127.0.0.1", port))
         bound.listen(100)  # a browser may come before the server
