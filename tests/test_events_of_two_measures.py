@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import freebody as fb
-from posed import is_formula
+from posed import is_derived, is_formula
 
 CLUTCH = """
 parameters: {J1: 2 kg m^2, J2: 3 kg m^2, w1: 50 rad/s, M: 20 N m}
@@ -48,8 +48,17 @@ def test_when_two_measures_are_alike(model: str, question: str, formula: str) ->
     is_formula(model, question, formula)
 
 
+@pytest.mark.parametrize(
+    ("model", "question"),
+    [(CLUTCH, "time until rate(f1) = rate(f2)"), (CLUTCH, "time until f1 = f2"), (STONES, "y1 when y1 = y2")],
+)
+def test_it_is_derived_by_the_laws_of_both(model: str, question: str) -> None:
+    told = is_derived(model, question)
+    assert "give the first t > 0" in told["en"]
+
+
 def test_what_has_another_dimension_is_refused() -> None:
-    with pytest.raises(fb.ModelError, match="unit|dimension|expected"):
+    with pytest.raises(fb.ModelError, match=r"unit|dimension|expected"):
         fb.System.from_text(STONES).solve("time until y1 = angle of line from low to high")
 
 
