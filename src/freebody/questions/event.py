@@ -10,6 +10,7 @@ from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
 from freebody.model.phrases import PHRASES, measure_of
 from freebody.questions.base import FORMS, NAME, POINT, Path, Quantity
 from freebody.questions.clock import ENDLESS, Clock, SaidEvent, time_asked
@@ -120,8 +121,40 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     measure = measure_of(names, what, *path)
     if measure is None:
         return None
+    if (other := _other_side(names, found["value"].strip(), order)) is not None:
+        between = _between(names, measure, *other, path)
+        return None if between is None else QuestionEvent(between, order, ZERO, text)
     dimension = measure.dimension / TIME**order
     return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
+
+
+_FACTOR = r"(?:(?P<factor>[^()=]+?)\s*\*\s*)?"
+_OTHER_PLACE = re.compile(rf"^{_FACTOR}(?P<of>.+)$")
+_OTHER_RATE = re.compile(
+    rf"^{_FACTOR}(?:rate\((?P<of>.+)\)|(?:rate|velocity|speed) of (?P<of_words>.+)|(?P<of_name>{NAME})(?:'|_dot))$"
+)
+
+
+def _other_side(names: Names, text: str, order: int) -> tuple[str, str] | None:
+    """What stands on the right is another measure, or its rate: its factor and its name or phrase; None where it is a
+    formula in parameters."""
+    found = (_OTHER_RATE if order else _OTHER_PLACE).match(text)
+    if found is None or text in names.parameters:
+        return None
+    of = next(x for key, x in found.groupdict().items() if key != "factor" and x).strip()
+    is_measure = of in names.measures or any(p.pattern.match(of) for p in PHRASES)
+    return (found["factor"] or "1", of) if is_measure else None
+
+
+def _between(names: Names, measure: Measure, factor: str, of: str, path: Path) -> Measure | None:
+    """A measure less a multiple of another one: it vanishes where both are alike."""
+    other = measure_of(names, of, *path)
+    if other is None:
+        return None
+    times = names.formula(factor, measure.dimension / other.dimension, *path)
+    one, two = (next(n for n in (k, f"{k}_") if n not in names.parameters) for k in ("one_side", "other_side"))
+    parts = ((one, measure), (two, other))
+    return Composed(Symbol(one) - times * Symbol(two), parts, measure.dimension)
 
 
 _MEETS = re.compile(

@@ -18,6 +18,7 @@ from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Path, Quantity
 from freebody.questions.course import Transition, connections_of, read_transition
 from freebody.questions.event import AskedEvent, read_event
+from freebody.questions.turned_round import reached_in
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -102,6 +103,10 @@ _TIPS = re.compile(rf"^{_SUBJECT} tips(?: over)?$")
 _LASTING: list[tuple[re.Pattern[str], LastingKind]] = [
     (re.compile(rf"^{_SUBJECT} {pattern}$"), kind) for pattern, kind in _STATES
 ]
+# what goes away and never turns back
+_ESCAPES = re.compile(
+    rf"^(?:the )?(?P<of>{NAME}) (?:escapes|(?:never|does not|will not) (?:ever )?(?:(?:comes?|gets?) back|returns?))$"
+)
 _NO_SLIP = re.compile(r"^(?:there is no slip(?:ping)?|no slip(?:ping)?|without slip(?:ping)?)$")
 _NEVER = re.compile(
     rf"^(?P<who>it|the motion|(?:the )?{NAME}) (?:does not|do not|never|will not) (?P<verb>\w+)(?P<rest>.*)$"
@@ -185,6 +190,9 @@ def _stated(
             return Lasting(kind, _of(names, found.groupdict(), path), text), True
     if (tips := _TIPS.match(text)) is not None:
         return Lasting("stands", _of(names, tips.groupdict(), path), text), False
+    if (escapes := _ESCAPES.match(text)) is not None and escapes["of"] in names.measures:
+        event = read_event(names, f"{escapes['of']} turns back", path)
+        return None if event is None else (event, False)
     never = _NEVER.match(text)
     if never is not None:
         stated = f"{never['who']} {_third_person(never['verb'])}{never['rest']}"
@@ -193,9 +201,9 @@ def _stated(
     transition = read_transition(names, text, path)
     if transition is not None:
         return transition, True
-    reached = _REACHES.match(text)
+    reached = reached_in(text) if (passed := _as_equation(text)) == text else passed
     if timed and reached is not None:
-        event = read_event(names, _as_equation(text), path)
+        event = read_event(names, reached, path)
         return None if event is None else (event, True)
     return None
 

@@ -21,7 +21,7 @@ FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EV
     range of PARAMETER for which MEASURE reaches VALUE | for which BODY turns fully
     range of PARAMETER for which NAME stays taut | stays on NAME | rolls without slipping | tips
     value of PARAMETER for which MEASURE stays constant
-    range of PARAMETER for which QUANTITY stays below | stays above EXPRESSION, or MEASURE turns back
+    range of PARAMETER for which QUANTITY stays below | stays above EXPRESSION, or MEASURE [never] turns back | escapes
     range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
     QUANTITY as PARAMETER -> EXPRESSION | grows
     value of PARAMETER for which QUANTITY is largest | least      largest | least QUANTITY over PARAMETER

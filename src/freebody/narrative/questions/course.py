@@ -14,7 +14,7 @@ from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.script import Argument, DerivationStage
 from freebody.narrative.principles.momentum import by_method
 from freebody.narrative.questions.course_by_energy import lines_by_energy, time_by_energy
-from freebody.narrative.questions.course_by_law import lines_by_law
+from freebody.narrative.questions.course_by_law import law_lines, lines_by_law
 from freebody.narrative.questions.event_way import (
     TIME,
     AtEvent,
@@ -45,9 +45,7 @@ def _derived(context: Context, question: Question, answer: Answer, method: Metho
     if c is None and not setup.model.coordinates:
         return _driven(AtEvent(context, context.script(), question, reached), method)
     if c is None:
-        raise CannotAnswer(
-            Message("a measure of several coordinates that move independently is told without a derivation")
-        )
+        return _together(AtEvent(context, context.script(), question, reached), method)
     script = context.script()
     by_energy = reached.time is None or reached.integral is not None or method == "energy"
     if by_energy and reached.time is not None and reached.integral is None and question.quantity.is_of_event:
@@ -69,6 +67,41 @@ def _derived(context: Context, question: Question, answer: Answer, method: Metho
     else:
         lines = lines_by_energy(way) if by_energy else lines_by_law(way)
     tell_asked(way, lines)
+    return script.stages
+
+
+def _together(asked: AtEvent, method: Method) -> list[DerivationStage]:
+    """Of an event in several coordinates, each of which moves by a law of its own: when their functions of the time
+    meet it."""
+    context, script, reached, event = asked.context, asked.script, asked.reached, asked.question.event
+    assert isinstance(event, QuestionEvent)
+    model, motion = context.setup.model, context.setup.motion
+    value = model.field.lowest_terms(
+        context.setup.state.rate(event.measure) if event.order else model.value_of(event.measure)
+    )
+    inside = model.field.ingredients(value)
+    meant = [k for k in model.coordinates if inside & {k.index, k.speed}]
+    is_counted = asked.question.quantity.scope == "course"
+    others = [k for k in ([] if is_counted else coordinates_asked(context, asked.question)) if k not in meant]
+    named = [*meant, *others]
+    if reached.time is None or any(motion.law_of(k, takes_side=True) is None for k in named):
+        raise CannotAnswer(
+            Message("a measure of several coordinates that move independently is told without a derivation")
+        )
+    unknowns = [model.accelerations[model.coordinates.index(k)] for k in named]
+    found = by_method(context, script, unknowns, method)
+    lines: list[int] = []
+    with script.stage("stage.integration", "hint.integration"):
+        for k, unknown in zip(named, unknowns, strict=True):
+            acceleration = motion.acceleration(k)
+            lines += law_lines(EventWay(context, script, asked.question, reached, k, acceleration, found[unknown][1]))
+    with script.stage("stage.event", "hint.event"):
+        args: dict[str, Argument] = {"event": f"@{event.text}"}
+        at = script.line(tidy(value), event.value, why="course.event", args=args, when="event")
+        args = {"lines": (*lines, at)}
+        uses = (*lines, at)
+        time = script.line(TIME, tidy(reached.time), why="course.first_time", args=args, uses=uses, when="event")
+    tell_asked(asked, [*lines, time])
     return script.stages
 
 

@@ -19,6 +19,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
 from freebody.questions.event import QuestionEvent
 from freebody.questions.happening import Happening, Lasting
+from freebody.study.answering.witness import patience
 from freebody.study.phases.words import ROLLING
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.system import System
@@ -43,15 +44,22 @@ def is_seen(system: System, happening: Happening, touching: frozenset[str], valu
         if isinstance(happening.what, Transition) and happening.what.kind == "rolls":
             happening = replace(happening, what=Lasting("rolls", happening.what.of, happening.text))
         return _Seen(system, happening, _SOON, touching, values).is_so() == happening.is_so
-    seen = None
+    seen, slow = None, _slowness(system, values)
     for until in _TIMES:
-        seen = _Seen(system, happening, until, touching, values)
+        seen = _Seen(system, happening, slow * until, touching, values)
         if seen.is_decided:
             return seen.is_so() == happening.is_so
     with suppress(CannotAnswer):
-        seen = _Seen(system, happening, _LATE, touching, values)
+        seen = _Seen(system, happening, slow * _LATE, touching, values)
     assert seen is not None
     return seen.is_so() == happening.is_so
+
+
+def _slowness(system: System, values: Mapping[str, float]) -> float:
+    """By how much longer a motion is followed that takes long, as that of a planet does."""
+    simulator = Simulator(system, values)
+    q, v = map(simulator.reference.by_column, simulator.engine.coordinates(simulator.start))
+    return patience(simulator.reference.snapshot(q, v), 1.0)
 
 
 class _Seen:

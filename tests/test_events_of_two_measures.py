@@ -1,0 +1,79 @@
+"""When two measures are alike, or their rates: meetings, equal speeds; each derived by hand here."""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+from posed import is_derived, is_formula
+
+CLUTCH = """
+parameters: {J1: 2 kg m^2, J2: 3 kg m^2, w1: 50 rad/s, M: 20 N m}
+ground: {points: {O: [0, 0], P: [1 m, 0]}}
+bodies: {a: {body: {mass: 1 kg, inertia: J1}}, b: {body: {mass: 1 kg, inertia: J2}}}
+connections: {first: {pin: [ground.O, a.center]}, second: {pin: [ground.P, b.center]}}
+loads: {slip: {torque: {on: a, magnitude: -M}}, drive: {torque: {on: b, magnitude: M}}}
+measures: {f1: angle of a, f2: angle of b}
+start: {f1: 0, f2: 0, rate(f1): w1, rate(f2): 0}
+"""
+STONES = """
+parameters: {h: 40 m, v: 25 m/s, g: 9.81 m/s^2}
+bodies: {low: {particle: {mass: 1 kg}}, high: {particle: {mass: 2 kg}}}
+connections:
+  left: {slider: {body: low, along: up, through: ground.O}}
+  right: {slider: {body: high, along: up, through: ground.O}}
+loads: {weight: {gravity: g}}
+measures: {y1: y of low, y2: y of high}
+start: {y1: 0, y2: h, rate(y1): v, rate(y2): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        # w1 - M t/J1 = M t/J2: one momentum J1 w1 for both
+        (CLUTCH, "time until rate(f1) = rate(f2)", "J1*J2*w1/(M*(J1 + J2))"),
+        (CLUTCH, "rate of f1 when velocity of f1 = velocity of f2", "J1*w1/(J1 + J2)"),
+        (CLUTCH, "rate of f1 when f1' = f2'", "J1*w1/(J1 + J2)"),
+        (CLUTCH, "time until f1 = f2", "2*J1*J2*w1/(M*(J1 + J2))"),
+        (CLUTCH, "time until rate(f1) = 2*rate(f2)", "w1/(M/J1 + 2*M/J2)"),
+        # both fall alike: they meet after h/v
+        (STONES, "time until y1 = y2", "h/v"),
+        (STONES, "y1 when y1 = y2", "h - g*h^2/(2*v^2)"),
+        (STONES, "time until y2 = y of low", "h/v"),
+        (STONES, "value of v for which y1 when y1 = y2 is 0", "sqrt(g*h/2)"),
+    ],
+)
+def test_when_two_measures_are_alike(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula)
+
+
+@pytest.mark.parametrize(
+    ("model", "question"),
+    [(CLUTCH, "time until rate(f1) = rate(f2)"), (CLUTCH, "time until f1 = f2"), (STONES, "y1 when y1 = y2")],
+)
+def test_it_is_derived_by_the_laws_of_both(model: str, question: str) -> None:
+    told = is_derived(model, question)
+    assert "give the first t > 0" in told["en"]
+
+
+def test_what_has_another_dimension_is_refused() -> None:
+    with pytest.raises(fb.ModelError, match=r"unit|dimension|expected"):
+        fb.System.from_text(STONES).solve("time until y1 = angle of line from low to high")
+
+
+def test_with_friction_it_ends_as_the_slip_does() -> None:
+    # m x1'' = -mu m g, M x2'' = mu m g; at x1' = 2 x2' the momentum m v0 is that of 2 m + M
+    plank = """
+parameters: {m: 2 kg, M: 6 kg, mu: 0.4, v0: 5 m/s, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {plank: {body: {mass: M, inertia: 1 kg m^2}, lines: {top: {along: right}}}, block: {particle: {mass: m}}}
+connections:
+  guide: {slider: {body: plank, along: right, through: ground.O}}
+  touch: {contact: {between: [block, plank.top], friction: mu}}
+loads: {weight: {gravity: g}}
+measures: {x1: x of block, x2: x of plank}
+start: {x1: 0, x2: 0, rate(x1): v0, rate(x2): 0}
+"""
+    is_formula(plank, "time until rate(x1) = rate(x2)", "v0/(mu*g*(1 + m/M))")
+    is_formula(plank, "rate of x2 when rate(x1) = 2*rate(x2)", "m*v0/(2*m + M)")
