@@ -705,3 +705,16 @@ def test_the_speed_at_which_a_car_leaves_a_hump_at_its_top_is_that_of_a_circle_o
 def test_what_words_stand_for_is_what_a_hand_derives(name: str, said: str, value: float) -> None:
     [answer] = fb.solve(example(name), question=said).answers
     assert answer.value == pytest.approx(value)
+
+
+def test_a_parameter_that_nobody_gives_is_told_where_a_formula_uses_it_and_in_no_question() -> None:
+    text = """
+bodies: {block: {particle: {mass: m}}}
+connections: {rail: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+questions: [value of m for which x = 0 when t = 1 s, "m*acceleration of x", acceleration of x when x = d]
+"""
+    with pytest.raises(ModelError) as raised:
+        System.from_text(text)
+    assert [problem.path[0] for problem in raised.value.problems] == ["bodies", "questions"]
+    assert raised.value.problems[1].path[1] == 2

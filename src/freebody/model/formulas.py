@@ -123,6 +123,7 @@ class Formulas(Noting):
                 value=value,
                 hint=did_you_mean(unknown[0], known),
             )
+            self.undeclared.setdefault(unknown[0], message)
             return self._quantity(value, dimension, path, message)
         try:
             found = dimension_of(expr, known)

@@ -37,6 +37,9 @@ class Noting:
         self.problems: list[Problem] = []
         self.assumptions: list[str] = []
         self.broken: set[str] = set()  # what could not be read: told where it stands, and nowhere else
+        self.undeclared: dict[
+            str, str
+        ] = {}  # parameters that formulas use and nobody gives, and what was noted of them
         self.told_once: set[str] = set()  # what is one mistake, however often the model has it
         self.is_cut_short = False  # a whole section of names could not be read
         self._path: tuple[str | int, ...] = ()
@@ -72,6 +75,11 @@ class Noting:
     def is_broken_in(self, text: str) -> bool:
         """Whether a text names what could not be read: it is told where that stands."""
         return self.is_cut_short or any(name in self.broken for name in re.findall(r"\w+", text))
+
+    def is_undeclared_in(self, text: str) -> bool:
+        """Whether a text names a parameter that is told to be missing already, where a formula uses it."""
+        noted = {problem.message for problem in self.problems}
+        return any(self.undeclared.get(name) in noted for name in re.findall(r"\w+", text))
 
     def unknown(self, name: str, message: str, *path: str | int) -> None:
         """Notes a problem of a name that stands for nothing, but not where that follows from another problem."""

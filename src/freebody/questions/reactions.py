@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -92,14 +93,7 @@ questions: {it: reaction of rod on bob}
         bodies = list(dict.fromkeys(b for row in rows for b in row.measure.bodies()))
         if self.on is not None:
             if self.on not in bodies:
-                raise CannotAnswer(
-                    Message(
-                        "{connection} does not act on {body}, but on {bodies}",
-                        connection=self.connection,
-                        body=self.on,
-                        bodies=", ".join(bodies),
-                    )
-                )
+                raise _acts_elsewhere(self.connection, self.on, bodies)
             return self.on
         moving = [b for b in bodies if not system.bodies[b].fixed]
         if not moving:
@@ -159,6 +153,20 @@ questions: {it: reaction of rod on bob}
         return Sentence(f"what.{size}{what}", args)
 
 
+def _acts_elsewhere(connection: str, body: str, bodies: Sequence[str]) -> CannotAnswer:
+    """That a connection or load does not act on a body, but on others, where these are known."""
+    if not bodies:
+        return CannotAnswer(Message("{connection} does not act on {body}", connection=connection, body=body))
+    return CannotAnswer(
+        Message(
+            "{connection} does not act on {body}, but on {bodies}",
+            connection=connection,
+            body=body,
+            bodies=", ".join(bodies),
+        )
+    )
+
+
 @dataclass(frozen=True)
 class LoadOnBody(Wrench, kind="load on a body"):
     """Force of a load on a body: a vector, a component, or the size."""
@@ -182,14 +190,7 @@ questions: {it: force of weight on ball along up}
         if self.on is None:
             told = Message("{load} acts on {bodies}: say on which", load=self.connection, bodies=", ".join(bodies))
             raise CannotAnswer(told)
-        raise CannotAnswer(
-            Message(
-                "{connection} does not act on {body}, but on {bodies}",
-                connection=self.connection,
-                body=self.on,
-                bodies=", ".join(bodies),
-            )
-        )
+        raise _acts_elsewhere(self.connection, str(self.on), bodies)
 
     def value(self, system: Described, state: State[Any]) -> Any:
         body, n = self.body(system), len(axes_of(system))

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol
-from freebody.language.sentences import Message
+from freebody.language.notation.stated import compared
+from freebody.language.sentences import Argument, Message
 from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import MotionLines, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -12,7 +15,7 @@ from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.questions.clock import Clock
-from freebody.questions.reading import AskedEvent, QuestionEvent
+from freebody.questions.event import AskedEvent, Meeting, OfQuantity, QuestionEvent
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.words import label
@@ -23,6 +26,7 @@ from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 
 _CLOCK = Symbol("t")
+_UNIT = re.compile(r"\d\s*[A-Za-zµ°]")  # behind a number
 
 
 def tell_event(
@@ -34,7 +38,8 @@ def tell_event(
     watch, zero = leg.first.watch, leg.first.zero
     course = leg.phase.course
     with script.stage("stage.phase_event", "hint.phase_event", phase=f"@{leg.number}"):
-        script.say(f"event.{watch.kind.replace(' ', '_')}", connection=label(watch.name), event=f"@{watch.name}")
+        comes = said_event(way, leg, watch)
+        script.say(f"event.{watch.kind.replace(' ', '_')}", connection=label(watch.name), event=comes)
         symbol, element = _watched(script, way, leg, watch)
         base = lines.get(watch.name, 0)
         uses = tuple(n for n in dict.fromkeys((base, *_lines_of(leg, told, element))) if n)
@@ -121,6 +126,23 @@ def _gap(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
         return symbol
     assert row.target is not None
     return (symbol**2 - row.target**2) * row.sign
+
+
+def said_event(way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> Argument:
+    """What is reached, as a formula where a measure that has a name reaches a value without units; else as it is
+    asked."""
+    event = _event_of(way, leg, watch)
+    plain: Argument = f"@{watch.name}"
+    if not isinstance(event, QuestionEvent) or isinstance(event, (Meeting, OfQuantity)):
+        return plain
+    name = next((n for n, m in leg.phase.base.measures.items() if m == event.measure), None)
+    if name is None or "=" not in event.text:
+        return plain
+    symbol: Expr = Call("rate", Symbol(name)) if event.order else Symbol(name)
+    if _UNIT.search(event.text) is None:
+        return compared(symbol, "=", event.value)
+    value = event.text.rpartition("=")[2].strip().replace(" deg", "°")
+    return Sentence("event.equal", {"measure": symbol, "value": f"@{value}"})
 
 
 def _event_of(way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> AskedEvent | None:

@@ -7,12 +7,12 @@ the law of friction, the motion, and the event that ends it with the state there
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message
 from freebody.narrative.contact.phase_answer import asked_side, tell_answer
 from freebody.narrative.contact.phase_blow import tell_sudden_blow
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
-from freebody.narrative.contact.phase_event import tell_event
+from freebody.narrative.contact.phase_event import said_event, tell_event
 from freebody.narrative.contact.phase_impact import tell_impact
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -142,18 +142,18 @@ def _overview(script: Script, way: PhaseSequence) -> None:
         script.say("phases.plan" if is_of_contacts else "phases.plan_of_blows")
         header = (Sentence("phases.table_number"), Sentence("phases.table_what"), Sentence("phases.table_end"))
         rows = tuple(
-            (str(leg.number), Sentence("phases.does", {"what": ready(action(leg.phase))}), _end_words(leg))
+            (str(leg.number), Sentence("phases.does", {"what": ready(action(leg.phase))}), _end_words(way, leg))
             for leg in way.legs
         )
         script.add(FormulaTable(header, rows))
 
 
-def _end_words(leg: PhaseSegment) -> Sentence:
+def _end_words(way: PhaseSequence, leg: PhaseSegment) -> Sentence:
     if leg.first is None:
         return Sentence("phases.lasts")
     watch = leg.first.watch
-    name = watch.name if watch.kind == "is reached" else watch.connection
-    return Sentence(f"phases.until_{watch.kind.replace(' ', '_')}", {"connection": f"@{name}"})
+    what: Argument = said_event(way, leg, watch) if watch.kind == "is reached" else f"@{watch.connection}"
+    return Sentence(f"phases.until_{watch.kind.replace(' ', '_')}", {"connection": what})
 
 
 def _tell_phase(

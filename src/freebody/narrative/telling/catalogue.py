@@ -23,7 +23,7 @@ from freebody.language.units import Dimension
 from freebody.messages import Shown
 from freebody.model.noting import did_you_mean
 from freebody.narrative.lines.script import REFERENCES, Argument, Sentence
-from freebody.narrative.telling.dollars import formula_of
+from freebody.narrative.telling.dollars import formula_of, with_rates
 from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
 from freebody.narrative.telling.raising import raised
 from freebody.narrative.words import languages, tables_of
@@ -79,7 +79,7 @@ class Catalogue:
             pieces += self._filled(found[1], sentence.args.get(found[1], ""))
             end = found.end()
         pieces += _with_formulas(template[end:])
-        kept = [p for p in pieces if p != ""]
+        kept = [one for p in pieces if p != "" for one in (with_rates(p) if isinstance(p, str) else [p])]
         is_sentence = template.endswith(".") or (template.endswith(":") and " " in template)
         if template.startswith("{") and is_sentence and kept and isinstance(kept[0], str):
             kept[0] = kept[0][:1].upper() + kept[0][1:]
@@ -138,7 +138,7 @@ class Catalogue:
     def pieces(self, text: str, place: str = "") -> list[Piece]:
         """The same with its formulas and units as such."""
         if not isinstance(text, Message | Stated):
-            return [self.said(text, place)]
+            return with_rates(self.said(text, place))
         found: list[Piece] = []
         for part in self._phrases.parts(text, _FIRST.get(place, GENERAL)):
             if isinstance(part, Stated) and part.sides is not None:
@@ -149,7 +149,7 @@ class Catalogue:
             elif isinstance(part, Shown) and isinstance(part.of, Dimension):
                 found.append(raised(part))
             else:
-                found.append(str(part))
+                found += with_rates(str(part))
         return found
 
     def option(self, text: str) -> str:

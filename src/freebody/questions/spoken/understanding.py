@@ -76,6 +76,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     read: what words of the grammar ask for, None after noting a problem. What it does not read is taken as people
     speak; what can be meant in several ways is refused with all of them."""
     n_before = len(names.problems)
+    if names.is_undeclared_in(text):
+        return []
     found = read(text)
     if found is not None and len(names.problems) == n_before:
         return [(found, text)]
