@@ -4,9 +4,9 @@
 
 Six four-bars at random (seeds 0 to 5) give positions, pairs and points; the task is to find them again. Found: a
 solution with their four lengths to 1e-6. Error: of the best solution, in the task itself (m or rad). Time: of the
-processor, the least of three, of the search alone; that of freebody besides with every candidate checked for defects. Paths without crank
-angles are searched: found there is a linkage whose coupler curve comes through all points to 1e-6. Slider-cranks
-pylinkage does not synthesise.
+processor, the least of three, of the search alone; that of freebody besides with every candidate checked for defects.
+Paths without crank angles are searched, and told is how far the best linkage is off the points. Slider-cranks pylinkage
+does not synthesise.
 """
 
 from __future__ import annotations
