@@ -187,11 +187,11 @@ class Linkage:
             return math.degrees(math.acos(min(abs(e - r * math.sin(theta)) / rod, 1.0)))
         if self.is_inverted:
             a, d, e = self.lengths.values()
-            BD2 = a * a + d * d - 2 * a * d * math.cos(theta)
-            return math.degrees(math.atan2(math.sqrt(max(BD2 - e * e, 0.0)), abs(e)))
+            s2 = a * a + d * d - 2 * a * d * math.cos(theta) - e * e
+            return math.degrees(math.atan2(math.sqrt(max(s2, 0.0)), abs(e)))
         a, b, c, d = self.lengths.values()
-        BD2 = a * a + d * d - 2 * a * d * math.cos(theta)
-        return math.degrees(math.acos(min(abs(b * b + c * c - BD2) / (2 * b * c), 1.0)))
+        diagonal2 = a * a + d * d - 2 * a * d * math.cos(theta)
+        return math.degrees(math.acos(min(abs(b * b + c * c - diagonal2) / (2 * b * c), 1.0)))
 
     # -- defects ------------------------------------------------------------------------------
     def defects(self, *, full_turn: bool) -> Iterator[Defect]:
