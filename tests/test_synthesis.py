@@ -504,7 +504,7 @@ def test_five_points_without_crank_angles_lie_on_the_coupler_curves_of_certified
         assert (np.diff(turned) > 0).all() or (np.diff(turned) < 0).all()
         assert c.certificate is not None
         assert c.certificate.turns_fully
-    least = [c.transmission for c in found.certified]
+    least = [round(c.transmission, 6) for c in found.certified]  # cognates have the same
     assert least == sorted(least, reverse=True)
 
 

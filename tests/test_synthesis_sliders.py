@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import freebody as fb
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, ModelError
 from freebody.study.synthesis.linkage import Linkage, cognates
 from freebody.study.synthesis.positions import places
 from freebody.study.synthesis.result import Synthesis
@@ -272,3 +272,49 @@ def test_two_pairs_leave_the_crank_free_and_every_linkage_keeps_them(linkage: st
             s = abs(C) * (1 if (C * np.exp(-1j * pairs[0][1])).real > 0 else -1)
             pins = [1.0 + s * np.exp(1j * out) for _a, out in pairs]
         assert [abs(p - e) for p, e in zip(pins, ends, strict=True)] == pytest.approx([b, b])
+
+
+# -- the transmission angle -------------------------------------------------------------------
+@pytest.mark.parametrize("linkage", ["four-bar", "slider-crank", "inverted-slider-crank"])
+def test_the_least_transmission_angle_is_that_of_the_followed_motion(linkage: str) -> None:
+    """By formula from lengths; by the mobility study from the model, all round; by pins in a fine sample of a swing."""
+    found = fb.synthesise({"task": "motion", "linkage": linkage, "positions": TWO}, most=4)
+    for c in found.candidates[:4]:
+        assert c.certificate is not None
+        if c.certificate.transmission is not None and c.linkage.turns_fully:
+            assert c.transmission == pytest.approx(c.certificate.transmission[0], abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("bar", "low", "high"),
+    [(FourBar(2.0, 1.0, 2.0, (2.5, 0.0)), 0.75, 1.2), (FourBar(2.0, 2.0, 2.0, (2.1, 0.0)), -0.5, 0.6)],
+    ids=["beside the frame", "through the line of the frame"],
+)
+def test_a_crank_that_swings_has_the_least_angle_of_its_swing(bar: FourBar, low: float, high: float) -> None:
+
+    def least(angles: Array) -> float:
+        every = [bar.at(t)[:2] for t in angles.tolist()]
+        folded = [abs(math.degrees(seen_at(C, B, bar.D))) for B, C in every]
+        return min(min(x, 180 - x) for x in folded)
+
+    swing = bar.linkage((low, high), (1, 1))
+    assert not swing.turns_fully
+    assert swing.transmission == pytest.approx(least(np.linspace(low, high, 1101)), abs=1e-3)
+
+
+def seen_at(at: Array, a: Array, b: Array) -> float:
+    z = complex(*(a - at)) / complex(*(b - at))
+    return math.atan2(z.imag, z.real)
+
+
+def test_a_transmission_angle_that_is_too_small_is_a_defect() -> None:
+    task = {"task": "motion", "linkage": "slider-crank", "positions": TWO}
+    wanted = {**task, "transmission": "55 deg"}
+    free, found = (fb.synthesise(t, most=8) for t in (task, wanted))
+    assert len(found.certified) < len(free.certified) or found.certified[-1].transmission >= 55
+    assert all(c.transmission >= 55 for c in found.certified)
+    bad = [d.why for c in found.candidates for d in c.defects if d.name == "transmission"]
+    assert bad
+    assert "55.0 deg are asked for" in bad[0]
+    with pytest.raises(ModelError, match="from 0 to 90 deg"):
+        fb.synthesise({**task, "transmission": "100 deg"})

@@ -32,7 +32,7 @@ _SAME = 1e-9
 
 @dataclass(frozen=True)
 class Defect:
-    """name: circuit, branch, order, no full turn, dead point, degenerate, not assembled; why: in words."""
+    """name: circuit, branch, order, no full turn, transmission, degenerate, not assembled; why: in words."""
 
     name: str
     why: str
@@ -166,27 +166,37 @@ class Linkage:
             return np.sign(side)
         return np.zeros(self.n)
 
-    @property
+    @cached_property
     def transmission(self) -> float:
-        """The least angle [deg] at which the coupler drives the output in the positions, 0 to 90."""
-        angles: list[float] = []
+        """The least angle [deg] at which the coupler drives the output, 0 to 90: all round where the crank turns fully,
+        else while it goes over the positions. Least it is at one of them, or where the crank is in line with the frame
+        or across the slide."""
+        if self._is_degenerate:
+            return 0.0
+        turned = self._turned()
+        extremes = np.array((0.0, math.pi)) + (math.pi / 2 if self.is_slider else 0.0)
+        gone = np.mod(extremes - self.crank_angles[0] - turned.min(), math.tau)  # from where the positions begin
+        passed = extremes[gone <= (math.tau if self.turns_fully else np.ptp(turned))]
+        return min(self._transmission_at(float(theta)) for theta in (*self.crank_angles, *passed))
+
+    def _transmission_at(self, theta: float) -> float:
+        """By lengths, at a crank angle: between coupler and rocker, between the rod and what is across the slide,
+        between what is across the coupler's line and BD."""
+        if self.is_slider:
+            r, rod, e = self.lengths.values()
+            return math.degrees(math.acos(min(abs(e - r * math.sin(theta)) / rod, 1.0)))
         if self.is_inverted:
-            return math.degrees(math.atan2(float(np.abs(self.travel).min()), abs(self.offset)))
-        for k in range(self.n):
-            u = self.C[k] - self.B[k]
-            v = (
-                np.array((-self.along[1], self.along[0]))
-                if self.along is not None
-                else self.C[k] - (self.D if self.D is not None else self.A)
-            )
-            angles.append(math.degrees(math.atan2(abs(cross(u, v)), abs(float(u @ v)))))
-        return min(angles)
+            a, d, e = self.lengths.values()
+            s2 = a * a + d * d - 2 * a * d * math.cos(theta) - e * e
+            return math.degrees(math.atan2(math.sqrt(max(s2, 0.0)), abs(e)))
+        a, b, c, d = self.lengths.values()
+        diagonal2 = a * a + d * d - 2 * a * d * math.cos(theta)
+        return math.degrees(math.acos(min(abs(b * b + c * c - diagonal2) / (2 * b * c), 1.0)))
 
     # -- defects ------------------------------------------------------------------------------
     def defects(self, *, full_turn: bool) -> Iterator[Defect]:
         """What is wrong with it. full_turn: whether the crank has to turn fully."""
-        links = [x for name, x in self.lengths.items() if name != "offset"]
-        if min(*links, float(np.linalg.norm(self.C[0] - self.B[0]))) <= 1e-6 * self.size:
+        if self._is_degenerate:
             yield Defect("degenerate", Message("a link has no length"))
             return
         if self.residual > 1e-6:
@@ -217,6 +227,11 @@ class Linkage:
             return
         if not self._is_in_order():
             yield Defect("order", Message("the crank meets the positions in the order {order}", order=self._order()))
+
+    @property
+    def _is_degenerate(self) -> bool:
+        links = [x for name, x in self.lengths.items() if name != "offset"]
+        return min(*links, float(np.linalg.norm(self.C[0] - self.B[0]))) <= 1e-6 * self.size
 
     def _turned(self) -> Array:
         """Crank angles from that of the first position, as the motion goes."""

@@ -42,9 +42,8 @@ class Candidate:
 
     @property
     def transmission(self) -> float:
-        """The least angle [deg] at which the coupler drives the output: over the motion, else in the positions."""
-        extremes = None if self.certificate is None else self.certificate.transmission
-        return self.linkage.transmission if extremes is None else extremes[0]
+        """The least angle [deg] at which the coupler drives the output."""
+        return self.linkage.transmission
 
     @property
     def verdict(self) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -34,7 +34,7 @@ def synthesise(
     elif not isinstance(task, Task):
         task = load_task(task)
     found = candidates(task)
-    made = [Candidate(linkage, tuple(linkage.defects(full_turn=task.full_turn))) for linkage in found.linkages]
+    made = [Candidate(linkage, tuple(_by_formula(task, linkage))) for linkage in found.linkages]
     made.sort(key=_rank)
     looked = [_looked_at(task, k, c) for k, c in enumerate(made[:most], 1)]
     looked.sort(key=_rank)
@@ -45,8 +45,18 @@ def synthesise(
 def _rank(c: Candidate) -> tuple[int, int, float, float]:
     """Good ones first, then by how near they come, then by how well the coupler drives the output; cognates that do so
     alike stay in their order, whatever rounding says."""
-    least = c.certificate.transmission[0] if c.certificate and c.certificate.transmission else c.linkage.transmission
-    return len(c.defects), 0 if c.certificate else 1, c.linkage.missed, -round(least, 6)
+    return len(c.defects), 0 if c.certificate else 1, c.linkage.missed, -round(c.transmission, 6)
+
+
+def _by_formula(task: Task, linkage: Linkage) -> Iterator[Defect]:
+    yield from linkage.defects(full_turn=task.full_turn)
+    if linkage.transmission < task.transmission:
+        told = Message(
+            "the transmission angle falls to {angle:.1f} deg; {least:.1f} deg are asked for",
+            angle=linkage.transmission,
+            least=task.transmission,
+        )
+        yield Defect("transmission", told)
 
 
 def _looked_at(task: Task, k: int, candidate: Candidate) -> Candidate:

@@ -5,9 +5,10 @@
       - {at: [0, 0], angle: 0 deg}        frame: 0.3 m                        - {at: [0, 0], crank: 0 deg}
 
 `linkage` is four-bar, slider-crank or inverted-slider-crank (a line of the coupler through a fixed pivot); `full_turn:
-false` lets the crank swing; `closed: false` of a path without crank angles: an arc. What a motion leaves free is chosen
-by `pivots`, fixed pivots of two and three positions, `within`, corners between which fixed pivots are, and `slide`, the
-direction of the slide of two and three positions; `samples` is how many dyads of a family are tried.
+false` lets the crank swing; `transmission: 40 deg` is the least transmission angle; `closed: false` of a path without
+crank angles: an arc. What a motion leaves free is chosen by `pivots`, fixed pivots of two and three positions,
+`within`, corners between which fixed pivots are, and `slide`, the direction of the slide of two and three positions;
+`samples` is how many dyads of a family are tried.
 """
 
 from __future__ import annotations
@@ -36,7 +37,19 @@ from freebody.system.reading.source import Source
 TASKS = {"motion": "positions", "function": "pairs", "path": "points"}
 LINKAGES = tuple(LOOPS)
 _CHOICES = {"pivots": (2, 3), "within": (2, 3, 4, 5), "slide": (2, 3)}  # of how many positions of a motion
-_KEYS = ("title", "about", "task", "linkage", "full_turn", "closed", "frame", "samples", *_CHOICES, *TASKS.values())
+_KEYS = (
+    "title",
+    "about",
+    "task",
+    "linkage",
+    "full_turn",
+    "closed",
+    "frame",
+    "samples",
+    "transmission",
+    *_CHOICES,
+    *TASKS.values(),
+)
 _LEAST = 2
 MOST_EXACT = 5  # by dyads
 SAMPLES = 24
@@ -48,7 +61,8 @@ class Task:
     """kind: motion, function or path; positions: of the coupler, or of a path with crank angles; pairs: (n, 2) of input
     and output; points: (n, 2) of a path without crank angles; is_closed: whether that leads from the last point to the
     first. pivots: chosen fixed pivots; within: the lower left and the upper right corner of where these are; slide: the
-    direction of a slide [rad], of a line of the coupler in position 1."""
+    direction of a slide [rad], of a line of the coupler in position 1; transmission: the least transmission angle that
+    is good enough [deg]."""
 
     title: str
     kind: str
@@ -63,6 +77,7 @@ class Task:
     within: tuple[Array, Array] | None = None
     slide: float | None = None
     samples: int = SAMPLES
+    transmission: float = 0.0
 
     @property
     def n(self) -> int:
@@ -124,6 +139,7 @@ class _Reader:
             "within": self._within(),
             "slide": self._slide(),
             "samples": self._samples(),
+            "transmission": self._transmission(),
         }
         self._check_choices(kind, linkage, len(entries))
         if kind == "function":
@@ -234,6 +250,12 @@ class _Reader:
 
     def _slide(self) -> float | None:
         return float(evaluate(self.names.angle(self.data["slide"], "slide"), {})) if "slide" in self.data else None
+
+    def _transmission(self) -> float:
+        angle = math.degrees(float(evaluate(self.names.angle(self.data.get("transmission", 0), "transmission"), {})))
+        if not 0.0 <= angle <= 90.0:
+            self.names.problem(Message("transmission is an angle from 0 to 90 deg"), "transmission")
+        return angle
 
     # -- numbers ------------------------------------------------------------------------------
     def _point(self, row: Any, *path: str | int) -> tuple[Expr, Expr]:
