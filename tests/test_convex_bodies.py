@@ -330,7 +330,8 @@ bodies:
   wedge:
     convex:
       mass: 3 kg
-      points: [[0, 0, 0], [h*tan(beta), h, 0], [-h*tan(beta), h, 0], [0, 0, l], [h*tan(beta), h, l], [-h*tan(beta), h, l]]
+      points: [[0, 0, 0], [h*tan(beta), h, 0], [-h*tan(beta), h, 0], [0, 0, l],
+        [h*tan(beta), h, l], [-h*tan(beta), h, l]]
     at: {origin: [0, 0, 0]}
     turned: -alpha about x
 connections:
