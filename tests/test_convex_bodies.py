@@ -317,3 +317,33 @@ def test_regular_tetrahedron_on_a_slope_holds_with_mu_at_least_tan_alpha() -> No
     [answer] = fb.System.from_text(SLOPE).solve("least mu so that it stays at rest").answers
     assert answer.value == pytest.approx(math.tan(math.radians(15)), rel=1e-12)
     assert answer.expression is not None
+
+
+GROOVE = """
+space: true
+parameters: {h: 0.2 m, l: 0.5 m, alpha: 20 deg, beta: 40 deg, g: 9.81 m/s^2}
+ground:
+  planes:
+    left: {normal: [cos(beta), sin(beta)*cos(alpha), -sin(beta)*sin(alpha)]}
+    right: {normal: [-cos(beta), sin(beta)*cos(alpha), -sin(beta)*sin(alpha)]}
+bodies:
+  wedge:
+    convex:
+      mass: 3 kg
+      points: [[0, 0, 0], [h*tan(beta), h, 0], [-h*tan(beta), h, 0], [0, 0, l],
+        [h*tan(beta), h, l], [-h*tan(beta), h, l]]
+    at: {origin: [0, 0, 0]}
+    turned: -alpha about x
+connections:
+  on_left: {contact: {between: [wedge, ground.left], friction: 0.1}}
+  on_right: {contact: {between: [wedge, ground.right], friction: 0.1}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_prism_slides_in_a_groove_with_the_friction_of_both_walls() -> None:
+    """Each presses with m g cos(alpha)/(2 sin(beta)): a = g (sin(alpha) - mu cos(alpha)/sin(beta))."""
+    found = simulated(GROOVE, 0.5)
+    a, b = math.radians(20), math.radians(40)
+    expected = 0.5 * G * (math.sin(a) - 0.1 * math.cos(a) / math.sin(b))
+    assert np.linalg.norm(found.course.velocities[-1, 0, :3]) == pytest.approx(expected, rel=1e-9)

@@ -125,12 +125,6 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                 ("box", "box: {mass: 2 kg, size: [1 m, 0.8 m, 1 m]}", "[0.1 m, 0.5 m, 0.05 m]", 0.3),
                 ("cylinder", "cylinder: {mass: 2 kg, radius: 0.4 m, length: 2 m, axis: y}", "[0.1 m, 0.1 m, 0.5 m]", 0),
                 ("rod", "rod: {mass: 2 kg, length: 1 m}", "[0.1 m, 0.06 m, 0.08 m]", 0),
-                (
-                    "wedge",
-                    "convex: {mass: 2 kg, points: [[0, 0, 0], [1 m, 0, 0], [0, 0.5 m, 0], [0, 0, 1 m]]}",
-                    "[0.1 m, 0.6 m, 0.05 m]",
-                    0.3,
-                ),
             )
         }
     )

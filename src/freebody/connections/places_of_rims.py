@@ -98,7 +98,8 @@ def round_of(names: Names, text: str) -> Round | None:
 
 def places_of_rims(names: Names, first: str, second: str) -> list[ContactPlace]:
     """The places at which a cylinder or a disk can touch a polyhedron; none for another pair."""
-    can, solid = round_of(names, first), polyhedron_of(names, second)
+    can = round_of(names, first)
+    solid = None if can is None else polyhedron_of(names, second)
     if can is None or solid is None:
         return []
     found = [_rim_on_face(can, rim, face, solid) for rim in can.rims for face in solid.faces]

@@ -219,11 +219,12 @@ class _Made:
         """The direction of a vector, its components, and the vector's length."""
         factor = common_factor(v)
         rest = [c.over(factor) for c in v]
-        own = tuple(c for c in rest if c is not None)
+        own = tuple(c.whole() for c in rest if c is not None)
+        known = self.known if own == tuple(rest) else []  # nothing is seen to be parallel to what is long
         value = self.names.numeric(factor.expression())
         sign = -1 if value is not None and value < 0.0 else 1
         size = root(dot(own, own))
-        for direction, unit in self.known:
+        for direction, unit in known:
             if all(c.is_zero for c in cross(own, unit)):
                 way = dot(own, unit)
                 turned = sign * self._sign(way)
@@ -232,7 +233,7 @@ class _Made:
                     unit if turned > 0 else tuple(-c for c in unit),
                     (factor.scaled(sign) * size).expression(),
                 )
-        made = tuple(_over(c.scaled(sign), size) for c in own)
+        made = tuple(_over(c.scaled(sign), size).whole() for c in own)
         direction = Direction(self.body.name, tuple(c.expression() for c in made))
         self.known.append((direction, made))
         return Outward(direction), made, (factor.scaled(sign) * size).expression()

@@ -29,6 +29,7 @@ from freebody.language.expression import (
 )
 
 MOST_TRIED = 1000  # divisors of which squares are taken out of a root
+MOST_TERMS = 4  # of what further products are made
 LARGEST, DIGITS = 10**40, 20  # numbers under a root; digits behind the point of the root of a larger one
 Letters = frozenset[tuple[Expr, int]]
 Term = tuple[int, Letters]  # r, and the letters with their exponents
@@ -75,6 +76,11 @@ class Polynomial:
     def expression(self) -> Expr:
         parts = [_expression(term, q) for term, q in self.terms.items()]
         return add(*(part for _text, part in sorted((repr(part), part) for part in parts))) if parts else ZERO
+
+    def whole(self) -> Polynomial:
+        """A long one as a single letter, in which nothing cancels any more."""
+        long = len(self.terms) > MOST_TERMS
+        return Polynomial({(1, frozenset({(self.expression(), 1)})): Fraction(1)}) if long else self
 
     @property
     def is_zero(self) -> bool:

@@ -8,6 +8,7 @@ length, a radius or a direction, a symbol of its own stands:
     radius of a body, direction of a line       one symbol each, shared in the same way
     lengths and directions in a connection      one symbol each, of this connection alone
     the mass centre, and the centre of a rim    stay where they are: they are what a body's frame is measured from
+    corners of a convex body, sides of a box    stay as well: elsewhere its faces would not be plane
 
 In space a point has three symbols, and so has a direction, which is their vector at unit length. Every joint has an
 axis of its own, and a point of its own on it, for which point of its axis a model names means nothing. The axis has the
@@ -175,9 +176,10 @@ class _GenericBodies(BodySections):
         if body is None:
             return None
         middle = {"mass_center", "center", body.default_point}
+        kept = {key for key in middle & body.points.keys() if body.points[key] == self.names.origin}
+        kept |= {corner for _face, corners in body.faces for corner in corners}
         points = {
-            key: pair if key in middle and pair == self.names.origin else self.names.fresh_point(name, key, pair)
-            for key, pair in body.points.items()
+            key: pair if key in kept else self.names.fresh_point(name, key, pair) for key, pair in body.points.items()
         }
         radius = body.radius
         if radius is not None:
