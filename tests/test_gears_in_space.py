@@ -168,3 +168,126 @@ def test_the_thrust_on_a_helical_driver_follows_the_hand_of_its_teeth(sign: int,
     assert force == pytest.approx([-thrust, radial, tangential], rel=1e-9)
     # on the wheel r y x thrust x = -r thrust z
     assert moment == pytest.approx([0, 0, 0.1 * thrust], rel=1e-9, abs=1e-12)
+
+
+# -- equal planets ------------------------------------------------------------------------------------
+HELICAL_PLANETS = """
+space: true
+parameters: {{J: 2 g m^2, J_p: 0.5 g m^2, T: 3 N m, r: 40 mm, z: 20, z_p: 15, beta: 20 deg}}
+bodies:
+  carrier: {{body: {{inertia: 1 g m^2}}, points: {{spider: [0, r*(1 + z_p/z), 0]}}}}
+  sun: {{body: {{inertia: J}}}}
+  planet: {{body: {{mass: 0.2 kg, inertia: J_p}}, {copies}}}
+connections:
+  base: {{revolute: {{first: ground.O, second: carrier, about: x}}}}
+  held: {{driver: {{measure: psi, follows: 0}}}}
+  sun_bearing: {{revolute: {{first: carrier, second: sun, about: x}}}}
+  spider: {{revolute: {{first: {first}, second: {second}, about: x}}}}
+  mesh: {{helical_gears: {{first: sun, second: planet, on: carrier, teeth: [z, z_p], radius: r, helix_angle: beta}}}}
+measures: {{psi: angle of carrier about x, phi: angle of sun about x}}
+loads: {{drive: {{torque: {{on: sun, about: x, magnitude: T}}}}}}
+start: {{phi: 0, psi: 0}}
+questions: [acceleration of phi, tooth force of mesh, reaction of sun_bearing along x]
+"""
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 5])
+@pytest.mark.parametrize("order", [("carrier.spider", "planet"), ("planet", "carrier.spider")])
+def test_helical_planets_share_the_load(n: int, order: tuple[str, str]) -> None:
+    """J x'' = T - n F r, J_p x'' z/z_p = F r z_p/z; the thrusts F tan(beta) of all planets add up on the sun."""
+    copies = "fixed: false" if n == 1 else f"copies: {n}"
+    system = fb.System.from_text(HELICAL_PLANETS.format(copies=copies, first=order[0], second=order[1]))
+    acceleration, force, thrust = (answer.value for answer in system.solve().answers)
+    J_p = 5e-4 * (20 / 15) ** 2
+    assert acceleration == pytest.approx(3.0 / (2e-3 + n * J_p))
+    assert force == pytest.approx(J_p * acceleration / 0.04)
+    assert abs(thrust) == pytest.approx(n * force * math.tan(math.radians(20)))
+
+
+def test_a_planet_that_is_not_round_has_no_copies_in_space() -> None:
+    text = HELICAL_PLANETS.format(copies="copies: 3", first="carrier.spider", second="planet")
+    text = text.replace("inertia: J_p}", "inertia: [J_p, J_p, 2*J_p]}")
+    with pytest.raises(fb.ModelError, match="copies are of round wheels; planet"):
+        fb.System.from_text(text)
+
+
+def test_planets_in_space_that_would_run_into_each_other_are_refused() -> None:
+    text = HELICAL_PLANETS.format(copies="copies: 12", first="carrier.spider", second="planet")
+    text = text.replace("{body: {mass: 0.2 kg, inertia: J_p}", "{disk: {mass: 0.2 kg, radius: 30 mm, axis: x}")
+    with pytest.raises(fb.ModelError, match="at most 7 do"):
+        fb.System.from_text(text)
+
+
+DIFFERENTIAL = """
+space: true
+parameters: {{J: 0.02 kg m^2, T: 8 N m, U: 5 N m}}
+bodies:
+  carrier: {{body: {{inertia: 0.1 kg m^2}}}}
+  left: {{body: {{inertia: J}}}}
+  right: {{body: {{inertia: J}}}}
+  planet: {{disk: {{mass: 1 kg, radius: 40 mm, axis: y}}, {copies}}}
+{more_bodies}
+connections:
+  base: {{revolute: {{first: ground.O, second: carrier, about: x}}}}
+  p: {{revolute: {{first: ground.O, second: left, about: x}}}}
+  q: {{revolute: {{first: ground.O, second: right, about: x}}}}
+  pin: {{revolute: {{first: carrier, second: planet, about: y}}}}
+  one: {{gear_pair: {{first: left, second: planet, on: carrier, first_axis: x, second_axis: y, ratio: 1}}}}
+  two: {{gear_pair: {{first: right, second: planet, on: carrier, first_axis: x, second_axis: y, ratio: -1}}}}
+{more}
+measures: {{phi: angle of carrier about x, psi: angle of left about x}}
+loads:
+  drive: {{torque: {{on: carrier, about: x, magnitude: T}}}}
+  load: {{torque: {{on: left, about: x, magnitude: U}}}}
+start: {{phi: 0, psi: 0, rate(phi): 2 rad/s, rate(psi): 5 rad/s}}
+questions: [acceleration of phi, acceleration of psi]
+"""
+
+
+def test_two_planets_of_a_differential_move_it_as_two_that_are_written_out() -> None:
+    opposite = """
+  pin_2: {revolute: {first: carrier, second: planet_2, about: -y, second_axis: y}}
+  one_2: {gear_pair: {first: left, second: planet_2, on: carrier, first_axis: x, second_axis: -y, ratio: 1}}
+  two_2: {gear_pair: {first: right, second: planet_2, on: carrier, first_axis: x, second_axis: -y, ratio: -1}}
+"""
+    second = "  planet_2: {disk: {mass: 1 kg, radius: 40 mm, axis: y}}"
+    written = fb.System.from_text(DIFFERENTIAL.format(copies="fixed: false", more_bodies=second, more=opposite))
+    copied = fb.System.from_text(DIFFERENTIAL.format(copies="copies: 2", more_bodies="", more=""))
+    values = [[answer.value for answer in system.solve().answers] for system in (written, copied)]
+    assert values[0] == pytest.approx(values[1])
+    assert str(copied.mobility().degrees_of_freedom) == str(written.mobility().degrees_of_freedom)
+
+
+def test_two_bevel_planets_share_the_load_of_a_differential() -> None:
+    """The side wheels turn alike with the carrier, and by the difference D against the planets: with k = z_s/z_p,
+    (J_s + 2 J_p k^2 n/4) D'' = T_R - T_L, and of the left wheel J_s x'' = -T_L - n r F."""
+    text = """
+space: true
+parameters: {J_s: 0.02 kg m^2, m: 0.4 kg, J_p: 0.2 g m^2, J_q: 0.12 g m^2, a: 60 mm, r: 50 mm, T: 50 N m,
+  L: 30 N m, R: 10 N m}
+bodies:
+  carrier: {body: {inertia: 0.1 kg m^2}, points: {spider: [0, a, 0]}}
+  left: {body: {inertia: J_s}}
+  right: {body: {inertia: J_s}}
+  planet: {body: {mass: m, inertia: [J_q, J_p, J_q]}, copies: 2}
+connections:
+  base: {revolute: {first: ground.O, second: carrier, about: x}}
+  p: {revolute: {first: carrier, second: left, about: x}}
+  q: {revolute: {first: carrier, second: right, about: -x}}
+  spider: {revolute: {first: carrier.spider, second: planet, about: y}}
+  one: {bevel_gears: {first: left, second: planet, on: carrier, teeth: [20, 16], radius: r}}
+  two: {bevel_gears: {first: right, second: planet, on: carrier, teeth: [20, 16], radius: r}}
+loads:
+  engine: {torque: {on: carrier, about: x, magnitude: T}}
+  left_wheel: {torque: {on: left, about: x, magnitude: -L}}
+  right_wheel: {torque: {on: right, about: x, magnitude: -R}}
+measures: {l: angle of left about x, c: angle of carrier about x}
+start: {l: 0, c: 0}
+questions: [acceleration of c, acceleration of l, tooth force of one]
+"""
+    carrier, left, force = (answer.value for answer in fb.System.from_text(text).solve().answers)
+    together = (50 - 30 - 10) / (0.1 + 2 * 0.02 + 2 * (0.12e-3 + 0.4 * 0.06**2))
+    apart = (10 - 30) / (0.02 + 2e-4 * (20 / 16) ** 2)
+    assert carrier == pytest.approx(together)
+    assert left == pytest.approx(together + apart / 2)
+    assert force == pytest.approx((-30 - 0.02 * left) / (2 * 0.05))

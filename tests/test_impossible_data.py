@@ -61,8 +61,8 @@ loads: {weight: {gravity: 9.81 m/s^2}}
     assert "space: {up: z}" in answer.reason
 
 
-def test_copies_in_space_are_to_be_written_each() -> None:
+def test_copies_in_space_need_a_bearing_on_a_carrier() -> None:
     with pytest.raises(fb.FreebodyError) as refused:
         fb.System.from_text("space: true\nbodies: {p: {sphere: {mass: 1 kg, radius: 0.1 m}, copies: 3}}\n")
-    assert "in space write each body with a name of its own" in str(refused.value)
+    assert "the copies of p need one pin on a carrier that turns" in str(refused.value)
     assert "pinned" not in str(refused.value)

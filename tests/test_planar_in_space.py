@@ -35,11 +35,10 @@ CLOSING = [
     for name in PLANAR
     if any(str(c.get("closes", "")).startswith("when") for c in DOCUMENTS[name].get("connections", {}).values())
 ]
-COPIED = [name for name in PLANAR if any("copies" in str(b) for b in DOCUMENTS[name].get("bodies", {}).values())]
 CURVED = [  # as are circles that roll on curves
     name for name in PLANAR if any("rolling_on_curve" in c for c in DOCUMENTS[name].get("connections", {}).values())
 ]
-EXAMPLES = [name for name in PLANAR if name not in (*CLOSING, *COPIED, *CURVED)]  # copies are for the plane as well
+EXAMPLES = [name for name in PLANAR if name not in (*CLOSING, *CURVED)]
 # nothing can touch or rub: any pose near by is possible
 SMOOTH = [
     name
@@ -67,7 +66,7 @@ TOLERANCE, CLOSE, SEED = 1e-12, 1e-9, 5
 REFUSED = {
     "moreau": "time stepping.*is for models of the plane",
     "closes": "connections close in mid-motion in models of the plane only",
-    "curves": "rolling on a curve is for models of the plane|a curve in a parameter lies in the plane",
+    "curves": "rolling on a curve is for models of the plane",
 }
 LOADS_ABOUT = ("torque", "motor", "torsional_spring", "torsional_damper", "angular_impulse")
 

@@ -12,7 +12,7 @@ from scipy.interpolate import CubicSpline
 from scipy.special import fresnel as fresnel_of_scipy
 
 import freebody as fb
-from freebody.language.expression import differentiate, evaluate
+from freebody.language.expression import FLOAT_FUNCTIONS, differentiate, evaluate
 from freebody.language.parser import parse
 from freebody.numeric.kernels.fresnel import fresnel
 
@@ -30,12 +30,14 @@ def solved(text: str, *questions: str) -> list[fb.Answer]:
 
 
 # -- Fresnel's integrals ----------------------------------------------------------------------------
-def test_fresnels_integrals_of_the_kernels_are_those_of_scipy() -> None:
+def test_fresnels_integrals_of_both_routes_are_those_of_scipy() -> None:
     for x in (*np.linspace(-7.0, 7.0, 281), 1e3, -1e6, 1e20):
         s, c = fresnel_of_scipy(x)
         rounded = 4e-15 + 2.3e-16 * min(abs(x), 1e15)  # the rounding of pi x^2/2, by the slope over pi x
         assert fresnel(x, False) == pytest.approx(c, abs=rounded)
         assert fresnel(x, True) == pytest.approx(s, abs=rounded)
+        assert FLOAT_FUNCTIONS["fresnel_c"](x) == pytest.approx(c, abs=rounded)
+        assert FLOAT_FUNCTIONS["fresnel_s"](x) == pytest.approx(s, abs=rounded)
 
 
 @pytest.mark.parametrize(("name", "of"), [("fresnel_c", math.cos), ("fresnel_s", math.sin)])

@@ -7,7 +7,7 @@ It may offer natural coordinates (`offers`), which are used where the user named
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.connections.pairs import OutlinePair
@@ -15,7 +15,7 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.measures.geometry import GROUND, RIGHT, UP, Components, Direction, Point
 from freebody.model.curves import CurvePlace, LevelPlace
 from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFriction, UnilateralConstraint, Validity
 from freebody.model.glyphs import Glyph, Relation
@@ -170,6 +170,11 @@ class Connection(Spec):
         """Of a joint of space in which one body does nothing but turn against the other: the points that coincide, and
         the axis on each of both."""
         return None
+
+    def for_copy(self, names: Names, carrier: str, turned: Callable[[Components], Components]) -> dict[str, Any]:
+        """Of what each copy has of its own (`with_copies`): the fields in which that of a copy differs, which stands on
+        the carrier as the first one turned about the axis of the carrier."""
+        return {}
 
     def teeth_with(self, names: Names, body: str) -> tuple[float, float, int] | None:
         """Teeth of what a body meshes with, its own, and the sense in which both turn if their centres stand still: +1

@@ -11,13 +11,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from freebody.connections.base import Connection
-from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing
+from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing, shared
+from freebody.connections.shared_by_copies import SharedByCopies
 from freebody.connections.standing import number_of
 from freebody.connections.teeth import parting_slope, read_pressure_angle
 from freebody.language.expression import ONE, ZERO, Call, Expr, divide, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, Components
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class BevelGears(Connection, kind="bevel_gears"):
+class BevelGears(SharedByCopies, kind="bevel_gears"):
     """`bevel_gears: {first: pinion, second: crown, teeth: [z1, z2], radius: r, pressure_angle: 20 deg}`: two wheels in
     revolute joints on a common carrier (`on`, default the ground), whose axes meet. `radius` is the mean pitch radius
     of the first. The tooth force acts where the pitch cones touch, at the mean radius, and is positive when it resists
@@ -62,9 +63,20 @@ connections:
 """
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        wheels = self._wheels(names)
-        if wheels is None:
+        if not self._is_sound(names):
             return []
+        pairs = [self._wheels(names, *pair) for pair in self.pairs_of_gears(names)]
+        found = [pair for pair in pairs if pair is not None]
+        if len(found) < len(pairs):
+            return []
+        flank = 0 if self._slope(names) == ZERO else -1 if self.other_flank else 1
+        measure = shared([self._mesh(names, pair) for pair in found])
+        turns = {wheel.held.body: wheel.turn() for pair in found for wheel in pair}
+        teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, flank=flank)
+        return [teeth, *self.alike(names, turns)]
+
+    def _mesh(self, names: Names, wheels: tuple[BornWheel, BornWheel]) -> Combination:
+        """The way by which the flanks of two wheels would pass into each other."""
         apex, slope, flank = self._apex(names, wheels), self._slope(names), -1 if self.other_flank else 1
         one, two = (self._away(names, wheel, apex) for wheel in wheels)
         a1, a2 = one.axis.components, two.axis.components
@@ -75,17 +87,18 @@ connections:
         outwards = combined((negate(sine), a1), (cosine, across))  # from the first cone into the second
         radius = names.positive(self, "radius", LENGTH)
         place = combined((ONE, apex), (divide(radius, sine), line))
-        along = combined((ONE, tangent), (number(flank) * slope, outwards))
-        measure, flank = meshing((one, two), place, along), 0 if slope == ZERO else flank
-        return [ConstraintRow("teeth", "tooth force", measure, sign=-1, flank=flank)]
+        return meshing((one, two), place, combined((ONE, tangent), (number(flank) * slope, outwards)))
 
-    def _wheels(self, names: Names) -> tuple[BornWheel, BornWheel] | None:
-        carrier = names.body(self.on, "on").name
-        if len({self.first, self.second, carrier}) < 3:
+    def _is_sound(self, names: Names) -> bool:
+        bodies = (names.body(getattr(self, field), field).name for field in ("first", "second", "on"))
+        if len({*bodies}) < 3:
             names.problem(Message("a gear pair needs two wheels and another body that carries their bearings"))
-            return None
-        first, second = (born_wheel(names, self, field, carrier) for field in ("first", "second"))
-        return None if first is None or second is None else (first, second)
+            return False
+        return True
+
+    def _wheels(self, names: Names, first: str, second: str) -> tuple[BornWheel, BornWheel] | None:
+        one, two = (born_wheel(names, wheel, self.on, field) for wheel, field in ((first, "first"), (second, "second")))
+        return None if one is None or two is None else (one, two)
 
     def _slope(self, names: Names) -> Expr:
         return parting_slope(read_pressure_angle(names, self))
@@ -125,7 +138,7 @@ connections:
 
     def parts(self, names: Names) -> dict[str, Expr]:
         alpha = read_pressure_angle(names, self)
-        wheels = self._wheels(names)
+        wheels = self._wheels(names, self.first, self.second)
         if alpha is None or wheels is None:
             return {"tangential": ONE}
         apex = self._apex(names, wheels)
@@ -140,7 +153,8 @@ connections:
         }
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        yield glyphs.Toothed((names.body(self.first).center, names.body(self.second).center))
+        for first, second in self.pairs_of_gears(names):
+            yield glyphs.Toothed((names.body(first).center, names.body(second).center))
 
 
 def _size(v: Components) -> Expr:

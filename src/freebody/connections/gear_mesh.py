@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, ClassVar, Literal
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, ClassVar
 
-from freebody.connections.base import Connection
 from freebody.connections.circles import look_at_fit, own_radius, touching
+from freebody.connections.shared_by_copies import SharedByCopies, gathered
 from freebody.connections.standing import distance_between, is_near, number_of
 from freebody.connections.teeth import parting_slope, parts_of_tooth_force, read_pressure_angle
 from freebody.language.expression import ONE, ZERO, Expr, add, divide, multiply, negate, number
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class GearMesh(Connection, kind="gear_mesh"):
+class GearMesh(SharedByCopies, kind="gear_mesh"):
     """`gear_mesh: [sun, planet]`, `gear_mesh: {first: ring, second: planet, internal: true}` with the ring gear
     first. The tooth force acts along the common tangent of the pitch circles and is positive when it resists a
     counter-clockwise turn of the first gear. With a `pressure_angle` the teeth part the gears as well, by its tangent
@@ -47,7 +47,6 @@ class GearMesh(Connection, kind="gear_mesh"):
     other_flank: bool = False
 
     in_plane = True
-    with_copies: ClassVar[Literal["", "each", "together"]] = "together"
     has_contact_point = True
     example = """
 bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 1 m}, at: [2 m, 0]}}
@@ -75,25 +74,13 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
             name = "centers" if k == 0 else f"centers {k + 1}"
             centers.append(ConstraintRow(name, "radial force", distance, total, if_needed=True))
         teeth = ConstraintRow(
-            "teeth", "tooth force", Combination(_gathered(terms), LENGTH), sign=-1, flank=0 if slope == ZERO else flank
+            "teeth", "tooth force", Combination(gathered(terms), LENGTH), sign=-1, flank=0 if slope == ZERO else flank
         )
-        return [teeth, *self._alike(first), *self._alike(second), *centers]
+        turns = {name: Angle(name) for pair in self.pairs_of_gears(names) for name in pair}
+        return [teeth, *self.alike(names, turns), *centers]
 
     def _pairs(self, names: Names) -> list[tuple[RigidBody, RigidBody]]:
-        """The two gears, and each copy of one with the other."""
-        first, second = names.known(self.first), names.known(self.second)
-        more = [(names.known(copy), second) for copy in first.copies]
-        return [(first, second), *more, *((first, names.known(copy)) for copy in second.copies)]
-
-    def _alike(self, gear: RigidBody) -> Iterator[ConstraintRow]:
-        """Copies of a gear turn alike: the sum of the ways that roll off says no more than that of their mean."""
-        for copy in gear.copies:
-            lead = Combination(((ONE, Angle(copy)), (negate(ONE), Angle(gear.name))), DIMENSIONLESS)
-            yield ConstraintRow(f"{copy} alike", "moment", lead, if_needed=True)
-
-    def mentions(self, names: Names) -> set[str]:
-        named = super().mentions(names)
-        return named | {copy for name in named for copy in names.known(name).copies}
+        return [(names.known(one), names.known(other)) for one, other in self.pairs_of_gears(names)]
 
     def teeth_with(self, names: Names, body: str) -> tuple[float, float, int] | None:
         if self.teeth is None or len(self.teeth) != 2 or body not in (self.first, self.second):
@@ -213,11 +200,3 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         radii = (r1, negate(r2) if self.internal else r2)
         for first, second in self._pairs(names):
             yield glyphs.Wheels(first.center, second.center, radii, is_toothed=True)
-
-
-def _gathered(terms: Iterable[tuple[Expr, Measure]]) -> tuple[tuple[Expr, Measure], ...]:
-    """Each measure once."""
-    found: dict[Measure, Expr] = {}
-    for coefficient, measure in terms:
-        found[measure] = add(found[measure], coefficient) if measure in found else coefficient
-    return tuple((coefficient, measure) for measure, coefficient in found.items())

@@ -16,13 +16,14 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from freebody.connections.base import Connection
-from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing
+from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing, shared
+from freebody.connections.shared_by_copies import SharedByCopies
 from freebody.connections.standing import is_near, number_of
 from freebody.connections.teeth import read_pressure_angle
 from freebody.language.expression import ONE, ZERO, Call, Expr, divide, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, Components
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class HelicalGears(Connection, kind="helical_gears"):
+class HelicalGears(SharedByCopies, kind="helical_gears"):
     """`helical_gears: {first: pinion, second: wheel, teeth: [z1, z2], radius: r, helix_angle: beta}`: two wheels in
     revolute joints with parallel axes on a common carrier (`on`, default the ground), which mesh from outside. `radius`
     is the pitch radius of the first, whose teeth are right-handed (`left_handed: true`); they act in the middle of its
@@ -69,28 +70,43 @@ connections:
 """
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        wheels = self._wheels(names)
-        if wheels is None:
+        if not self._is_sound(names):
             return []
+        pairs = [self._wheels(names, *pair) for pair in self.pairs_of_gears(names)]
+        found = [pair for pair in pairs if pair is not None]
+        if len(found) < len(pairs):
+            return []
+        self._look_at_distance(names, found[0], names.positive(self, "radius", LENGTH))
+        flank = 0 if read_pressure_angle(names, self) is None else -1 if self.other_flank else 1
+        measure = shared([self._mesh(names, pair) for pair in found])
+        turns = {wheel.held.body: wheel.turn() for pair in found for wheel in pair}
+        teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, flank=flank)
+        return [teeth, *self.alike(names, turns)]
+
+    def _mesh(self, names: Names, wheels: tuple[BornWheel, BornWheel]) -> Combination:
+        """The way by which the flanks of two wheels would pass into each other."""
         axis, outwards = wheels[0].axis.components, self._outwards(names, wheels)
         alpha, beta = read_pressure_angle(names, self), self._helix(names)
         radius, flank = names.positive(self, "radius", LENGTH), -1 if self.other_flank else 1
-        self._look_at_distance(names, wheels, radius)
         hand = number(-1 if self.left_handed else 1)
         along = combined((ONE, vector_product(axis, outwards)), (negate(hand * Call("tan", beta)), axis))
         if alpha is not None:
             along = combined((ONE, along), (number(flank) * divide(Call("tan", alpha), Call("cos", beta)), outwards))
         place = combined((ONE, self._middle(names, wheels[0])), (radius, outwards))
-        flank = 0 if alpha is None else flank
-        return [ConstraintRow("teeth", "tooth force", meshing(wheels, place, along), sign=-1, flank=flank)]
+        return meshing(wheels, place, along)
 
-    def _wheels(self, names: Names) -> tuple[BornWheel, BornWheel] | None:
-        """Both in their bearings, with axes that point the same way."""
-        carrier = names.body(self.on, "on").name
-        if len({self.first, self.second, carrier}) < 3:
+    def _is_sound(self, names: Names) -> bool:
+        bodies = (names.body(getattr(self, field), field).name for field in ("first", "second", "on"))
+        if len({*bodies}) < 3:
             names.problem(Message("a gear pair needs two wheels and another body that carries their bearings"))
-            return None
-        first, second = (born_wheel(names, self, field, carrier) for field in ("first", "second"))
+            return False
+        return True
+
+    def _wheels(self, names: Names, one: str, other: str) -> tuple[BornWheel, BornWheel] | None:
+        """Both in their bearings, with axes that point the same way."""
+        first, second = (
+            born_wheel(names, wheel, self.on, field) for wheel, field in ((one, "first"), (other, "second"))
+        )
         if first is None or second is None:
             return None
         a1, a2 = first.axis.components, second.axis.components
@@ -154,4 +170,5 @@ connections:
         }
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        yield glyphs.Toothed((names.body(self.first).center, names.body(self.second).center))
+        for first, second in self.pairs_of_gears(names):
+            yield glyphs.Toothed((names.body(first).center, names.body(second).center))

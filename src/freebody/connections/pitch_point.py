@@ -16,8 +16,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.connections.base import Connection
 from freebody.connections.joints import AXES
+from freebody.connections.shared_by_copies import gathered
 from freebody.language.expression import ONE, ZERO, Expr, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
@@ -77,9 +77,8 @@ def _back(axis: Direction) -> Direction:
     return Direction(axis.body, tuple(negate(c) for c in axis.components))
 
 
-def born_wheel(names: Names, spec: Connection, field: str, carrier: str) -> BornWheel | None:
-    """A wheel of a mesh by the joint that carries it; None after noting a problem."""
-    wheel = names.body(getattr(spec, field), field).name
+def born_wheel(names: Names, wheel: str, carrier: str, field: str) -> BornWheel | None:
+    """A wheel of a mesh by the joint that carries it; None after noting a problem at the field that names it."""
     for other in names.connections.values():
         with names.quietly():
             joint = other.bearing(names) if {wheel, carrier} <= other.mentions(names) else None
@@ -97,6 +96,11 @@ def meshing(wheels: Sequence[BornWheel], place: Components, along: Components) -
     """The way by which the flanks of two wheels would pass into each other along a direction at a place."""
     first, second = (wheel.pushed(place, along) for wheel in wheels)
     return Combination((*first, *((negate(size), measure) for size, measure in second)), LENGTH)
+
+
+def shared(meshes: Sequence[Combination]) -> Combination:
+    """What is held of the meshes of equal planets: the sum, so that its multiplier is the tooth force of each."""
+    return Combination(gathered(term for mesh in meshes for term in mesh.terms), LENGTH)
 
 
 def combined(*parts: tuple[Expr, Components]) -> Components:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from freebody.connections.base import Connection
 from freebody.connections.joints import AXES, Joint, own_direction, read_joint
@@ -27,6 +27,7 @@ class Planar(Connection, kind="planar"):
     string or contact, may join bodies that stay in the plane of x and y."""
 
     space_only = True
+    with_copies: ClassVar[Literal["", "each", "together"]] = "each"
 
     body: str
     through: str = "ground.origin"

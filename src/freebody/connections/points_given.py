@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 FIELD = "points"
-PointList = list[list[Any]] | str  # what a field of points may be: a list, or the name of a table
+PointList = Sequence[Any] | str  # what a field of points may be: a list, or the name of a table
 
 
 @dataclass(frozen=True)

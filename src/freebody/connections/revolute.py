@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from freebody.connections.joints import AxialJoint, Joint, read_joint
+from freebody.language.notation import to_python
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.geometry import Components, Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -27,6 +28,8 @@ class Revolute(AxialJoint, kind="revolute"):
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin")
     also: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing")
 
+    with_copies: ClassVar[Literal["", "each", "together"]] = "each"
+
     first: str
     second: str
     about: Heading
@@ -44,6 +47,13 @@ connections: {it: {revolute: {first: ground.A, second: rod.left, about: z}}}
     def bearing(self, names: Names) -> tuple[Point, Point, Direction, Direction] | None:
         joint = self.joint(names)
         return None if joint is None else (joint.first, joint.second, joint.axis, joint.axis2)
+
+    def for_copy(self, names: Names, carrier: str, turned: Callable[[Components], Components]) -> dict[str, Any]:
+        joint = self.joint(names)
+        if joint is None:
+            return {}
+        axis, axis2 = (turned(v.components) if v.body == carrier else v.components for v in (joint.axis, joint.axis2))
+        return {"about": [*map(to_python, axis)], "second_axis": [*map(to_python, axis2)]}
 
     def held(self, names: Names, joint: Joint) -> list[ConstraintRow]:
         return [*joint.meeting(), *joint.parallel()]

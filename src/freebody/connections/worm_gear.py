@@ -123,7 +123,8 @@ connections:
         if len({self.worm, self.wheel, carrier}) < 3:
             names.problem(Message("a gear pair needs two wheels and another body that carries their bearings"))
             return None
-        worm, wheel = (born_wheel(names, self, field, carrier) for field in ("worm", "wheel"))
+        bodies = {field: names.body(getattr(self, field), field).name for field in ("worm", "wheel")}
+        worm, wheel = (born_wheel(names, body, carrier, field) for field, body in bodies.items())
         return None if worm is None or wheel is None else (worm, wheel)
 
     def _pitch_point(

@@ -23,8 +23,8 @@ from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane
 from freebody.system.reading.source import Source, kind_meant, known_keys
 
-_ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed")
-PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline", "copies")
+_ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "copies")
+PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
 SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")
 
 
@@ -119,9 +119,7 @@ class BodySections:
             fixed=fixed,
             start=start,
             corners=self._outline(entry, offsets) or build.corners,
-            copies=copied_names(
-                names, name, None if names.space else entry.get("copies"), self.source.mapping("bodies")
-            ),
+            copies=copied_names(names, name, entry.get("copies"), self.source.mapping("bodies")),
             is_ring=build.is_ring,
             edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
             tensor=build.tensor,
@@ -169,8 +167,6 @@ class BodySections:
                     hint = Message(" It is for models in space: write space: true.")
                 if key == "angle":
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
-                if key == "copies":
-                    hint = Message(" It is for planets in the plane; in space write each body with a name of its own.")
                 names.problem(Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), key)
         if len(kinds) > 1:
             names.problem(Message("{name} has two shapes: {kinds}", name=name, kinds=[*kinds]))

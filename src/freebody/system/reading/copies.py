@@ -1,6 +1,7 @@
 """Equal bodies on one carrier, of which one is written: `copies: 3` at a planet wheel.
 
-The others stand at the angles 2 pi k/n about the axis of the carrier, each on a pin of its own. What they mesh with
+The others stand at the angles 2 pi k/n about the axis of the carrier, each on a pin of its own, in space in a bearing
+whose axis is turned as well. What they mesh with
 they mesh with together: the sum of the ways that roll off is held, so that its multiplier is the tooth force of each,
 and the copies turn alike. That is the load sharing of equal planets, and leaves no loop redundant. Source: Norton,
 Design of Machinery, 5th ed. 2012, sec. 9.6; condition of assembly: Mueller, Die Umlaufgetriebe, 2nd ed. 1998, sec. 3.
@@ -10,17 +11,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, TypeVar, cast
 
 from freebody.connections.base import Connection
-from freebody.language.expression import PI, Call, Expr, divide, number
+from freebody.connections.standing import number_of
+from freebody.language.expression import PI, ZERO, divide, number
 from freebody.language.sentences import Message
 from freebody.loads.base import Load
-from freebody.measures.geometry import GROUND, Point
+from freebody.measures.geometry import GROUND, Components, Point
 from freebody.model.elements import RigidBody, Start
 from freebody.model.names import Names
+from freebody.model.rotations import UNIT, along_axis, applied, rotation, vector_product
 from freebody.model.spec import Spec
+from freebody.tolerances import ROUNDED
 
 SpecT = TypeVar("SpecT", bound=Spec)
 
@@ -41,6 +46,30 @@ def copied_names(names: Names, body: str, given: Any, taken: Mapping[str, Any]) 
     return found
 
 
+@dataclass(frozen=True)
+class _Axis:
+    """That about which a carrier turns: a point of it, and its direction there."""
+
+    point: Point
+    along: Components
+
+    def turned(self, v: Components, k: int, n: int) -> Components:
+        """Components on the carrier, turned by k of n equal parts of a turn."""
+        columns = rotation(self.along, divide(2 * k * PI, number(n)))
+        return applied(columns, (*v, *(ZERO,) * (3 - len(v))))[: len(v)]
+
+
+@dataclass(frozen=True)
+class _Axle:
+    """What carries a copied body: a connection, the point of the body and that of its carrier. beside: what else each
+    copy has."""
+
+    name: str
+    own: Point
+    carried: Point
+    beside: tuple[str, ...]
+
+
 def add_copies(
     names: Names, connections: dict[str, Connection], loads: dict[str, Load]
 ) -> tuple[dict[str, Connection], dict[str, Load]]:
@@ -48,16 +77,19 @@ def add_copies(
     for body in [body for body in names.bodies.values() if body.copies]:
         with names.at("bodies", body.name):
             axle = _axle(names, body, connections)
-            if axle is None:
+            if axle is None or not _looks_alike(names, body, axle, connections):
                 continue
-            name, own, carried = axle
-            _look_at_room(names, body, own, carried, connections)
+            axis, n = _axis_of(names, axle.carried.body, body, connections), len(body.copies) + 1
+            _look_at_room(names, body, axle, axis, connections)
             _look_at_assembly(names, body, connections)
             for k, copy in enumerate(body.copies, 1):
-                names.bodies[copy] = _copy(body, copy)
-                there = _turned(names, carried, _axis_of(names, carried.body, body, connections), k, body)
-                points = {str(carried): str(there)}
-                connections[f"{name}_{k + 1}"] = _renamed(connections[name], body.name, copy, points)
+                names.bodies[copy] = _copy(names, body, copy)
+                points = {str(axle.carried): str(_turned(names, axle.carried, axis, k, n))}
+                for name in (axle.name, *axle.beside):
+                    spec = connections[name]
+                    more = spec.for_copy(names, axle.carried.body, partial(axis.turned, k=k, n=n))
+                    renamed = _renamed(spec, body.name, copy, points)
+                    connections[f"{name}_{k + 1}"] = renamed.model_copy(update=more)
                 loads |= {
                     f"{load}_{k + 1}": _renamed(spec, body.name, copy, {})
                     for load, spec in list(loads.items())
@@ -66,24 +98,30 @@ def add_copies(
             told = Message(
                 "the {n} copies of {body} stand at equal angles and share the load equally; a tooth force is that of "
                 "one of them",
-                n=len(body.copies) + 1,
+                n=n,
                 body=body.name,
             )
             names.assumptions.append(told)
     return connections, loads
 
 
-def _axle(names: Names, body: RigidBody, connections: Mapping[str, Connection]) -> tuple[str, Point, Point] | None:
-    """The connection that carries a body, the point of the body and that of its carrier."""
+def _joined(names: Names, spec: Connection) -> tuple[Point, Point] | None:
+    """The points that a pin, or in space a bearing, keeps together."""
+    with names.quietly():
+        bearing = spec.bearing(names) if names.space else None
+        return spec.joined_points(names) if bearing is None else bearing[:2]
+
+
+def _axle(names: Names, body: RigidBody, connections: Mapping[str, Connection]) -> _Axle | None:
     found: list[tuple[str, Point, Point]] = []
+    beside: list[str] = []
     for name, spec in connections.items():
         with names.quietly():
             if body.name not in spec.mentions(names):
                 continue
-            joined = spec.joined_points(names)
         if spec.with_copies == "together":
             continue
-        if spec.with_copies != "each" or joined is None:
+        if spec.with_copies != "each":
             told = Message(
                 "copies of {body} can only be pinned to a carrier and mesh with gears; {connection} does neither",
                 body=body.name,
@@ -91,33 +129,65 @@ def _axle(names: Names, body: RigidBody, connections: Mapping[str, Connection]) 
             )
             names.problem(told, "copies")
             return None
-        own, other = joined if joined[0].body == body.name else joined[::-1]
-        found.append((name, own, other))
+        joined = _joined(names, spec)
+        if joined is None:
+            beside.append(name)
+        else:
+            own, other = joined if joined[0].body == body.name else joined[::-1]
+            found.append((name, own, other))
     if len(found) != 1 or found[0][2].body == GROUND:
         told = Message("the copies of {body} need one pin on a carrier that turns", body=body.name)
         names.problem(told, "copies")
         return None
-    return found[0]
+    return _Axle(*found[0], tuple(beside))
 
 
-def _axis_of(names: Names, carrier: str, body: RigidBody, connections: Mapping[str, Connection]) -> Point:
-    """The point of a carrier about which it turns: where it is pinned to something that is no copied wheel."""
+def _axis_of(names: Names, carrier: str, body: RigidBody, connections: Mapping[str, Connection]) -> _Axis:
+    """Where a carrier is pinned to something that is no copied wheel, the ground before others."""
+    found: list[tuple[bool, _Axis]] = []
     for spec in connections.values():
-        with names.quietly():
-            joined = spec.joined_points(names)
+        joined = _joined(names, spec)
         for own, other in () if joined is None else (joined, joined[::-1]):
             if own.body == carrier and not names.known(other.body).copies and other.body not in body.copies:
-                return own
-    return names.known(carrier).center
+                found.append((other.body != GROUND, _Axis(own, _direction_on(names, spec, carrier))))
+    if not found:
+        return _Axis(names.known(carrier).center, UNIT[2])
+    return min(found, key=lambda each: each[0])[1]
 
 
-def _turned(names: Names, axle: Point, axis: Point, k: int, body: RigidBody) -> Point:
+def _direction_on(names: Names, spec: Connection, body: str) -> Components:
+    """That of the axis of a pin or of a bearing, on one of its bodies."""
+    with names.quietly():
+        bearing = spec.bearing(names) if names.space else None
+    return UNIT[2] if bearing is None else next(axis.components for axis in bearing[2:] if axis.body == body)
+
+
+def _looks_alike(names: Names, body: RigidBody, axle: _Axle, connections: Mapping[str, Connection]) -> bool:
+    """In space: whether it is the same however it is turned about its axle, so that a copy is told by its bearing
+    alone; else with a problem noted."""
+    if not names.space:
+        return True
+    if body.chain:
+        names.problem(Message("copies of {body} are turned as their bearings say: leave out turned", body=body.name))
+        return False
+    k = along_axis(_direction_on(names, connections[axle.name], body.name))
+    tensor = [names.numeric(part) for part in body.tensor]  # xx, yy, zz, xy, xz, yz
+    if k is None or None in tensor or len(tensor) < 6:
+        return True
+    one, other = (float(tensor[(k[0] + j) % 3] or 0.0) for j in (1, 2))
+    if abs(one - other) > ROUNDED * abs(one + other) or any(abs(float(part or 0.0)) > ROUNDED for part in tensor[3:]):
+        told = Message(
+            "copies are of round wheels; {body} has different moments of inertia across its axle", body=body.name
+        )
+        names.problem(told, "copies")
+        return False
+    return True
+
+
+def _turned(names: Names, axle: Point, axis: _Axis, k: int, n: int) -> Point:
     """Where the axle of copy k is on the carrier, entered among its points."""
-    turn = divide(2 * k * PI, number(len(body.copies) + 1))
-    c, s = Call("cos", turn), Call("sin", turn)
-    (x, y, *_), (x0, y0, *_) = axle.offset, axis.offset
-    dx, dy = x - x0, y - y0
-    offset: tuple[Expr, ...] = (x0 + c * dx - s * dy, y0 + s * dx + c * dy)
+    arm = tuple(a - b for a, b in zip(axle.offset, axis.point.offset, strict=True))
+    offset = tuple(a + b for a, b in zip(axis.point.offset, axis.turned(arm, k, n), strict=True))
     carrier = names.known(axle.body)
     own = next(name for name, at in carrier.points.items() if at == axle.offset)
     name = f"{own}_{k + 1}"
@@ -125,9 +195,10 @@ def _turned(names: Names, axle: Point, axis: Point, k: int, body: RigidBody) -> 
     return carrier.point(name)
 
 
-def _copy(body: RigidBody, name: str) -> RigidBody:
+def _copy(names: Names, body: RigidBody, name: str) -> RigidBody:
     """The body once more: its carrier says where."""
     start = Start(angle=body.start.angle, angular_velocity=body.start.angular_velocity)
+    start = Start() if names.space else start
     return replace(body, name=name, copies=(), start=start, lines={}, points=dict(body.points))
 
 
@@ -150,11 +221,14 @@ def _renamed(spec: SpecT, body: str, copy: str, points: Mapping[str, str]) -> Sp
 
 
 def _look_at_room(
-    names: Names, body: RigidBody, own: Point, carried: Point, connections: Mapping[str, Connection]
+    names: Names, body: RigidBody, axle: _Axle, axis: _Axis, connections: Mapping[str, Connection]
 ) -> None:
-    """Neighbours that would run into each other are refused, with the most that have room."""
-    axis = _axis_of(names, carried.body, body, connections)
-    arm = [names.numeric(a - b) for a, b in zip(carried.offset, axis.offset, strict=True)]
+    """Neighbours on parallel axles that would run into each other are refused, with the most that have room."""
+    own = _direction_on(names, connections[axle.name], axle.carried.body)
+    if any(number_of(names, part) for part in vector_product(own, axis.along)):
+        return
+    gap = [a - b for a, b in zip(axle.carried.offset, axis.point.offset, strict=True)]
+    arm = [names.numeric(part) for part in vector_product((*gap, *(ZERO,) * (3 - len(gap))), axis.along)]
     radius = None if body.radius is None else names.numeric(body.radius)
     if radius is None or any(x is None for x in arm):
         return

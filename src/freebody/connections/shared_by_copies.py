@@ -1,0 +1,54 @@
+"""Gears of which one may have copies (`copies: n`): what one mesh of equal planets holds for all of them.
+
+The sum of the ways that roll off at n planets is held, so that its multiplier is the tooth force of each, and the
+planets turn alike: that is the load sharing of equal planets, and leaves no loop redundant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, ClassVar, Literal
+
+from freebody.connections.base import Connection
+from freebody.language.expression import ONE, Expr, add, negate
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.model.elements import ConstraintRow
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class SharedByCopies(Connection):
+    """A mesh of `first` and `second`, and of the copies of one with the other."""
+
+    first: str
+    second: str
+
+    with_copies: ClassVar[Literal["", "each", "together"]] = "together"
+
+    def pairs_of_gears(self, names: Names) -> list[tuple[str, str]]:
+        """The two gears, and each copy of one with the other."""
+        first, second = names.known(self.first), names.known(self.second)
+        more = [(copy, second.name) for copy in first.copies]
+        return [(first.name, second.name), *more, *((first.name, copy) for copy in second.copies)]
+
+    def alike(self, names: Names, turns: Mapping[str, Measure]) -> Iterator[ConstraintRow]:
+        """Copies of a gear turn alike: the sum of the ways that roll off says no more than that of their mean."""
+        for gear in (self.first, self.second):
+            for copy in names.known(gear).copies:
+                lead = Combination(((ONE, turns[copy]), (negate(ONE), turns[gear])), DIMENSIONLESS)
+                yield ConstraintRow(f"{copy} alike", "moment", lead, if_needed=True)
+
+    def mentions(self, names: Names) -> set[str]:
+        named = super().mentions(names)
+        return named | {copy for name in named for copy in names.known(name).copies}
+
+
+def gathered(terms: Iterable[tuple[Expr, Measure]]) -> tuple[tuple[Expr, Measure], ...]:
+    """Each measure once."""
+    found: dict[Measure, Expr] = {}
+    for coefficient, measure in terms:
+        found[measure] = add(found[measure], coefficient) if measure in found else coefficient
+    return tuple((coefficient, measure) for measure, coefficient in found.items())
