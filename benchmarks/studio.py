@@ -1,8 +1,9 @@
-"""The page of the studio in a browser: the first picture, frames of 20 bodies while they play and are dragged, and how
-soon a motion of ten follows a slider (`python benchmarks/studio.py`, Chromium on the path, `pip install playwright`).
+"""The studio, in its processes and in a browser: the first picture, frames of 20 bodies as they play and are dragged,
+and how soon a motion of ten follows a slider (`python benchmarks/studio.py`, Chromium on the path, `pip install
+playwright`; `python benchmarks/studio.py processor` tells the parts that need no browser).
 
-A frame is told twice: by the times between calls of requestAnimationFrame, which a busy machine makes longer, and by
-the processor time of the page's main thread, which it does not. A frame at 60 a second may take 16.7 ms.
+All is told twice where it can be: by the clock, which a busy machine makes longer, and by the processor, which it does
+less. A frame at 60 a second may take 16.7 ms. Modules are compiled once, as they are where the package is installed.
 """
 
 from __future__ import annotations
@@ -136,12 +137,67 @@ def dragged(page: Any, n: int) -> Frames:
 def served(file: Path) -> Generator[tuple[str, float]]:
     """A studio: its address, and when it was printed."""
     command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=compiled_once()) as server:
         assert server.stdout is not None
         try:
             yield server.stdout.readline().strip(), time.perf_counter()
         finally:
             server.terminate()
+
+
+def compiled_once() -> dict[str, str]:
+    """The environment in which what is imported is compiled once, and kept beside the sources or where that says."""
+    return {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+
+
+def processor_of(code: str) -> float:
+    """The least processor time of a fresh Python that does something [ms]."""
+    told = "import time; before = time.process_time(); {}; print(1000 * (time.process_time() - before))"
+    command = [sys.executable, "-c", told.format(code)]
+    runs = [subprocess.run(command, capture_output=True, text=True, check=True, env=compiled_once()) for _ in range(4)]
+    return min(float(run.stdout) for run in runs)
+
+
+def processor() -> None:
+    """What a picture costs before it is in the browser."""
+    print(f"imports of the server: {processor_of('import uvicorn, freebody.studio.server'):.0f} ms")
+    print(f"imports of all workers, with one motion: {processor_of('import freebody.studio.grown'):.0f} ms")
+    from freebody.studio import grown  # noqa: F401
+    from freebody.studio.work import done
+
+    texts = {name: [(EXAMPLES / f"{name}.yaml").read_text(encoding="utf-8")] * 6 for name in MODELS}
+    texts["chain of ten"] = [chain(10).replace("a0: -60", f"a0: {-60 + k}") for k in range(12)]
+    for name, variants in texts.items():
+        for kind, more in (("read", {}), ("motion", {"until": 3, "frames": 61 if "chain" in name else 301})):
+            times: list[float] = []
+            size = 0
+            for text in variants:
+                before = time.process_time()
+                size = len(done(kind, {"text": text, **more}).model_dump_json())
+                times.append(1000.0 * (time.process_time() - before))
+            print(f"{name}, {kind}: first {times[0]:.0f} ms, least {min(times):.0f} ms, {size / 1000:.0f} kB")
+
+
+def followed(page: Any) -> None:
+    """Prints how soon, and at which cost to the page's main thread, the first slider is followed."""
+    session = page.context.new_cdp_session(page)
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})
+
+    def main_thread() -> float:
+        found = session.send("Performance.getMetrics")["metrics"]
+        return next(1000.0 * each["value"] for each in found if each["name"] == "TaskDuration")
+
+    slid: list[float] = []
+    costs: list[float] = []
+    for k in range(N_SLIDES):
+        before = main_thread()
+        slid.append(page.evaluate(SLID, k))
+        costs.append(main_thread() - before)
+        page.wait_for_timeout(700)
+    told = f"median {statistics.median(slid):.0f} ms, least {min(slid):.0f} ms, p95 {part(slid, 0.95):.0f} ms"
+    print(
+        f"{N_BODIES // 2} bodies follow a slider: {told}; page {min(costs):.0f} ms of the processor"
+    )
 
 
 def first_pictures(browser: Any, file: Path) -> str:
@@ -172,9 +228,12 @@ def opened(browser: Any, address: str) -> Any:
 
 
 def main() -> None:
+    print(f"load {os.getloadavg()[0]:.0f} on {os.cpu_count()} cores")
+    processor()
+    if sys.argv[1:] == ["processor"]:
+        return
     from playwright.sync_api import sync_playwright
 
-    print(f"load {os.getloadavg()[0]:.0f} on {os.cpu_count()} cores")
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as running:
         browser = running.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
         for name in MODELS:
@@ -187,13 +246,7 @@ def main() -> None:
             print(f"{N_BODIES} bodies, dragged:", dragged(page, N_FRAMES))
         file.write_text(chain(N_BODIES // 2), encoding="utf-8")
         with served(file) as (address, _):
-            page = opened(browser, address)
-            slid: list[float] = []
-            for k in range(N_SLIDES):
-                slid.append(page.evaluate(SLID, k))
-                page.wait_for_timeout(700)
-            told = f"median {statistics.median(slid):.0f} ms, least {min(slid):.0f} ms, p95 {part(slid, 0.95):.0f} ms"
-            print(f"{N_BODIES // 2} bodies follow a slider: {told}")
+            followed(opened(browser, address))
         browser.close()
 
 

@@ -20,6 +20,8 @@ from typing import Any
 import pytest
 from tests.studio_browser import PENDULUM, ROOT, TEXT, WAIT, text_of, wait_for_text
 
+from freebody.studio.folder import Folder
+
 PICTURE = "document.querySelector('.view canvas').toDataURL()"
 
 pytestmark = pytest.mark.slow
@@ -52,6 +54,21 @@ def page(browser: Any, studio: tuple[str, Path]) -> Iterator[Any]:
     yield page
     page.close()
     assert wrong == []
+
+
+def test_the_page_asks_first_what_the_server_has_foreseen(browser: Any, studio: tuple[str, Path]) -> None:
+    """In the same words, or it would be found twice; studies and what can be added come later."""
+    address, file = studio
+    file.write_text(PENDULUM, encoding="utf-8")
+    page = browser.new_page(locale="en-GB")
+    asked: list[dict[str, Any]] = []
+    page.on("request", lambda sent: asked.append(json.loads(sent.post_data)) if sent.url.endswith("/ask") else None)
+    page.goto(address)
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    page.close()
+    foreseen = {call.kind: {**call.request, "language": "en"} for call in Folder.of(file).foreseen()}
+    assert {each["kind"]: each["request"] for each in asked[:2]} == foreseen
+    assert [each["kind"] for each in asked].count("motion") == 1
 
 
 def select_word(page: Any, line: str, word: str) -> None:

@@ -18,6 +18,7 @@ from freebody.numeric.placing import TOLERANCE, Fit, Placing, PoseEquation
 from freebody.numeric.sparse import SparseRows
 from freebody.tolerances import ROUND_OFF
 
+_FEW = 12  # coordinates, for which a search takes no longer
 _RCOND = 1e-9  # of what gives nothing
 _TURNED, _SHIFTED = 0.7, 0.4  # [rad], [sizes] to a pose away from another, no part of a turn
 
@@ -25,9 +26,9 @@ _TURNED, _SHIFTED = 0.7, 0.4  # [rad], [sizes] to a pose away from another, no p
 def given_outright(placing: Placing, q: Array, equations: Sequence[PoseEquation]) -> Array | None:
     """The one pose (n,) of a system in the plane that fulfils its equations, or at which they contradict each other.
     None where a gap is not as linear as that, something is left open, or nothing has to be
-    found; and in a large system. q: (n,) any pose."""
+    found; and in a very small or large system. q: (n,) any pose."""
     n, turning = len(q), placing.sizes.turning
-    if placing.frame.space or len(equations) < n:
+    if placing.frame.space or n <= _FEW or len(equations) < n:
         return None
     here = placing.fit(q, equations, 0.0, {}, n_steps=0)
     if here is None or here.error <= TOLERANCE or isinstance(here.rows, SparseRows):

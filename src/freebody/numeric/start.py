@@ -121,8 +121,9 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
         _refuse_singular(reference, body)
     equations = _equations(reference, extra)
     described = turned_to_face(reference, guessed(reference))
-    if guess is None and (outright := given_outright(reference.placing, described, equations)) is not None:
-        fit = reference.placing.fit(outright, equations, 0.0, {})
+    if guess is None and len(described) <= LARGE:
+        outright = given_outright(reference.placing, described, equations)
+        fit = None if outright is None else reference.placing.fit(outright, equations, 0.0, {})
         if fit is not None and _stands(reference, fit):
             return fit
     guess = described if guess is None else guess
