@@ -203,8 +203,7 @@ def test_a_motion_has_its_curves_and_what_the_player_draws() -> None:
 
 
 def test_ten_bodies_follow_a_slider_with_little_work() -> None:
-    """By the processor time of the worker, the least of some, which other programs lengthen by half; and by what is
-    sent. It is 25 ms where nothing else runs, of the 50 from a slider to its picture."""
+    """By the processor time of the worker, the least of some, and by what is sent."""
     n = 10
     bodies = "".join(f"  r{k}: {{rod: {{mass: 1 kg, length: 0.1 m}}}}\n" for k in range(n))
     pins = "".join(f"  c{k}: {{pin: [{f'r{k - 1}.end' if k else 'ground.A'}, r{k}.start]}}\n" for k in range(n))
