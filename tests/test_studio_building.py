@@ -202,18 +202,18 @@ def test_a_four_bar_linkage_is_dragged_through_a_turn(page: Any) -> None:
     Hand(page).choose("spring")
     Hand(page).press("Point in the scene")
     at = {}
-    for name in ("ground.A", "crank.end"):
+    for name in ("ground.origin", "crank.end"):
         box = page.locator(f".view .spot[aria-label='{name}']").bounding_box()
         at[name] = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.keyboard.press("Escape")
     canvas.wait_for()
-    (x, y), (u, v) = at["ground.A"], at["crank.end"]
+    (x, y), (u, v) = at["ground.origin"], at["crank.end"]
     radius, start = 0.6 * math.hypot(u - x, v - y), math.atan2(y - v, u - x)
     assert math.degrees(start) == pytest.approx(60, abs=3)
     page.mouse.move(x + radius * math.cos(start), y - radius * math.sin(start))
     page.mouse.down()
-    for k in range(1, 25):
-        turn = start + math.radians(15 * k)
+    for k in range(1, 26):  # not past the place opposite to the first one, from which both ways are as far
+        turn = start + math.radians(14.4 * k)
         page.mouse.move(x + radius * math.cos(turn), y - radius * math.sin(turn))
         page.wait_for_function(
             """([wanted]) => {
