@@ -71,8 +71,8 @@ class Folder:
         return OpenedFile(name=_UNTITLED, text="", version="")
 
     def save(self, request: SaveRequest) -> SaveAnswer:
-        """Writes a file, unless somebody else has changed it since; one that is gone is there again. Raises InputError if
-        it cannot be written."""
+        """Writes a file, unless somebody else has changed it since; one that is gone is there again. Raises InputError
+        if it cannot be written."""
         path = self.target(request.name)
         now = _version(text_of(path)) if path.exists() else ""
         if now and now not in (request.version, _version(request.text)) and not request.overwrite:
