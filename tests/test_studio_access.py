@@ -204,7 +204,7 @@ def notices(visitor: Visitor) -> None:
     later.wait_for_selector(f".notice:has-text('{visitor.word('takeDraft')}')", timeout=WAIT)
     visitor.look("a draft")
     later.route("**/api/*", lambda route: route.abort())
-    later.wait_for_selector(f".notice:has-text('{visitor.word('unreachable')[:20]}')", timeout=WAIT)
+    later.wait_for_selector(f".notice:has-text('{visitor.word('unreachable')[-20:]}')", timeout=WAIT)
     visitor.look("no server")
     later.close(run_before_unload=False)
 

@@ -203,16 +203,16 @@ connections:
 {pins}
 loads: {{weight: {{gravity: 9.81 m/s^2}}}}
 questions:
-  - {{id: far, find: acceleration of r8}}
+  - {{id: far, find: acceleration of r6}}
 """.format(
-    bodies="\n".join(f"  r{k}: {{rod: {{mass: {k + 1} kg, length: 0.{k + 1} m}}}}" for k in range(9)),
-    pins="\n".join(f"  c{k}: {{pin: [{f'r{k - 1}.end' if k else 'ground.A'}, r{k}.start]}}" for k in range(9)),
+    bodies="\n".join(f"  r{k}: {{rod: {{mass: {k + 1} kg, length: 0.{k + 1} m}}}}" for k in range(7)),
+    pins="\n".join(f"  c{k}: {{pin: [{f'r{k - 1}.end' if k else 'ground.A'}, r{k}.start]}}" for k in range(7)),
 )
 
 
 def test_a_slow_study_leaves_the_rest_alone_and_is_cancelled(page: Any) -> None:
     type_all(page, SLOW)
-    page.wait_for_selector(".badge.dof:has-text('9 degrees'):not(.stale)", timeout=WAIT)
+    page.wait_for_selector(".badge.dof:has-text('7 degrees'):not(.stale)", timeout=WAIT)
     page.click("#tab-derivation")
     page.wait_for_selector(".content .working:has-text('working')", timeout=WAIT)
     slider = page.locator(".transport .play")
@@ -252,7 +252,7 @@ def test_a_worker_that_ends_is_told_and_replaced(browser: Any, pendulum: Path) -
         page.goto(address)
         page.wait_for_selector(READY, timeout=WAIT)
         type_all(page, SLOW)
-        page.wait_for_selector(".badge.dof:has-text('9 degrees'):not(.stale)", timeout=WAIT)
+        page.wait_for_selector(".badge.dof:has-text('7 degrees'):not(.stale)", timeout=WAIT)
         page.click("#tab-derivation")
         page.wait_for_selector(".content .working:has-text('working')", timeout=WAIT)
         page.wait_for_timeout(1000)

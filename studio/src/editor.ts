@@ -22,6 +22,9 @@ const look = EditorView.theme({
     backgroundColor: "color-mix(in srgb, var(--accent) 28%, transparent) !important",
   },
   "&.cm-focused": { outline: "none" },
+  // the words that are selected elsewhere: on the paper, so that they are read as well as the rest
+  "& .cm-selectionMatch, & .cm-searchMatch": { backgroundColor: "transparent", outline: "1px solid var(--muted)" },
+  "& .cm-searchMatch.cm-searchMatch-selected": { outline: "2px solid var(--accent)" },
   ".cm-cursor": { borderLeftColor: "var(--ink)" },
   ".cm-tooltip, .cm-panels": { backgroundColor: "var(--paper)", color: "var(--ink)", border: "1px solid var(--faint)" },
   ".cm-tooltip-autocomplete ul li[aria-selected]": { backgroundColor: "var(--accent)", color: "var(--paper)" },

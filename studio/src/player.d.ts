@@ -6,6 +6,7 @@ declare module "virtual:player" {
     isDark(): boolean;
     hasNames(): boolean;
     isPlaying(): boolean;
+    isHeld(): boolean;
     axes(length: number): string;
     drawn(frame: number, time: number): void;
   }

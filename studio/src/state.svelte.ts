@@ -476,7 +476,7 @@ export class Studio {
       for (const pull of pulls) {
         const told = await this.asked("drag", { text, language: this.language, body, ...pull, across: sides[0], up: sides[1] });
         if (this.text !== text && this.text !== this.draggedTo) return; // undone, or changed otherwise, meanwhile
-        if (told?.answer && told.answer.text !== text) {
+        if (told?.answer && told.answer.text !== this.text) { // which may be back where it was
           this.draggedTo = told.answer.text;
           this.rewrite(told.answer.text, "input.type.drag");
           return this.follow(this.text, { frames: FEWER });

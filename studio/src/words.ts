@@ -221,7 +221,7 @@ const de: Record<Word, string> = {
   equations: "Gleichungen",
   phases: "Phasen",
   properties: "Eigenschaften",
-  export: "Ausgeben",
+  export: "Exportieren",
   updating: "wird erneuert",
   working: "rechnet",
   cancel: "Abbrechen",

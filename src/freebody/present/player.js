@@ -1,5 +1,5 @@
 // A motion on a canvas. data: as `page.py` writes it; shown: what the page around it decides, read at every drawing:
-// isDark(), hasNames(), isPlaying(), axes(length) in words, traced (a set of points by number), selected (a set of labels), drawn(frame, time)
+// isDark(), hasNames(), isPlaying(), isHeld() if anything can be, axes(length) in words, traced (a set of points by number), selected (a set of labels), drawn(frame, time)
 function playerOn(canvas, data, shown) {
 const pen = canvas.getContext("2d");
 let last = data.n_frames - 1, at = 0, view = null, taken = [];
@@ -598,9 +598,10 @@ canvas.addEventListener("dblclick", resetView);
 
 // -- for the page around it
 function show(fresh, frame = at) {
-  // another motion at a frame of it, in the same view, as far as it is of the same kind
-  const isKept = data.planar === fresh.planar;
-  data = fresh;
+  // another motion at a frame of it, in the same view, as far as it is of the same kind; what is held by the pointer
+  // stays under it, whatever the new motion needs of room
+  const isKept = data.planar === fresh.planar, { bounds, middle, distance } = data;
+  data = isKept && shown.isHeld?.() ? { ...fresh, bounds, middle, distance } : fresh;
   [last, n_moving, stride] = [data.n_frames - 1, data.names.length, data.planar ? 3 : 7];
   at = Math.max(0, Math.min(last, frame));
   if (isKept) draw(); else resetView();
