@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.integrators.base import Integrator
 
 
+@cache
 def integrators() -> tuple[str, ...]:
     """The names of all methods; none is loaded."""
     return tuple(module.name for module in iter_modules(__path__) if module.name != "base")
