@@ -11,10 +11,14 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.integrators.base import Integrator
 
 
-@cache
 def integrators() -> tuple[str, ...]:
     """The names of all methods; none is loaded."""
-    return tuple(module.name for module in iter_modules(__path__) if module.name != "base")
+    return _in(tuple(__path__))
+
+
+@cache  # asked for with every set of options
+def _in(folders: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(module.name for module in iter_modules(folders) if module.name != "base")
 
 
 def integrator(name: str) -> Integrator:
