@@ -2,6 +2,7 @@
 
     python benchmarks/sweeps.py             processor time of a case, and the share of it in kernels
     python benchmarks/sweeps.py threads     seconds by the clock on threads and on processes, with the machine's load
+    python benchmarks/sweeps.py memory      the largest memory of the program for more and more cases of a formula
 
 Formulas are told by the time of a million cases, less that of one; motions by that of 64 or 256, less that of one. In
 kernels the interpreter is released, so with p the share of the time in them no number of threads makes a sweep faster
@@ -11,7 +12,10 @@ than by 1/(1 - p). Source: Amdahl, AFIPS Conf. Proc. 30, 1967, 483-485.
 from __future__ import annotations
 
 import os
+import resource
+import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 from typing import Any
@@ -125,5 +129,16 @@ def by_clock() -> None:
             print(f"{what:<30} {how!s:<24} {took:7.2f} s; load {os.getloadavg()[0]:.1f}", flush=True)
 
 
+def of_memory() -> None:
+    """The most of all programs so far is that of the last one, which has the most cases."""
+    model, vary = str(EXAMPLES / "atwood_machine.yaml"), ["--vary", "m1=1..3 kg", "--vary", "M=0.5..1 kg"]
+    with tempfile.TemporaryDirectory() as folder:
+        for n in (10**3, 10**5, 10**6):
+            asked = ["sweep", model, *vary, "--sample", f"random:{n}", "--find", "tension", "-o", f"{folder}/{n}.csv"]
+            subprocess.run([sys.executable, "-m", "freebody", *asked], stdout=subprocess.DEVNULL, check=True)
+            most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+            print(f"{n:>10,} cases {most / 1024:8.0f} MB", flush=True)
+
+
 if __name__ == "__main__":
-    by_clock() if sys.argv[1:] == ["threads"] else of_processor()
+    {"threads": by_clock, "memory": of_memory}.get("".join(sys.argv[1:]), of_processor)()

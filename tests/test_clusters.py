@@ -18,6 +18,7 @@ import pytest
 import freebody as fb
 from freebody.errors import CannotAnswer, InputError
 from freebody.study.sweeps import clusters, remote
+from freebody.study.sweeps.clusters import slurm as slurm_cluster
 
 dask: Any = pytest.importorskip("distributed")
 # processes that are killed leave sockets behind
@@ -305,6 +306,56 @@ def test_jobs_of_slurm_give_the_bits_of_one_process(
     assert found.digest == whole.digest
     called = (tmp_path / "called").read_text(encoding="utf-8").splitlines()
     assert called == [f"sbatch --parsable --export=ALL {script}", "scancel 4711"]
+
+
+# a queue that is asked twice until the job begins
+SQUEUE = """#!/bin/bash
+echo asked >> {folder}/asked
+if [ $(wc -l < {folder}/asked) -eq 2 ]; then
+    . {folder}/environment
+    SLURM_CPUS_PER_TASK=1 bash {folder}/job.sh > {folder}/log 2>&1 &
+    echo $! > {folder}/pid
+fi
+echo PENDING
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Slurm is not there")
+def test_jobs_are_waited_for_as_long_as_they_are_in_the_queue(
+    whole: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(slurm_cluster, "PATIENCE", 0.5)
+    sbatch = "#!/bin/bash\nexport -p > {folder}/environment\necho 4711\n"
+    script = slurm(tmp_path, monkeypatch, sbatch=sbatch, squeue=SQUEUE, scancel=SCANCEL)
+    found = pendulum().sweep(**ASKED, cluster=f"slurm:{script}@127.0.0.1")
+    assert found.digest == whole.digest
+    assert (tmp_path / "asked").read_text(encoding="utf-8").count("asked") >= 2
+    assert (tmp_path / "called").read_text(encoding="utf-8") == "scancel 4711\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Slurm is not there")
+@pytest.mark.parametrize("squeue", ["", "echo slurm_load_jobs error: Invalid job id specified >&2; exit 1"])
+def test_jobs_that_end_before_a_worker_came_are_told(
+    squeue: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A job that is over is listed for some minutes, then it is unknown."""
+    monkeypatch.setattr(slurm_cluster, "PATIENCE", 0.5)
+    commands = {"sbatch": "echo 4711", "squeue": squeue, "scancel": ""}
+    script = slurm(tmp_path, monkeypatch, **{name: f"#!/bin/bash\n{text}\n" for name, text in commands.items()})
+    with pytest.raises(InputError, match=r"job\.sh@127\.0\.0\.1: the jobs ended before .* slurm-4711_1\.out, says why"):
+        pendulum().sweep(**ASKED, cluster=f"slurm:{script}@127.0.0.1")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Slurm is not there")
+def test_ctrl_c_in_the_queue_takes_the_jobs_out_of_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slurm_cluster, "PATIENCE", 0.5)
+    squeue = f"#!/bin/bash\nkill -INT {os.getpid()}\necho PENDING\n"
+    scancel = '#!/bin/bash\necho "scancel $@" >> {folder}/called\n'
+    script = slurm(tmp_path, monkeypatch, sbatch="#!/bin/bash\necho 4711\n", squeue=squeue, scancel=scancel)
+    found = pendulum().sweep(**ASKED, cluster=f"slurm:{script}@127.0.0.1", out=tmp_path / "a.csv")
+    assert (found.is_complete, found.n_done) == (False, 0)
+    assert (tmp_path / "called").read_text(encoding="utf-8") == "scancel 4711\n"
+    assert (tmp_path / "a.csv.part").is_dir()
 
 
 def test_what_slurm_refuses_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import time
+import tracemalloc
 from pathlib import Path
 from typing import Any
 
@@ -486,6 +487,39 @@ def test_results_that_have_no_room_in_their_file_are_kept(suffix: str, tmp_path:
     assert [path.name for path in tmp_path.iterdir()] == [f"a{suffix}.part"]
     told = json.loads(freebody(*words, "--resume").stdout)
     assert (told["done"], told["files"]) == (20_000, [str(out)])
+
+
+@pytest.mark.parametrize("name", ["numbers", "statuses", "done"])
+def test_results_of_which_a_part_is_lost_are_not_gone_on_with(name: str, tmp_path: Path) -> None:
+    """A file that is too short would be filled up with zeros, which are numbers."""
+
+    def interrupted(_done: int, _n: int) -> None:
+        raise KeyboardInterrupt
+
+    asked: dict[str, Any] = {"vary": {"m1": "1..3 kg:200"}, "find": ["tension"], "block": 64, "out": tmp_path / "a.csv"}
+    system = example("atwood_machine")
+    assert not system.sweep(**asked, progress=interrupted).is_complete
+    path = tmp_path / "a.csv.part" / f"{name}.bin"
+    path.write_bytes(path.read_bytes()[:100])
+    with pytest.raises(InputError, match=r"a\.csv\.part is no sweep that could go on: remove it and begin anew"):
+        system.sweep(**asked, resume=True)
+
+
+def test_memory_is_that_of_a_block_not_that_of_the_sweep(tmp_path: Path) -> None:
+    """Twice as many cases, the same peak of what is allocated; the results themselves are mapped from a file."""
+
+    def peak(n: int) -> int:
+        tracemalloc.start()
+        example("atwood_machine").sweep(
+            {"m1": "1..3 kg"}, sample=f"random:{n}", find=["tension"], out=tmp_path / f"{n}.zarr"
+        )
+        found = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        return found
+
+    pytest.importorskip("zarr")
+    peak(64)  # what is made once
+    assert peak(2**18) <= 1.1 * peak(2**17)  # more than one part is looked at in both
 
 
 def test_another_version_of_the_program_does_not_go_on_with_a_sweep(

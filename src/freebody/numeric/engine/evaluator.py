@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -135,6 +135,27 @@ class Packed:
         observe(self.layout, self.room, np.array([t]), y.reshape(1, -1), np.zeros((1, n)), *tables)
         self.room.measures[:, NEAR] = near
 
+    def along(
+        self, course: Trajectory, measures: Iterable[Measure | NonholonomicForm]
+    ) -> dict[Measure | NonholonomicForm, tuple[Floats, Floats, Floats]]:
+        """(n_times,) value, rate and second derivative of each of some measures that have rows."""
+        n_times, n_rows = len(course.times), len(self.room.rows)
+        states, accelerations = self.states(course), self.accelerations(course)
+        tables = [np.zeros((n_times, n_rows)) for _ in range(3)]
+        times = np.ascontiguousarray(course.times)
+        known = [(place, course.tracks.column(key)) for key, place in self.turning.items() if key in course.tracks.keys]
+        if not known:
+            observe(self.layout, self.room, times, states, accelerations, *tables)
+        # turns are counted on from the nearest step, since there may be many between two output times
+        nearest = course.tracks.nearest(times) if known else []
+        edges = [0, *(np.flatnonzero(np.diff(nearest)) + 1), n_times] if nearest else []
+        for start, stop in pairwise(edges):  # the times near one step
+            for place, bearings in known:
+                self.room.measures[place, NEAR] = bearings[nearest[start]]
+            at = slice(start, stop)
+            observe(self.layout, self.room, times[at], states[at], accelerations[at], *(table[at] for table in tables))
+        return {m: tuple(table[:, self.rows[m]].copy() for table in tables) for m in measures}  # type: ignore[misc]
+
 
 def packed(
     numbers: Numbers, watches: Sequence[EngineWatch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
@@ -161,26 +182,6 @@ class Observer(Packed):
         for measure in measures:
             packing.watch(measure)
         super().__init__(numbers, packing)
-        self.measures = tuple(measures)
-
-    def along(self, course: Trajectory) -> dict[Measure | NonholonomicForm, tuple[Floats, Floats, Floats]]:
-        """(n_times,) value, rate and second derivative of each measure."""
-        n_times, n_rows = len(course.times), len(self.room.rows)
-        states, accelerations = self.states(course), self.accelerations(course)
-        tables = [np.zeros((n_times, n_rows)) for _ in range(3)]
-        times = np.ascontiguousarray(course.times)
-        known = [(place, course.tracks.column(key)) for key, place in self.turning.items() if key in course.tracks.keys]
-        if not known:
-            observe(self.layout, self.room, times, states, accelerations, *tables)
-        # turns are counted on from the nearest step, since there may be many between two output times
-        nearest = course.tracks.nearest(times) if known else []
-        edges = [0, *(np.flatnonzero(np.diff(nearest)) + 1), n_times] if nearest else []
-        for start, stop in pairwise(edges):  # the times near one step
-            for place, bearings in known:
-                self.room.measures[place, NEAR] = bearings[nearest[start]]
-            at = slice(start, stop)
-            observe(self.layout, self.room, times[at], states[at], accelerations[at], *(table[at] for table in tables))
-        return {m: tuple(table[:, self.rows[m]].copy() for table in tables) for m in self.measures}  # type: ignore[misc]
 
 
 class Evaluator(Packed):

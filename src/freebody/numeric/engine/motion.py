@@ -23,6 +23,7 @@ from freebody.numeric.engine.underway import MotionUnderWay
 from freebody.numeric.kernels import factoring, stepped_run, stepping
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.kernels.measures_planar import BEARING, NEAR
+from freebody.numeric.kernels.stepped_run import SteppedRun
 from freebody.numeric.options import SimulationOptions
 
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
@@ -200,7 +201,7 @@ class RunningMotion(MotionUnderWay):
         if e.is_tracked:
             is_read = e.reads_turns or bool(e.watches) or self.patrol is not None
             self.counting = Counting(e, run, is_read=is_read)
-            self.run = self.counting.run
+            self.run: SteppedRun = self.counting.run
         if e.watches:
             self._begin_searches()
         return True

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING
@@ -12,7 +13,12 @@ if TYPE_CHECKING:
 
 def integrators() -> tuple[str, ...]:
     """The names of all methods; none is loaded."""
-    return tuple(module.name for module in iter_modules(__path__) if module.name != "base")
+    return _in(tuple(__path__))
+
+
+@cache  # asked for with every set of options
+def _in(folders: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(module.name for module in iter_modules(folders) if module.name != "base")
 
 
 def integrator(name: str) -> Integrator:

@@ -68,7 +68,10 @@ def _submitted(path: str, address: str) -> str:
 def _are_queued(job: str) -> bool:
     """Whether jobs wait or run; also where Slurm does not answer at the moment."""
     asked = ["squeue", "--noheader", "--format=%T", f"--jobs={job}"]
-    done = subprocess.run(asked, capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run(asked, capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return True
     return bool(done.stdout.strip()) if done.returncode == 0 else "Invalid job id" not in done.stderr
 
 
