@@ -195,9 +195,7 @@ def followed(page: Any) -> None:
         costs.append(main_thread() - before)
         page.wait_for_timeout(700)
     told = f"median {statistics.median(slid):.0f} ms, least {min(slid):.0f} ms, p95 {part(slid, 0.95):.0f} ms"
-    print(
-        f"{N_BODIES // 2} bodies follow a slider: {told}; page {min(costs):.0f} ms of the processor"
-    )
+    print(f"{N_BODIES // 2} bodies follow a slider: {told}; page {min(costs):.0f} ms of the processor")
 
 
 def first_pictures(browser: Any, file: Path) -> str:
