@@ -7,7 +7,7 @@ import math
 import pytest
 
 import freebody as fb
-from posed import is_derived
+from posed import is_derived, is_formula
 
 HUNG = """
 parameters: {m: 2 kg, k: 80 N/m, g: 9.81 m/s^2, v: SPEED}
@@ -24,6 +24,14 @@ connections: {rod: {link: [ground.O, bob, L]}}
 loads: {weight: {gravity: g}}
 measures: {theta: angle of line from ground.O to bob from down}
 start: {theta: theta_0, rate(theta): 0}
+"""
+ON_SPRING = """
+parameters: {m: 1 kg, k: 200 N/m, v0: 1 m/s}
+bodies: {b: {particle: {mass: m}}}
+connections: {g: {slider: {body: b, along: right}}}
+loads: {s: {law: {measure: y, force: -k*y}}}
+measures: {y: {x of b}}
+start: {y: 0, rate(y): v0}
 """
 DROP, REACH = 2 * 9.81 / 80, math.hypot(2 * 9.81 / 80, math.sqrt(2 / 80) * 1.5)  # m g/k; sqrt((m g/k)^2 + m v^2/k)
 
@@ -83,3 +91,9 @@ def test_without_a_greatest_value_there_is_no_greatest_change() -> None:
     (answer,) = fb.System.from_text(text).solve("greatest change of y").answers  # it falls on and on
     assert answer.value is None
     assert answer.reason
+
+
+@pytest.mark.parametrize("said", ["greatest y", "(greatest y)", "((greatest y))"])
+def test_brackets_around_one_quantity_change_nothing(said: str) -> None:
+    """v0 = A sqrt(k/m), so k = m v0^2/A^2."""
+    is_formula(ON_SPRING, f"value of k for which {said} = 0.1 m", "100*m*v0^2")

@@ -287,6 +287,8 @@ def read_calculated(
     named = {f"{stem}{k}": q for k, q in operands.items()}
     try:
         form = parse(written)
+        if isinstance(form, Symbol) and form.name in named:
+            return named[form.name]  # one quantity in brackets
         dimensions = {**names.dimensions(), **{name: q.dimension for name, q in named.items()}}
         measured = dimension_of(form, dimensions)
     except ExpressionError as error:
