@@ -127,12 +127,16 @@ def _weighed_by(names: Names) -> frozenset[str]:
 
 def growing(names: Names, things: list[str]) -> list[str]:
     """What may grow until rest ends, where nobody says what: the only force, torque, speed or acceleration that can be
-    chosen; else the only angle by which a plane is raised. things: what is named."""
+    chosen; else the only angle by which a plane, or a fixed body, is raised. things: what is named."""
     kinds = ("force", "torque", "speed", "acceleration")
     pushed = [name for kind in kinds for name in chosen(names, KIND_OF[kind], things)]
     ground = names.bodies[GROUND]
     ways = [line.direction for line in ground.lines.values()] + [plane.normal for plane in ground.planes.values()]
     raised = frozenset[str]().union(*(free_symbols(x) for way in ways for x in way.components))
+    for body in names.bodies.values():
+        if body.fixed and not pushed:
+            turns = [body.start.angle or ZERO, *(turn.by for turn in body.start.turned or ())]
+            raised |= frozenset[str]().union(*map(free_symbols, turns))
     return pushed or [name for name in chosen(names, KIND_OF["angle"], things) if name in raised]
 
 
