@@ -28,7 +28,7 @@ from freebody.measures.geometry import Direction, Point
 from freebody.measures.turn import Alignment
 from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
 from freebody.model.rotations import perpendiculars
-from freebody.model.solids import BOX, CONVEX, CYLINDER, ELLIPSOID
+from freebody.model.solids import BOX, CYLINDER, ELLIPSOID
 from freebody.model.spins import body_axes, spin, velocity_of_place
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def places_on_plane(names: Names, text: str, plane: BodyPlane) -> list[PlaceOnPl
     body = names.known(owner)
     if dot or not body.turns:
         return [_point_of(names.point(text, "between"), text, plane)]
-    if body.solid in (BOX, CONVEX):
+    if body.solid == BOX or body.faces:
         return [_point_of(corner, corner.name, plane) for corner in corners_of(body)]
     if body.solid == ELLIPSOID:
         return [ellipsoid_on_plane(body, plane)]
