@@ -2,14 +2,19 @@
 
 import math
 import struct
+import sys
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import freebody as fb
 from freebody.language.expression import evaluate
+from freebody.model.meshes import MOST_DRAWN
+from freebody.numeric.engine.course import Status
+from freebody.present.space.meshes import is_on_hull, mesh_hull, surface
 
 pytest.importorskip("trimesh")
 
@@ -168,3 +173,196 @@ def test_mass_and_density_may_be_symbols(tmp_path: Path) -> None:
     system = model(tmp_path, "file: part.stl, unit: mm, density: rho", rest, "    angular_velocity: [0, 0, w]\n")
     # T = I_zz w^2/2 = rho V (a^2 + b^2) w^2/24
     assert system.solve().answers[0].value == pytest.approx(2000 * 1e-3 * 0.05 * 9 / 24, rel=1e-12)
+
+
+# -- motion and contact -----------------------------------------------------------------------
+
+
+def test_free_rotation_keeps_energy_and_angular_momentum(tmp_path: Path) -> None:
+    (tmp_path / "part.stl").write_text(ascii_stl(*BRACKET))
+    more = "    at: [0, 0, 0]\n    angular_velocity: [1, 5, 2]\n"
+    system = model(tmp_path, "file: part.stl, unit: mm, mass: 2 kg", "", more)
+    course = system.simulate(5.0).course
+    assert course.status is Status.FINISHED
+    assert course.rotation is not None
+    xx, yy, zz, xy, xz, yz = properties(system)[2]
+    tensor = np.array([(xx, xy, xz), (xy, yy, yz), (xz, yz, zz)])
+    rates = course.rotation.velocities[:, 0]
+    axes = Rotation.from_quat(np.roll(course.rotation.quaternions[:, 0], -1, axis=1)).as_matrix()
+    momenta = np.einsum("tij,jk,tlk,tl->ti", axes, tensor, axes, rates)  # R I R^T w
+    energies = 0.5 * np.einsum("ti,ti->t", momenta, rates)
+    assert momenta == pytest.approx(np.tile(tensor @ [1, 5, 2], (len(momenta), 1)), rel=1e-7)
+    assert energies == pytest.approx(np.full(len(energies), 0.5 * np.array([1, 5, 2]) @ tensor @ [1, 5, 2]), rel=1e-7)
+    assert float(np.ptp(rates[:, 0])) > 0.5  # it tumbles
+
+
+SLOPE = """
+parameters: {alpha: 15 deg, mu: 0.5, g: 9.81 m/s^2}
+ground: {planes: {slope: {normal: [-sin(alpha), cos(alpha), 0]}}}
+connections: {contact: {contact: {between: [part, ground.slope], friction: mu}}}
+loads: {weight: {gravity: g}}
+questions: [least mu so that it stays at rest]
+"""
+ON_SLOPE = "    at: {origin: [0, 0, 0]}\n    turned: alpha about z\n"
+
+
+def test_a_cube_of_triangles_holds_on_a_slope_as_a_box_does(tmp_path: Path) -> None:
+    """mu = tan(alpha)."""
+    (tmp_path / "part.stl").write_text(ascii_stl(*box(100.0, 100.0, 100.0)))
+    told = model(tmp_path, "file: part.stl, unit: mm, mass: 2 kg", SLOPE, ON_SLOPE)
+    same = fb.System.from_text(
+        "space: true\nbodies:\n  part:\n    box: {mass: 2 kg, size: [a, a, a]}\n"
+        "    at: [a/2*cos(alpha) - a/2*sin(alpha), a/2*sin(alpha) + a/2*cos(alpha), 0]\n    turned: alpha about z\n"
+        + SLOPE.replace("parameters: {", "parameters: {a: 10 cm, ")
+    )
+    first, second = (system.solve().answers for system in (told, same))
+    assert first[0].value == pytest.approx(math.tan(math.radians(15)), rel=1e-12)
+    assert first[0].value == pytest.approx(second[0].value, rel=1e-12)
+    assert not [line for line in told.assumptions if "hull" in line]
+
+
+PLANE = """
+ground: {planes: {floor: {normal: [0, 1, 0]}}}
+connections: {contact: {contact: {between: [part, ground.floor], friction: 0.5}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+
+
+def test_of_a_body_with_hollows_the_hull_touches_and_this_is_told(tmp_path: Path) -> None:
+    (tmp_path / "part.stl").write_text(ascii_stl(*BRACKET))
+    system = model(tmp_path, "file: part.stl, unit: mm, mass: 2 kg", PLANE, "    at: {origin: [0, 0, 0]}\n")
+    assert [line for line in system.assumptions if "part is not convex: in contacts its convex hull touches" in line]
+    assert len({row.row.name for row in system.bounds}) == 10  # the inner corner of each side is not on the hull
+
+
+def test_a_hull_with_many_corners_touches_nothing(tmp_path: Path) -> None:
+    (tmp_path / "part.stl").write_bytes(binary_stl(*icosphere(100.0, 2)))
+    with pytest.raises(fb.ModelError, match=r"its convex hull has more than 40 corners\. Weld a simpler body"):
+        model(tmp_path, "file: part.stl, unit: mm, mass: 2 kg", PLANE, "    at: [0, 0.1 m, 0]\n")
+
+
+# -- files that are refused -------------------------------------------------------------------
+
+
+def cube_without(n: int) -> str:
+    corners, triangles = box(1.0, 1.0, 1.0)
+    return ascii_stl(corners, triangles[n:])
+
+
+def turned(which: slice) -> str:
+    corners, triangles = box(1.0, 1.0, 1.0)
+    triangles[which] = [(a, c, b) for a, b, c in triangles[which]]
+    return ascii_stl(corners, triangles)
+
+
+FLAT: Triangles = [(0, 1, 2), (0, 2, 1)]
+BROKEN = {
+    "no file": ("part.stl", None, r"there is no file part\.stl in the folder of the model"),
+    "no format": ("part.step", "solid", r"part\.step: a mesh is one of \.stl, \.obj, \.ply, \.off"),
+    "no mesh": ("part.stl", "this is no mesh", r"part\.stl"),
+    "nothing": ("part.stl", "", r"part\.stl"),
+    "cut off": ("part.stl", ascii_stl(*box(1.0, 1.0, 1.0))[:-300], r"part\.stl"),
+    "no number": ("part.stl", ascii_stl(*box(1.0, 1.0, 1.0)).replace("1.0 1.0 1.0", "1.0 nan 1.0"), r"part\.stl"),
+    "no triangles": ("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", r"part\.obj"),
+    "open": ("part.stl", cube_without(1), r"not closed: 3 edges belong to one triangle alone, .* from \(0, .* to \("),
+    "one turned": (
+        "part.stl",
+        turned(slice(4, 5)),
+        r"go round in different senses, 3 times; .* along the edge from \(",
+    ),
+    "all turned": (
+        "part.stl",
+        turned(slice(None)),
+        r"so its volume is negative: turn the order of their corners round",
+    ),
+    "flat": ("part.stl", ascii_stl([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)], FLAT), r"it has no volume"),
+    "a point": ("part.stl", ascii_stl([(1.0, 1.0, 1.0)] * 3, FLAT), r"all its triangles are at one point"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_a_file_that_is_no_closed_surface_is_refused_with_the_reason(name: str, tmp_path: Path) -> None:
+    file, text, told = BROKEN[name]
+    if text is not None:
+        (tmp_path / file).write_text(text, "utf-8")
+    with pytest.raises(fb.ModelError, match=told) as refused:
+        model(tmp_path, f"file: {file}, unit: mm, mass: 1 kg")
+    assert "model.yaml" in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("fields", "told"),
+    [
+        ("file: part.stl, mass: 1 kg", r"part\.stl does not say in which unit it is: write e\.g\. unit: mm"),
+        ("file: part.stl, unit: kg, mass: 1 kg", r"kg is no unit of length"),
+        ("file: part.stl, unit: parrots, mass: 1 kg", r"parrots"),
+        ("file: part.stl, unit: mm", r"either a mass or a density"),
+        ("file: part.stl, unit: mm, mass: 1 kg, density: 1 kg/m^3", r"either a mass or a density"),
+        ("file: part.stl, unit: mm, mass: -1 kg", r"mass is negative"),
+        ("file: ../part.stl, unit: mm, mass: 1 kg", r"not in the folder of the model"),
+        ("unit: mm, mass: 1 kg", r"file"),
+    ],
+)
+def test_fields_that_are_missing_or_wrong_are_refused(fields: str, told: str, tmp_path: Path) -> None:
+    (tmp_path / "part.stl").write_text(ascii_stl(*box(1.0, 1.0, 1.0)))
+    with pytest.raises(fb.ModelError, match=told):
+        model(tmp_path, fields)
+
+
+def test_in_the_plane_there_is_no_mesh(tmp_path: Path) -> None:
+    (tmp_path / "model.yaml").write_text("bodies: {part: {mesh: {file: part.stl, unit: mm, mass: 1 kg}}}\n")
+    with pytest.raises(fb.ModelError, match="space: true"):
+        fb.System.load(tmp_path / "model.yaml")
+
+
+def test_without_trimesh_it_is_said_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    (tmp_path / "part.stl").write_text(ascii_stl(*box(1.5, 1.0, 1.0)))
+    with pytest.raises(fb.ModelError, match=r'read by trimesh; pip install "freebody\[mesh\]"'):
+        model(tmp_path, "file: part.stl, unit: mm, mass: 1 kg")
+
+
+@pytest.mark.parametrize("form", ["obj", "ply", "off"])
+def test_other_formats_say_the_same(form: str, tmp_path: Path) -> None:
+    corners, triangles = BRACKET
+    places = "".join("{!r} {!r} {!r}\n".format(*c) for c in corners)
+    faces = "".join("3 {} {} {}\n".format(*t) for t in triangles)
+    texts = {
+        "off": f"OFF\n{len(corners)} {len(triangles)} 0\n{places}{faces}",
+        "obj": "".join("v {!r} {!r} {!r}\n".format(*c) for c in corners)
+        + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles),
+        "ply": f"ply\nformat ascii 1.0\nelement vertex {len(corners)}\nproperty float x\nproperty float y\n"
+        f"property float z\nelement face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
+        f"{places}{faces}",
+    }
+    (tmp_path / "part.stl").write_text(ascii_stl(corners, triangles))
+    (tmp_path / f"part.{form}").write_text(texts[form])
+    first, second = (
+        properties(model(tmp_path, f"file: part.{suffix}, unit: mm, mass: 2 kg")) for suffix in ("stl", form)
+    )
+    for mine, other in zip(first, second, strict=True):
+        assert mine == pytest.approx(other, rel=1e-12)
+
+
+# -- pictures ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("of", [box(20.0, 10.0, 5.0), BRACKET, icosphere(10.0, 2), icosphere(10.0, 4)])
+def test_it_is_drawn(of: tuple[Corners, Triangles], tmp_path: Path) -> None:
+    (tmp_path / "part.stl").write_text(ascii_stl(*of))
+    system = model(tmp_path, "file: part.stl, unit: mm, mass: 2 kg")
+    assert "nan" not in (svg := system.picture().svg())
+    assert "<path" in svg
+    assert bool([line for line in system.assumptions if "coarse hull" in line]) == (len(of[1]) > MOST_DRAWN)
+
+
+def test_edges_between_triangles_of_one_plane_are_not_drawn() -> None:
+    def triangles(of: tuple[Corners, Triangles]) -> np.ndarray:
+        return np.array([[of[0][k] for k in each] for each in of[1]])
+
+    whole = mesh_hull(triangles(box(2.0, 1.0, 1.0)))
+    assert sum(edge.kind == "crease" for edge in whole.edges) == 12
+    assert is_on_hull(triangles(icosphere(1.0, 2)))
+    assert not is_on_hull(triangles(BRACKET))
+    parts = list(surface(triangles(BRACKET)))
+    assert sum(len(part.edges) for part in parts) == 2 * 18  # of each of the two triangles at an edge

@@ -16,6 +16,7 @@ from functools import lru_cache
 from importlib import import_module
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
+from warnings import catch_warnings, simplefilter
 
 from freebody.language.sentences import Message
 from freebody.model.hulls import MOST_POINTS, faces_of_hull
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 FORMATS = (".stl", ".obj", ".ply", ".off")
 MOST_BYTES = 50_000_000
 MOST_DRAWN = 1300  # triangles of a picture
+_FLAT = 1e-12  # of the third power of the size: volumes that are none
 _ALIKE = 1e-6  # relative: what single precision leaves of flat faces and of convexity
 _DIGITS = 13  # of the largest of numbers of one kind: what is left of double precision in sums over triangles
 _N_DIRECTIONS = 160  # of the corners that stand for a finer mesh in pictures
@@ -79,10 +81,12 @@ def _read(file: str, data: bytes, unit: Fraction) -> Triangulated:
     a, b, c = mesh.faces.T
     mesh.update_faces((a != b) & (b != c) & (c != a))
     _check_closed(file, mesh, middle, scale)
-    volume = float(mesh.volume)
-    if volume <= 0.0:
+    with catch_warnings():
+        simplefilter("ignore")  # it divides by the volume
+        volume = float(mesh.volume)
+    if volume <= _FLAT:
         told = Message("{file}: it has no volume", file=file)
-        if volume < 0.0:
+        if volume < -_FLAT:
             told = Message(
                 "{file}: its triangles go clockwise as seen from outside, so its volume is negative: turn the "
                 "order of their corners round",
