@@ -15,7 +15,7 @@ from fractions import Fraction
 from functools import lru_cache
 from importlib import import_module
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 from warnings import catch_warnings, simplefilter
 
 from freebody.language.sentences import Message
@@ -172,14 +172,14 @@ def _measured(
     is_convex = float(hull.volume) - volume <= _ALIKE * volume
     is_coarse = len(mesh.faces) > MOST_DRAWN
     seen = _coarse(trimesh, mesh) if is_coarse else mesh
-    places = [place(v) for v in seen.vertices.tolist()]
+    places, triangles = [place(v) for v in seen.vertices.tolist()], cast("list[Triangle]", seen.faces.tolist())
     return Triangulated(
         _rounded(Fraction(volume) * scale**3, volume * float(scale) ** 3) * unit**3,
         place(mesh.center_mass.tolist()),
         tuple(_rounded(s, largest) * unit**2 for s in spread),
         is_convex,
         _hull_of([tuple(v) for v in hull.vertices.tolist()], place),
-        tuple(tuple(places[k] for k in face) for face in seen.faces.tolist()),
+        tuple(tuple(places[k] for k in triangle) for triangle in triangles),
         is_coarse,
     )
 
