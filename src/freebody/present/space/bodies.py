@@ -176,7 +176,7 @@ def body_pieces(form: Figure, used: Collection[Triple], u: float, *, is_fixed: b
             yield Piece(part, middle, form.index, look, color)
     elif form.solid.is_mesh and not is_on_hull(triangles := _triangles(form)):
         for part in surface(triangles):
-            yield Piece(part, middle, form.index, look, color)
+            yield Piece(part, middle, form.index, "fixed skin" if is_fixed else "skin", color)
     elif solid is not None:
         yield Piece(solid, middle, form.index, look, color)
     else:
