@@ -142,3 +142,15 @@ def test_can_that_stands_flat_on_a_box_is_refused() -> None:
     falling = fb.System.from_text(model.replace("0.15, 0]", "0.2, 0]")).simulate(0.2)
     assert falling.course.status is Status.INCONSISTENT
     assert "lies flat on table.top at t = 0.1009" in falling.course.message
+
+
+def test_of_an_upright_can_on_a_plane_it_is_said_why_it_has_no_lowest_place() -> None:
+    model = """
+space: true
+ground: {planes: {floor: {normal: up}}}
+bodies: {can: {cylinder: {mass: 1 kg, radius: 0.1 m, length: 0.3 m, axis: y}, at: [0, 0.15 m, 0]}}
+connections: {contact: {contact: {between: [can, ground.floor], friction: 0.4}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+    with pytest.raises(fb.CannotAnswer, match=r"the rim of can\.start is parallel to floor, where no direction"):
+        fb.System.from_text(model).simulate(1.0)

@@ -164,7 +164,7 @@ def test_a_table_is_in_the_folder_of_the_model_or_below(tmp_path: Path) -> None:
     (tmp_path / "models").mkdir()
     with pytest.raises(fb.ModelError, match="not in the folder of the model"):
         with_table(tmp_path / "models", "", HILL % "../secret.csv")
-    with pytest.raises(fb.ModelError, match=r"there is no table missing\.csv"):
+    with pytest.raises(fb.ModelError, match=r"there is no file missing\.csv"):
         with_table(tmp_path / "models", "", HILL % "missing.csv")
     with pytest.raises(fb.ModelError, match="the model, which is in no file"):
         fb.System.from_text(HILL % "track.csv")

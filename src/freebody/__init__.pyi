@@ -81,6 +81,7 @@ from freebody.model.shapes.hollow import Annulus as _Annulus
 from freebody.model.shapes.hollow import HollowCylinder as _HollowCylinder
 from freebody.model.shapes.hollow import HollowSphere as _HollowSphere
 from freebody.model.shapes.hollow import SphericalShell as _SphericalShell
+from freebody.model.shapes.mesh import Mesh as _Mesh
 from freebody.model.shapes.rope import Rope as _Rope
 from freebody.model.shapes.round import Cone as _Cone
 from freebody.model.shapes.round import Cylinder as _Cylinder
@@ -805,6 +806,24 @@ class Link(_Link):
         first: _Text,
         second: _Text,
         length: _Formula | None = ...,
+    ) -> None: ...
+
+class Mesh(_Mesh):
+    """`mesh: {file: part.stl, unit: mm, mass: 2 kg}`: a homogeneous body whose surface is a file of triangles, in the
+    folder of the model: STL, OBJ, PLY or OFF. Its mass, or its `density`, is given; its mass centre and its moments of
+    inertia follow from the triangles, which must be closed and go counter-clockwise as seen from outside. Such files
+    have no unit: `unit` says it. For models in space; needs the extra `mesh`.
+
+    Its frame is that of the file, its reference point the `origin` there. In contacts its convex hull touches, where
+    that has at most 40 corners: they are points of the body, `corner1`, `corner2` ... , its faces `face1`,
+    `face2` ..."""
+
+    def __init__(
+        self,
+        file: _Text,
+        unit: _Text = ...,
+        mass: _Formula | None = ...,
+        density: _Formula | None = ...,
     ) -> None: ...
 
 class Motor(_Motor):

@@ -20,6 +20,7 @@ _EXTRAS = {
     "parquet": ("pyarrow", "motions as .parquet"),
     "ensemble": ("numba", "sweeps by compiled equations"),
     "gpu": ("numba_cuda", "the same on graphics cards"),
+    "mesh": ("trimesh", "bodies from files of triangles"),
     "jit": ("numba", "kernels translated anew"),
 }
 _CHECK = """

@@ -20,8 +20,16 @@ from freebody.connections.places_on_planes import places_on_plane
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
-from freebody.model.elements import BodyPlane, ConstraintRow, DryFriction, NonholonomicForm, UnilateralConstraint
+from freebody.model.elements import (
+    BodyPlane,
+    ConstraintRow,
+    DryFriction,
+    NonholonomicForm,
+    RigidBody,
+    UnilateralConstraint,
+)
 from freebody.model.friction import Friction
+from freebody.model.hulls import MOST_POINTS
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -76,6 +84,7 @@ class PairInSpace:
         places = self.places(names)
         if not places:
             self._refuse(names)
+        self._tell_hulls(names)
         bounds: list[UnilateralConstraint] = []
         rubs: list[DryFriction] = []
         for place in places:
@@ -99,9 +108,25 @@ class PairInSpace:
             rubs += self._rubs(place, component, row)
         return bounds, rubs
 
+    def _tell_hulls(self, names: Names) -> None:
+        for name in (self.first, self.second):
+            body = names.bodies.get(name)
+            if body is not None and body.faces and body.solid.has_hollows:
+                told = Message("{body} is not convex: in contacts its convex hull touches", body=name)
+                if told not in names.assumptions:
+                    names.assumptions.append(told)
+
     def _refuse(self, names: Names) -> None:
         a, b = self.first, self.second_label
-        if self.plane is not None:
+        fine = [name for name in (self.first, self.second) if _is_fine_mesh(names.bodies.get(name))]
+        if fine:
+            told = Message(
+                "{body} touches nothing: its convex hull has more than {most} corners. Weld a simpler body to it "
+                "and let that touch: a convex one with fewer points, a box or a sphere",
+                body=fine[0],
+                most=MOST_POINTS,
+            )
+        elif self.plane is not None:
             told = Message("there is no contact of {a} with the plane {b}: it takes {kinds}", a=a, b=b, kinds=ON_PLANE)
         else:
             told = Message(
@@ -163,6 +188,10 @@ class PairInSpace:
             unilateral=is_bound,
             connection=self.connection,
         )
+
+
+def _is_fine_mesh(body: RigidBody | None) -> bool:
+    return body is not None and body.solid.is_mesh and not body.faces
 
 
 def _of(what: str, component: str) -> str:

@@ -20,6 +20,7 @@ from freebody.connections.contact_places import ContactPlace
 from freebody.connections.joints import across_names
 from freebody.connections.polyhedra import corners_of
 from freebody.language.expression import ZERO, Call, Expr, Symbol
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
@@ -28,7 +29,7 @@ from freebody.measures.geometry import Direction, Point
 from freebody.measures.turn import Alignment
 from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
 from freebody.model.rotations import perpendiculars
-from freebody.model.solids import BOX, CONVEX, CYLINDER, ELLIPSOID
+from freebody.model.solids import BOX, CYLINDER, ELLIPSOID
 from freebody.model.spins import body_axes, spin, velocity_of_place
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ class PlaceOnPlane:
     gap: Measure
     target: Expr | None
     arm: Arm | None
+    is_rim: bool = False  # all of which touches where it lies flat: then there is no lowest place
 
     def on(self, plane: BodyPlane, facing: str) -> ContactPlace:
         """With its slip along two directions of the plane, and its turning about them and the normal."""
@@ -59,6 +61,9 @@ class PlaceOnPlane:
             across_names(plane.normal),
             lambda: (spin(body, p, owner), spin(body, q, owner)),
             lambda: spin(body, plane.normal, owner),
+            pitfall=Message("the rim of {rim} is parallel to {face}", rim=self.label, face=facing)
+            if self.is_rim
+            else None,
         )
 
     def _slip(self, along: Direction, plane: BodyPlane) -> Measure | NonholonomicForm:
@@ -80,7 +85,7 @@ def places_on_plane(names: Names, text: str, plane: BodyPlane) -> list[PlaceOnPl
     body = names.known(owner)
     if dot or not body.turns:
         return [_point_of(names.point(text, "between"), text, plane)]
-    if body.solid in (BOX, CONVEX):
+    if body.solid == BOX or body.faces:
         return [_point_of(corner, corner.name, plane) for corner in corners_of(body)]
     if body.solid == ELLIPSOID:
         return [ellipsoid_on_plane(body, plane)]
@@ -116,7 +121,7 @@ def _rim(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPl
     size = Call("sqrt", Symbol("@n1") * Symbol("@n1") + Symbol("@n2") * Symbol("@n2"))
     gap = Composed(Symbol("@h") - radius * size, (("@h", _height(center, plane)), *n), LENGTH)
     arm: Arm = [(Composed(-radius * Symbol(name) / size, n, LENGTH), b) for (name, _), b in zip(n, across, strict=True)]
-    return PlaceOnPlane(label, center, gap, None, arm)
+    return PlaceOnPlane(label, center, gap, None, arm, is_rim=True)
 
 
 def ellipsoid_on_plane(body: RigidBody, plane: BodyPlane) -> PlaceOnPlane:

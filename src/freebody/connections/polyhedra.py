@@ -19,7 +19,7 @@ from freebody.measures.geometry import Components, Direction, Point
 from freebody.model.elements import RigidBody
 from freebody.model.polynomials import Polynomial, common_factor, cross, dot, polynomial, root
 from freebody.model.rotations import UNIT, along_axis, perpendiculars
-from freebody.model.solids import BOX, CONVEX
+from freebody.model.solids import BOX
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -111,7 +111,7 @@ def polyhedron_of(names: Names, text: str) -> Polyhedron | None:
 def corners_of(body: RigidBody) -> list[Point]:
     """The corners of a box, by the signs of their places along x, y and z, or of a convex body, in the order of its
     points."""
-    if body.solid == CONVEX:
+    if body.faces:
         on_faces = {name for _face, corners in body.faces for name in corners}
         return [body.point(name) for name in body.points if name in on_faces]
     return [_corner_of_box(body, k, signs) for k, signs in enumerate(SIGNS, 1)]

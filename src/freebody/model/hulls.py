@@ -17,10 +17,11 @@ SAME = 1e-9  # by the size of the whole: points that are nearer to a plane lie i
 MOST_POINTS = 40
 
 
-def faces_of_hull(points: Sequence[Triple]) -> list[tuple[int, ...]]:
+def faces_of_hull(points: Sequence[Triple], same: float = SAME) -> list[tuple[int, ...]]:
     """The corners of every face by their numbers, counter-clockwise as seen from outside, each from its lowest number
-    on, in the order of these lists; none where all points lie in a plane."""
-    slack = SAME * max((math.dist(points[0], p) for p in points), default=0.0)
+    on, in the order of these lists; none where all points lie in a plane. same: what counts as in a plane, by the size
+    of the whole."""
+    slack = same * max((math.dist(points[0], p) for p in points), default=0.0)
     found: dict[frozenset[int], tuple[int, ...]] = {}
     kept: list[int] = []  # one place that is given twice is one corner
     for k, p in enumerate(points):

@@ -23,6 +23,8 @@ class SolidKind:
     has_flat_end: bool = False  # on which its radius is drawn
     has_lengths: bool = True  # lengths between its points are drawn along it
     is_end: bool = False  # its place is that of an end of it: the rest of it is drawn by a sign
+    is_mesh: bool = False  # its edges are triangles, counter-clockwise as seen from outside
+    has_hollows: bool = False  # it is not convex: what touches of it is its hull
     is_thick: bool = False  # what turns about its middle keeps outside its radius
 
     @property
@@ -43,5 +45,7 @@ DOME = SolidKind("dome")  # radius; half a ball about its own x from its referen
 ROD = SolidKind("rod")  # length
 BOX = SolidKind("box")  # along x, y, z
 CONVEX = SolidKind("convex", has_lengths=False)  # none: it has corners and faces
+MESH = SolidKind("mesh", is_mesh=True, has_lengths=False)  # none
+HOLLOWED_MESH = SolidKind("mesh with hollows", is_mesh=True, has_hollows=True, has_lengths=False)  # none
 PLATE = SolidKind("plate", is_sheet=True)  # none: it has corners or a curved edge
 ROPE = SolidKind("rope", is_end=True)  # length

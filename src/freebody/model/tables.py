@@ -41,24 +41,35 @@ def read_table(names: Names, file: str, columns: Sequence[tuple[str, Dimension]]
 
 
 def _text_of(names: Names, file: str, field: str) -> str | None:
-    """What stands in a file of the folder of the model, or below it."""
-    if names.folder is None:
-        told = Message("{file} is looked for beside the model, which is in no file: write the points here", file=file)
-        names.problem(told, field)
+    data = bytes_beside(names, file, field, MOST_BYTES, Message(": write the points here"))
+    try:
+        return None if data is None else data.decode("utf-8-sig")
+    except ValueError as error:
+        names.problem(Message("the file {file} cannot be read: {why}", file=file, why=error), field)
         return None
-    folder, path = names.folder.resolve(), (names.folder / file).resolve()
-    if not path.is_relative_to(folder):
-        told = Message("{file} is not in the folder of the model: put the table beside it", file=file)
+
+
+def bytes_beside(names: Names, file: str, field: str, most: int, instead: str = "") -> bytes | None:
+    """What stands in a file of the folder of the model, or below it, of at most so many bytes; None with a problem
+    noted at the field that names it. instead: what to write where the model is in no file."""
+    if names.folder is None:
+        told = Message(
+            "{file} is looked for beside the model, which is in no file{instead}", file=file, instead=instead
+        )
         names.problem(told, field)
         return None
     try:
-        if path.is_file() and path.stat().st_size <= MOST_BYTES:
-            return path.read_text("utf-8-sig")
-        told = Message("there is no table {file} in the folder of the model", file=file)
-        if path.is_file():
-            told = Message("the table {file} is larger than {most} MB", file=file, most=MOST_BYTES // 1_000_000)
+        folder, path = names.folder.resolve(), (names.folder / file).resolve()
+        if not path.is_relative_to(folder):
+            told = Message("{file} is not in the folder of the model: put it beside the model", file=file)
+        elif not path.is_file():
+            told = Message("there is no file {file} in the folder of the model", file=file)
+        elif path.stat().st_size > most:
+            told = Message("the file {file} is larger than {most} MB", file=file, most=most // 1_000_000)
+        else:
+            return path.read_bytes()
     except (OSError, ValueError) as error:
-        told = Message("the table {file} cannot be read: {why}", file=file, why=error)
+        told = Message("the file {file} cannot be read: {why}", file=file, why=error)
     names.problem(told, field)
     return None
 

@@ -135,7 +135,7 @@ class Maker:
         rng = self.rng
         for _ in range(_TRIES):
             parameters = dict(self.data.get("parameters", {}))
-            kind = rng.choice(sorted(Shape.kinds))
+            kind = rng.choice(sorted(kind for kind, shape in Shape.kinds.items() if not shape.needs_file))
             entry: dict[str, Any] = {kind: filled(shape_fields(Shape.kinds[kind]), self._fill)}
             if rng.random() < 0.1 and "mass" in entry[kind]:
                 del entry[kind]["mass"]

@@ -54,6 +54,8 @@ class Shape(Spec):
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {}
     # its fields with values, as a file has them: for documentation and for random models
     example: ClassVar[str] = ""
+    # the example names a file, which stands beside a model
+    needs_file: ClassVar[bool] = False
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)

@@ -11,6 +11,7 @@ import numpy as np
 from freebody.model import solids
 from freebody.model.solids import SolidKind
 from freebody.present.figures import Array, Figure, Place, Triple
+from freebody.present.space.meshes import is_on_hull, mesh_hull, surface
 from freebody.present.space.pieces import Piece, ball
 from freebody.present.space.solids import (
     Solid,
@@ -52,6 +53,16 @@ def _convex(form: Figure, u: float) -> Solid:
         np.array([corner.at for corner in corners]),
         [tuple(corners.index(corner) for corner in face) for face in form.faces],
     )
+
+
+def _mesh(form: Figure, u: float) -> Solid:
+    """Its convex hull; the whole of it, where it is convex."""
+    return mesh_hull(_triangles(form))
+
+
+def _triangles(form: Figure) -> Array:
+    """(n, 3, 3) the corners of triangles."""
+    return np.array([[place.at for place in edge.places] for edge in form.edges])
 
 
 def _plate(form: Figure, u: float) -> Solid | None:
@@ -106,6 +117,8 @@ def _rod(form: Figure, u: float) -> Solid:
 _CONVEX: dict[SolidKind, Callable[[Figure, float], Solid | None]] = {
     solids.BOX: _box,
     solids.CONVEX: _convex,
+    solids.MESH: _mesh,
+    solids.HOLLOWED_MESH: _mesh,
     solids.PLATE: _plate,
     solids.CYLINDER: _cylinder,
     solids.CONE: _cone,
@@ -161,6 +174,9 @@ def body_pieces(form: Figure, used: Collection[Triple], u: float, *, is_fixed: b
     elif form.solid.is_sheet and form.edges and solid is None:
         for part in tube(np.array([place.at for place in form.edges[0].places]), 0.4 * u):
             yield Piece(part, middle, form.index, look, color)
+    elif form.solid.is_mesh and not is_on_hull(triangles := _triangles(form)):
+        for part in surface(triangles):
+            yield Piece(part, middle, form.index, "fixed skin" if is_fixed else "skin", color)
     elif solid is not None:
         yield Piece(solid, middle, form.index, look, color)
     else:

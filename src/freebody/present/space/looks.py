@@ -27,6 +27,8 @@ class Look:
 LOOKS: dict[str, Look] = {
     "body": Look("body", 0.86, 0.2, 0.3, 1.3, 0.3, 0.9),
     "fixed body": Look("muted", 0.86, 0.15, 0.2, 1.2, 0.3),
+    "skin": Look("body", 1.0, 0.2, 0.3, 1.3, is_seamed=True),  # of many parts
+    "fixed skin": Look("muted", 1.0, 0.15, 0.2, 1.2, is_seamed=True),
     "hoop": Look("body", 1.0, 0.28, 0.35, 1.0, is_seamed=True),
     "fixed hoop": Look("muted", 1.0, 0.2, 0.25, 1.0, is_seamed=True),
     "web": Look("body", 0.35, 0.3, 0.0, 0.0),
@@ -43,4 +45,6 @@ LOOKS: dict[str, Look] = {
     "force": Look("force", 1.0, 0.9, 0.1, 0.5, is_seamed=True),
 }
 
-OF_BODIES = frozenset(("body", "fixed body", "hoop", "fixed hoop", "web", "dot"))  # bodies, not what joins them
+OF_BODIES = frozenset(
+    ("body", "fixed body", "skin", "fixed skin", "hoop", "fixed hoop", "web", "dot")
+)  # bodies, not what joins them
