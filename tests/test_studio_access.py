@@ -176,8 +176,8 @@ def mistakes(visitor: Visitor) -> None:
     visitor.look("searching in the text")
     page.keyboard.press("Escape")
     visitor.write("")
-    page.wait_for_selector(".stamp, .switch", timeout=WAIT)
     visitor.pane("scene")
+    page.wait_for_selector(".stamp", timeout=WAIT)
     visitor.look("nothing yet")
 
 
