@@ -60,8 +60,10 @@ def served(file: Path, port: int = 0) -> Iterator[tuple[str, subprocess.Popen[st
     command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser", "--port", str(port)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
-        yield process.stdout.readline().strip(), process
-        process.terminate()
+        try:
+            yield process.stdout.readline().strip(), process
+        finally:
+            process.terminate()
         said = process.communicate()[1]
     assert said == "", said
 
@@ -87,6 +89,7 @@ def page(browser: Any, pendulum: Path) -> Iterator[Any]:
     """The page with the pendulum, of a studio of its own. Nothing may go wrong in it."""
     with served(pendulum) as (address, _process):
         page = browser.new_context(viewport={"width": 1500, "height": 900}, locale="en-GB").new_page()
+        page.context.set_default_timeout(WAIT)
         wrong = listened(page)
         page.goto(address)
         page.wait_for_selector(READY, timeout=WAIT)

@@ -11,7 +11,7 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from email.message import Message
 from http.client import HTTPConnection
@@ -507,6 +507,44 @@ def test_what_the_page_will_ask_first_is_found_before_it_asks(tmp_path: Path) ->
         )
         assert done == ["read", "motion", "motion"]
         await lanes.end()
+
+    asyncio.run(run())
+
+
+# a chain of rods: formulas of which no one waits for the end
+CHAIN = """bodies:
+{bodies}
+connections:
+{pins}
+loads: {{weight: {{gravity: 9.81 m/s^2}}}}
+questions:
+  - {{id: far, find: acceleration of r13}}
+""".format(
+    bodies="\n".join(f"  r{k}: {{rod: {{mass: {k + 1} kg, length: 0.{k + 1} m}}}}" for k in range(14)),
+    pins="\n".join(f"  c{k}: {{pin: [{f'r{k - 1}.end' if k else 'ground.A'}, r{k}.start]}}" for k in range(14)),
+)
+
+
+@pytest.mark.parametrize("is_started", [True, False])
+@pytest.mark.parametrize(("end", "status"), [(Worker.cancel, "cancelled"), (Worker.leave, "replaced")])
+def test_nothing_waits_for_what_is_cancelled_or_left(
+    end: Callable[[Worker, str], None], status: str, is_started: bool
+) -> None:
+    """Neither behind a study that is being made, nor behind one whose process was still on its way."""
+
+    async def run() -> None:
+        worker = Worker(Lane("test", 600))
+        if is_started:
+            assert await status_of(worker, call_of("first")) == "done"
+        request = {"text": CHAIN, "name": "explain", "options": {"question": "far"}}
+        slow = asyncio.create_task(status_of(worker, wire.Call(kind="study", topic="slow", request=request)))
+        await asyncio.sleep(0)
+        next_one = asyncio.create_task(status_of(worker, call_of("next")))
+        await asyncio.sleep(1 if is_started else 0)
+        end(worker, "slow")
+        assert await asyncio.wait_for(asyncio.gather(slow, next_one), 60) == [status, "done"]
+        assert worker.running is not None
+        await worker.end()
 
     asyncio.run(run())
 

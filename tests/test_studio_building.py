@@ -144,6 +144,7 @@ def build(page: Any, builder: Hand, steps: list[Step]) -> None:
     page.wait_for_selector(f"{READY}:has-text('1 degree of freedom')", timeout=WAIT)
 
 
+@pytest.mark.essential
 @pytest.mark.parametrize("way", [Hand, Keys])
 def test_atwoods_machine_is_built_from_nothing_and_its_formula_read(page: Any, way: type[Hand]) -> None:
     """(m1 - m2) g/(m1 + m2 + M/2): with 3, 1 and 2 kg two fifths of g."""
@@ -194,6 +195,7 @@ start: {phi: 60 deg}
 PHI = r"start: \{phi: (-?[\d.]+) deg\}"
 
 
+@pytest.mark.essential
 def test_a_four_bar_linkage_is_dragged_through_a_turn(page: Any) -> None:
     """0.3 + 1 is less than 1 + 0.8 (Grashof), so its crank goes round; it follows the pointer all the way."""
     type_all(page, FOUR_BAR)
@@ -231,6 +233,7 @@ def test_a_four_bar_linkage_is_dragged_through_a_turn(page: Any) -> None:
     assert math.cos(math.radians(float(found[1]) - 60)) > math.cos(math.radians(6))
 
 
+@pytest.mark.essential
 def test_an_event_is_gone_to(page: Any) -> None:
     """A ball that falls 1 m: sqrt(2 h/g) = 0.4515 s."""
     type_all(

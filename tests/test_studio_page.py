@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.studio_browser import PENDULUM, ROOT, TEXT, WAIT, text_of, wait_for_text
+from tests.studio_browser import PENDULUM, READY, ROOT, TEXT, WAIT, text_of, wait_for_text
 
 from freebody.studio.folder import Folder
 
@@ -45,6 +45,7 @@ def page(browser: Any, studio: tuple[str, Path]) -> Iterator[Any]:
     address, file = studio
     file.write_text(PENDULUM, encoding="utf-8")
     page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB")
+    page.set_default_timeout(WAIT)
     wrong: list[str] = []
     page.on("pageerror", lambda error: wrong.append(str(error)))
     page.on("console", lambda said: wrong.append(said.text) if said.type == "error" else None)
@@ -92,6 +93,7 @@ def select_word(page: Any, line: str, word: str) -> None:
     page.mouse.dblclick(*place)
 
 
+@pytest.mark.essential
 def test_a_mistake_is_marked_and_its_fix_mends_it(page: Any) -> None:
     select_word(page, "pin:", "start")
     page.keyboard.type("strat")
@@ -457,6 +459,40 @@ def test_an_element_is_renamed_everywhere_and_undone_at_once(page: Any) -> None:
     page.wait_for_function(f"text => {TEXT} === text", arg=PENDULUM, timeout=WAIT)
 
 
+def test_what_is_typed_into_a_field_stays_while_the_text_is_read(page: Any) -> None:
+    """The answer to the value before it comes while the next one is typed; what is undone is shown."""
+    page.click(".tree button:has-text('weight')")
+    field = page.locator("#panel .fields label:has-text('gravity') input")
+    reads: list[Any] = []
+    is_held = True
+
+    def hold(route: Any) -> None:
+        if is_held and '"kind":"read"' in route.request.post_data:
+            reads.append(route)
+        else:
+            route.continue_()
+
+    page.route("**/api/ask", hold)
+    field.fill("2*g")
+    field.press("Enter")
+    wait_for_text(page, r"gravity: 2\*g")
+    while not reads:
+        page.wait_for_timeout(50)
+    field.fill("3*g")
+    is_held = False
+    for read in reads:
+        read.continue_()
+    page.wait_for_selector(READY, timeout=WAIT)
+    assert field.input_value() == "3*g"
+    field.press("Enter")
+    wait_for_text(page, r"gravity: 3\*g")
+    page.wait_for_selector(READY, timeout=WAIT)
+    for before in ("2*g", "g"):
+        page.click("[aria-label=Undo]")
+        page.wait_for_function("([input, value]) => input.value === value", arg=[field.element_handle(), before])
+
+
+@pytest.mark.essential
 def test_200_random_edits_are_undone_to_the_start(page: Any) -> None:
     """Of a value in the properties, a slider, or the text: each an edit that can be undone by itself."""
     seed = random.randrange(10**6)

@@ -12,8 +12,9 @@ const navigation = performance.getEntriesByType("navigation")[0] as PerformanceN
 export const isReloaded = navigation?.type === "reload";
 const own = (isReloaded && keptByWindow.get("window")) || Math.random().toString(36).slice(2);
 keptByWindow.set("window", own);
-// as long as this window lives it has a lock of its name, by which the others know it
-void navigator.locks?.request(`freebody.${own}`, () => new Promise(() => undefined));
+// as long as this window lives it has a lock of its name, by which the others know it; in a
+// frame of a notebook there are none
+void navigator.locks?.request(`freebody.${own}`, () => new Promise(() => undefined)).catch(() => undefined);
 
 const keyOf = (window: string, file: string) => `draft.${window}.${file}`;
 

@@ -82,6 +82,8 @@ export function movedTo(places: number[]): Told<"motion"> {
   return { ...told, answer: { ...told.answer, player: { ...own.player, ...told.answer.player } } };
 }
 export const cancel = (topic: string) => post<object>("cancel", { topic });
+/** Nobody looks any more at what was asked under a topic, so that nothing else waits for it. */
+export const leave = (topic: string) => isAlone ? Promise.resolve({}) : post<object>("leave", { topic }).catch(() => ({}));
 export const busy = () => isAlone ? Promise.resolve<Record<string, string>>({}) : post<Record<string, string>>("busy", {});
 export const open = () => kept ? Promise.resolve(kept.opening) : post<Opening>("open", {});
 export const openFile = (name: string) => post<OpenedFile>("file", { name });

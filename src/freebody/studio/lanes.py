@@ -1,8 +1,8 @@
 """Workers as the server sees them: one process a lane, one piece of work at a time.
 
-Of a topic the latest request wins: one that waits is answered `replaced` when another comes; one that is being done for
-longer than `_PATIENCE` is ended with its worker, since nobody waits for it any more. A worker that ends, is out of time
-or of memory is a reply, and the next request has a new worker.
+Of a topic the latest request wins: one that waits is answered `replaced` when another comes; one that is being done
+for longer than `_PATIENCE` is ended with its worker, since nobody waits for it any more; the same where its part of the
+page is left. A worker that ends, is out of time or of memory is a reply, and the next request has a new worker.
 """
 
 from __future__ import annotations
@@ -59,21 +59,25 @@ class Worker:
     busy: str = ""
     _task: asyncio.Task[None] | None = None
     _start: asyncio.Task[None] | None = None
-    _ending: set[asyncio.Task[int | None]] = field(default_factory=set[asyncio.Task[int | None]])
+    _ending: dict[Running, asyncio.Task[int | None]] = field(default_factory=dict[Running, asyncio.Task[int | None]])
 
     async def ask(self, call: Call) -> bytes:
         """The `Reply` to a call in JSON, as the worker says it, when it is its turn."""
         loop = asyncio.get_running_loop()
         piece = _Piece(call, loop.create_future())
-        for other in [p for p in self.waiting if p.call.topic == call.topic]:
-            self._end(other, Reply(status="replaced"))
-        current = self.current
-        if current is not None and current.call.topic == call.topic:
-            loop.call_later(max(0.0, current.begun + _PATIENCE - loop.time()), self._overtake, current)
+        self.leave(call.topic)
         self.waiting.append(piece)
         if self._task is None or self._task.done():
             self._task = asyncio.create_task(self._work())
         return await piece.reply
+
+    def leave(self, topic: str) -> None:
+        """Nobody waits any more for what is asked under a topic: what is nearly done may end by itself."""
+        for piece in [p for p in self.waiting if p.call.topic == topic]:
+            self._end(piece, Reply(status="replaced"))
+        current, loop = self.current, asyncio.get_running_loop()
+        if current is not None and current.call.topic == topic:
+            loop.call_later(max(0.0, current.begun + _PATIENCE - loop.time()), self._overtake, current)
 
     def cancel(self, topic: str) -> None:
         """Ends what is asked under a topic."""
@@ -90,17 +94,18 @@ class Worker:
             self.waiting.remove(piece)
         if not piece.reply.done():
             piece.reply.set_result(_said(reply))
-        if piece is self.current:
-            self._kill()
+        if piece is self.current and self.running is not None:
+            self._kill(self.running)
 
-    def _kill(self) -> None:
-        """Ends the process. The next request starts another one."""
-        running, self.running = self.running, None
-        if running is not None:
+    def _kill(self, running: Running) -> asyncio.Task[int | None]:
+        """Ends a process, which gives its exit code; the next request has another one, if it is not there already."""
+        if self.running is running:
+            self.running = None
+        if running not in self._ending:
             running.process.kill()
-            task = asyncio.get_running_loop().create_task(running.ended())
-            self._ending.add(task)
-            task.add_done_callback(self._ending.discard)
+            task = self._ending[running] = asyncio.get_running_loop().create_task(running.ended())
+            task.add_done_callback(lambda _: self._ending.pop(running))
+        return self._ending[running]
 
     async def _work(self) -> None:
         while self.waiting:
@@ -116,14 +121,15 @@ class Worker:
             running = await self.begun()
         except (EOFError, OSError) as error:  # it could not be started
             return _said(Reply(status="crashed", message=str(error)))
+        if piece.reply.done():  # cancelled while the process started
+            return b""
         try:
             return await asyncio.wait_for(self._answer(running, piece.call), self.lane.seconds)
         except TimeoutError:
-            self._kill()
+            self._kill(running)
             return _said(Reply(status="too long", message=f"{self.lane.seconds:g}"))
         except (OSError, ValueError, asyncio.IncompleteReadError):
-            self._kill()
-            return _said(Reply(status="crashed", message=str(await running.ended())))
+            return _said(Reply(status="crashed", message=str(await self._kill(running))))
 
     async def _answer(self, running: Running, call: Call) -> bytes:
         document = {"kind": call.kind, "request": call.request}
@@ -138,7 +144,7 @@ class Worker:
     async def begun(self) -> Running:
         """The process, started if there is none."""
         if self.running is not None and not self.running.process.is_alive():
-            self._kill()
+            self._kill(self.running)
         while self.running is None:
             self.begin()
             assert self._start is not None
@@ -164,8 +170,9 @@ class Worker:
             if task is not None:
                 with suppress(EOFError, OSError):  # of a start that was interrupted
                     await task
-        self._kill()
-        await asyncio.gather(*self._ending)
+        if self.running is not None:
+            self._kill(self.running)
+        await asyncio.gather(*self._ending.values())
 
 
 def _said(reply: Reply) -> bytes:
@@ -210,6 +217,10 @@ class Lanes:
     def cancel(self, topic: str) -> None:
         for worker in self.workers.values():
             worker.cancel(topic)
+
+    def leave(self, topic: str) -> None:
+        for worker in self.workers.values():
+            worker.leave(topic)
 
     def busy(self) -> dict[str, str]:
         """What each topic that is being worked on is busy with."""

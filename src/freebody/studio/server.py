@@ -121,6 +121,10 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         lanes.cancel(str(body["topic"]))
         return {}
 
+    async def leave(body: Any) -> Any:
+        lanes.leave(str(body["topic"]))
+        return {}
+
     async def busy(_body: Any) -> Any:
         return lanes.busy()
 
@@ -142,6 +146,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         "open": open_page,
         "ask": ask,
         "cancel": cancel,
+        "leave": leave,
         "busy": busy,
         "file": read_file,
         "save": save,
