@@ -69,9 +69,9 @@ class Phases(Result):
 
     def _blocks(self) -> Iterator[Block]:
         yield line(system_line(self.system, None))
-        yield from (line(f"assumed: {text}") for text in self.system.assumptions)
+        yield from (line(Message("assumed: {text}", text=text)) for text in self.system.assumptions)
         yield self.section
-        yield from entries(*notes(self.reasons, "left out"))
+        yield from entries(*notes(self.reasons, Message("left out")))
 
     @property
     def section(self) -> Section:
