@@ -55,14 +55,14 @@ def _phase(phase: PhaseResult, told: Sequence[PhaseResult], *, is_first: bool) -
 
 def _formulas(phase: PhaseResult, told: Sequence[PhaseResult]) -> Iterator[Text]:
     """With what it begins, what it needs, and how it moves."""
-    yield from ((phase.impact, f": {name} = ", Formula((impulse,))) for name, impulse in phase.impulses)
+    yield from ((phase.impact, ": ", name, " = ", Formula((impulse,))) for name, impulse in phase.impulses)
     if phase.requires:
         yield (Message("needs {conditions}", conditions=in_turn(phase.requires)),)
     if phase.equations and any(_motion_of(other) == _motion_of(phase) for other in told):
         yield (Message("moves as above"),)
         return
     yield from (_equal(left, right) for left, right in chain(phase.equations, phase.motion))
-    yield from ((f"{name} = ", Formula((force,))) for name, force in phase.forces)
+    yield from ((name, " = ", Formula((force,))) for name, force in phase.forces)
 
 
 def _motion_of(phase: PhaseResult) -> object:
