@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import wraps
+from functools import cached_property, wraps
 from importlib import import_module
+from inspect import Parameter, Signature, signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar, cast
 
@@ -98,13 +99,37 @@ class Study:
     busy: str
     options: tuple[Option, ...]
     is_short: bool
+    is_told: bool = False  # its line has a language
 
-    @property
+    @cached_property
     def function(self) -> Callable[..., Any]:
-        """The study itself, as a function of a system."""
-        return getattr(import_module(self.home), self.name)
+        """The study itself, as a function of a system; where its line has a language, what it finds is told in it."""
+        own = getattr(import_module(self.home), self.name)
+        return _in_language(own) if self.is_told and "language" not in signature(own).parameters else own
 
 
+def _in_language(own: Callable[..., Any]) -> Callable[..., Any]:
+    """A study that is told in a language besides English: one that knows of none itself."""
+
+    @wraps(own)
+    def told(system: Any, /, *args: Any, language: str = "en", **kwargs: Any) -> Any:
+        if language == "en":
+            return own(system, *args, **kwargs)
+        from freebody.narrative.telling.catalogue import Catalogue
+        from freebody.narrative.telling.reports import ReportTeller
+
+        Catalogue(language)  # that there are no words of it is told before anything is computed
+        return own(system, *args, **kwargs).told_by(ReportTeller(language))
+
+    known = signature(own)
+    *before, last = known.parameters.values()
+    word = Parameter("language", Parameter.KEYWORD_ONLY, default="en", annotation="str")
+    parts = [*before, word, last] if last.kind is Parameter.VAR_KEYWORD else [*before, last, word]
+    told.__signature__ = Signature(parts, return_annotation=known.return_annotation)  # type: ignore[attr-defined]
+    return told
+
+
+LANGUAGE = Option("language", ("--language",), f"{' or '.join(reversed(languages()))}.", default="en")
 STUDIES: dict[str, Study] = {}  # by name, in the order in which the command line lists them
 
 
@@ -115,7 +140,9 @@ def study(
 
     def entered(line: Callable[Concatenate[Any, P], R]) -> Callable[Concatenate[Any, P], R]:
         sentence = (line.__doc__ or "").split("\n\n")[0]
-        entry = Study(line.__name__, home, sentence, command, busy, tuple(options), is_short)
+        is_told = "language" in signature(line).parameters
+        known = [*options, LANGUAGE] if is_told else options
+        entry = Study(line.__name__, home, sentence, command, busy, tuple(known), is_short, is_told)
         STUDIES[entry.name] = entry
 
         @wraps(line)
@@ -146,7 +173,7 @@ class Studies:
         ],
         is_short=True,
     )
-    def solve(self, question: str | Sequence[str] | None = None) -> Solution:
+    def solve(self, question: str | Sequence[str] | None = None, *, language: str = "en") -> Solution:
         """Answer the questions of a model in closed form.
 
         question: in words, one or several, instead of those of the model."""
@@ -165,7 +192,6 @@ class Studies:
             ),
             Option("method", ("--method",), "auto, newton, lagrange or energy.", default="auto"),
             Option("compare", ("--compare",), "A second method beside the first.", metavar="METHOD"),
-            Option("language", ("--language",), f"{' or '.join(reversed(languages()))}.", default="en"),
         ],
     )
     def explain(
@@ -210,7 +236,6 @@ class Studies:
                 metavar="VALUE",
                 read="freebody.study.given.gravity",
             ),
-            Option("language", ("--language",), f"{' or '.join(reversed(languages()))}.", default="en"),
         ],
     )
     def check(
@@ -234,7 +259,7 @@ class Studies:
         ...
 
     @study("freebody.study.eom", "eom", busy="deriving the equations of motion")
-    def equations_of_motion(self) -> Equations:
+    def equations_of_motion(self, *, language: str = "en") -> Equations:
         """Derive the equations of motion, the mass matrix and the constraint equations."""
         ...
 
@@ -246,6 +271,7 @@ class Studies:
         options: SimulationOptions | None = None,
         values: Mapping[str, float] | None = None,
         events: Sequence[str] = (),
+        language: str = "en",
         **given: Any,
     ) -> Simulation:
         """Simulate the motion of a model.
@@ -271,6 +297,7 @@ class Studies:
         device: str = "engine",
         out: str | Path | Sequence[str | Path] = (),
         resume: bool = False,
+        language: str = "en",
         **given: Any,
     ) -> Sweep:
         """Look at many cases: parameters and start values vary, answers and motions are found in each.
@@ -291,6 +318,7 @@ class Studies:
         record: str | Sequence[str] = (),
         until: float | None = None,
         options: SimulationOptions | None = None,
+        language: str = "en",
         **given: Any,
     ) -> Gradient:
         """The exact derivatives of answers and motions by parameters and start values.
@@ -335,6 +363,7 @@ class Studies:
         record: str | Sequence[str] = (),
         until: float | None = None,
         threads: int | None = None,
+        language: str = "en",
         **given: Any,
     ) -> Sensitivity:
         """Tell how much answers and motions hang on parameters and start values.
@@ -351,6 +380,7 @@ class Studies:
         *,
         tolerance: float = 1e-11,
         method: str = "auto",
+        language: str = "en",
     ) -> Fit:
         """Fit parameters and start values to measured motions, with their errors.
 
@@ -372,6 +402,7 @@ class Studies:
         seed: int = 0,
         method: str = "auto",
         out: str | Path | Sequence[str | Path] = (),
+        language: str = "en",
         **given: Any,
     ) -> Optimum:
         """Find the parameters at which a goal is best, under limits; of several goals the Pareto front.
@@ -465,7 +496,7 @@ class Studies:
             )
         ],
     )
-    def equilibria(self, guesses: Sequence[Mapping[str, str | float]] = ()) -> Equilibria:
+    def equilibria(self, guesses: Sequence[Mapping[str, str | float]] = (), *, language: str = "en") -> Equilibria:
         """Find the equilibria of a model, their stability and the reactions.
 
         guesses: values of named measures from which to search; without any its poses are toured."""
@@ -480,17 +511,19 @@ class Studies:
             Option("guess", ("--guess",), "The equilibrium to which this leads.", metavar="NAME=VALUE", read=_GUESS),
         ],
     )
-    def modes(self, at: At = "equilibrium", guess: Mapping[str, str | float] | None = None) -> NaturalModes:
+    def modes(
+        self, at: At = "equilibrium", guess: Mapping[str, str | float] | None = None, *, language: str = "en"
+    ) -> NaturalModes:
         """Find natural frequencies, damping and mode shapes of small motions."""
         ...
 
     @study("freebody.study.friction.report", "statics", busy="finding what holds the system at rest")
-    def statics(self) -> Statics:
+    def statics(self, *, language: str = "en") -> Statics:
         """Tell whether a model with contacts and dry friction stays at rest, its reactions, and what fails first."""
         ...
 
     @study("freebody.study.phases.result", "phases", busy="finding the phases of the motion")
-    def phases(self) -> Phases:
+    def phases(self, *, language: str = "en") -> Phases:
         """Find the phases of a motion with contacts or dry friction, as cases over the parameters."""
         ...
 
@@ -503,7 +536,7 @@ class Studies:
             Option("assembly_modes", ("--modes",), "List assembly modes, however many bodies.", bool, default=False),
         ],
     )
-    def mobility(self, along: str | None = None, *, assembly_modes: bool = False) -> Mobility:
+    def mobility(self, along: str | None = None, *, assembly_modes: bool = False, language: str = "en") -> Mobility:
         """Count degrees of freedom, name redundant constraints, singular poses and limits.
 
         assembly_modes: list them, however many bodies there are."""
@@ -515,12 +548,14 @@ class Studies:
         busy="searching for what is conserved",
         options=[Option("question", ("--find",), "Judge this quantity, as 'angular momentum of body about roller'.")],
     )
-    def conserved(self, question: str | None = None) -> Conservation:
+    def conserved(self, question: str | None = None, *, language: str = "en") -> Conservation:
         """Tell what is conserved, and under which conditions; without a question in the file, search."""
         ...
 
     @study("freebody.study.inverse_dynamics")
-    def inverse_dynamics(self, motion: Mapping[str, Any] | None, times: Sequence[float]) -> InverseDynamics:
+    def inverse_dynamics(
+        self, motion: Mapping[str, Any] | None, times: Sequence[float], *, language: str = "en"
+    ) -> InverseDynamics:
         """The forces and torques for a prescribed motion of named measures."""
         ...
 
@@ -549,6 +584,7 @@ class Studies:
         n: int = 72,
         csv: str | Path | None = None,
         plot: str | Path | None = None,
+        language: str = "en",
     ) -> OverTurn:
         """Find the driving torque over a turn of an angle, as a table and as a picture.
 
@@ -568,7 +604,7 @@ class Studies:
             ),
         ],
     )
-    def speed_table(self, *, efficiency: float | None = None) -> SpeedTable:
+    def speed_table(self, *, efficiency: float | None = None, language: str = "en") -> SpeedTable:
         """Find the speed table of a planetary gear (Willis), its ratios with one member held, and its efficiencies.
 
         efficiency: of the train whose carrier is held."""

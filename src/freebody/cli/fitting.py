@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Json, ModelFile, ReportFile, Set, model_of
+from freebody.cli.options import Json, Language, ModelFile, ReportFile, Set, model_of
 from freebody.cli.output import check_out, print_result, print_written
 from freebody.numeric.engine.integrators import integrators  # their names alone
+
+if TYPE_CHECKING:
+    from freebody.study.fitting.result import Fit
 
 
 def fit(
@@ -26,6 +30,7 @@ def fit(
     show: Annotated[str, typer.Option("--show", help="The series that is drawn; else the first.")] = "",
     tolerance: Annotated[float, typer.Option("--tolerance", help="Error allowed in a step of the motions.")] = 1e-11,
     method: Annotated[str, typer.Option("--method", help=f"auto or {', '.join(integrators())}.")] = "auto",
+    language: Language = "en",
     as_json: Json = False,
     set_: Set = None,
 ) -> None:
@@ -36,13 +41,14 @@ def fit(
     with busy("fitting"):
         from freebody.present.files import check_writable
         from freebody.present.picture.picture import checked_path
-        from freebody.study.fitting.fit import fit as run
+        from freebody.studies import STUDIES
 
         if plot is not None:
             check_writable(checked_path(plot))
-        system = model_of(file, set_)
+        system = model_of(file, set_, language)
         names = [part for part in map(str.strip, ",".join(free).split(",")) if part]
-        found = run(system, data, names, tolerance=tolerance, method=method)
+        run: Callable[..., Fit] = STUDIES["fit"].function
+        found = run(system, data, names, tolerance=tolerance, method=method, language=language)
     print_result(found, system, as_json=as_json, out=out)
     if plot is not None:
         found.chart(show).write(plot)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Json, ModelFile, Set, Watch, model_of, said, seconds_of
+from freebody.cli.options import Json, Language, ModelFile, Set, Watch, model_of, said, seconds_of
 from freebody.cli.output import print_result, print_written
 from freebody.numeric.engine.integrators import integrators  # their names alone
 
@@ -48,6 +49,7 @@ def simulate(
     jams: Annotated[
         bool, typer.Option("--jams", help="Where no contact force is consistent, go on with an impulse.")
     ] = False,
+    language: Language = "en",
     as_json: Json = False,
     watch: Watch = False,
 ) -> None:
@@ -58,9 +60,10 @@ def simulate(
     asked = said(show, event)
     with busy("reading the model"):
         from freebody.numeric.options import SimulationOptions
-        from freebody.study.simulation.simulate import simulate as run
+        from freebody.studies import STUDIES
 
-        system = model_of(file, set_, asked=asked)
+        run: Callable[..., Simulation] = STUDIES["simulate"].function
+        system = model_of(file, set_, language, asked)
         _check_outputs(out, plot, animate)
         if show:
             _check_shown(system, show)
@@ -78,7 +81,7 @@ def simulate(
             jams=jams,
         )
     with progress_bar(seconds) as progress:
-        result = run(system, seconds, options=options, events=event or (), progress=progress)
+        result = run(system, seconds, options=options, events=event or (), progress=progress, language=language)
     with busy("evaluating the motion"):
         result.summary()  # what it takes is computed here, not while it is printed
     print_result(result, system, as_json=as_json, asked=asked)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, Set, model_of, said, seconds_of
+from freebody.cli.options import Effort, Json, Language, ModelFile, Set, model_of, said, seconds_of
 from freebody.cli.output import print_result, print_written
+
+if TYPE_CHECKING:
+    from freebody.study.optimising.result import Optimum
 
 _List = list[str] | None
 
@@ -42,6 +46,7 @@ def optimise(
         typer.Option("-o", "--out", help="Write .csv, or a report: .html, .md, .tex, .pdf ... (repeatable)."),
     ] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Draw the Pareto front: .svg, .png, .pdf, .tex.")] = None,
+    language: Language = "en",
     as_json: Json = False,
     effort: Effort = 1.0,
     set_: Set = None,
@@ -54,10 +59,11 @@ def optimise(
         from freebody.numeric.options import SimulationOptions
         from freebody.present.files import check_writable
         from freebody.present.picture.picture import checked_path
+        from freebody.studies import STUDIES
         from freebody.study.given import ranges_of
-        from freebody.study.optimising.optimise import optimise as run
 
-        system = model_of(file, set_, asked=asked)
+        run: Callable[..., Optimum] = STUDIES["optimise"].function
+        system = model_of(file, set_, language, asked)
         if plot is not None:
             check_writable(checked_path(plot))
         found = run(
@@ -73,6 +79,7 @@ def optimise(
             method=method,
             options=SimulationOptions(tolerance=tolerance),
             out=out or (),
+            language=language,
         )
     print_result(found, system, as_json=as_json, asked=asked)
     drawn = [] if plot is None else [found.chart().write(plot)]

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, Set, model_of, said, seconds_of
+from freebody.cli.options import Effort, Json, Language, ModelFile, Set, model_of, said, seconds_of
 from freebody.cli.output import print_result, print_written
 from freebody.numeric.engine.integrators import integrators  # their names alone
+
+if TYPE_CHECKING:
+    from freebody.study.sweeps.result import Sweep
 
 _List = list[str] | None
 
@@ -88,6 +92,7 @@ def sweep(
     resume: Annotated[
         bool, typer.Option("--resume", help="Go on with an interrupted sweep into the same file.")
     ] = False,
+    language: Language = "en",
     as_json: Json = False,
     effort: Effort = 1.0,
     set_: Set = None,
@@ -101,10 +106,11 @@ def sweep(
         from freebody.numeric.options import SimulationOptions
         from freebody.present.files import check_writable
         from freebody.present.picture.picture import checked_path
+        from freebody.studies import STUDIES
         from freebody.study.given import ranges_of
-        from freebody.study.sweeps.sweep import sweep as run
 
-        system = model_of(file, set_, asked=asked)
+        run: Callable[..., Sweep] = STUDIES["sweep"].function
+        system = model_of(file, set_, language, asked)
         if plot is not None:
             check_writable(checked_path(plot))
         options = SimulationOptions(
@@ -133,6 +139,7 @@ def sweep(
             out=out or (),
             resume=resume,
             progress=progress,
+            language=language,
         )
     print_result(found, system, as_json=as_json, asked=asked)
     if not found.is_complete:

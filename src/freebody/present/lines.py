@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message, further, in_turn
 from freebody.model.states import state_name
 from freebody.system.system import System
 
@@ -46,18 +47,27 @@ def amount_text(value: float, unit: str) -> str:
 
 def system_line(system: System, dof: int | None, coordinates: Sequence[str] = (), dependent: Sequence[str] = ()) -> str:
     """One line on the system."""
-    text = (
-        f"{plural(len(system.moving), 'moving body', 'moving bodies')}, {plural(len(system.connections), 'connection')}"
-    )
-    coordinates = [name for name in coordinates if not state_name(name)]
+    n, m = len(system.moving), len(system.connections)
+    counts: list[str] = [
+        Message("1 moving body") if n == 1 else Message("{n} moving bodies", n=n),
+        Message("1 connection") if m == 1 else Message("{n} connections", n=m),
+    ]
     if dof is not None:
-        text += f", {plural(dof, 'degree')} of freedom"
-    if coordinates:
-        text += (
-            f"; {plural(len(coordinates), 'coordinate').split(' ', 1)[1]}: {', '.join(map(symbol_text, coordinates))}"
-        )
+        counts.append(Message("1 degree of freedom") if dof == 1 else Message("{n} degrees of freedom", n=dof))
+    parts = [in_turn(counts)]
+    own = [name for name in coordinates if not state_name(name)]
+    if own:
+        parts.append(Message("coordinate: {names}" if len(own) == 1 else "coordinates: {names}", names=_symbols(own)))
     if system.states:
-        text += f"; {plural(len(system.states), 'state')}: {', '.join(map(symbol_text, system.states))}"
+        states = list(system.states)
+        told = Message(
+            "1 state: {names}" if len(states) == 1 else "{n} states: {names}", n=len(states), names=_symbols(states)
+        )
+        parts.append(told)
     if dependent:
-        text += f"; dependent: {', '.join(map(symbol_text, dependent))}"
-    return text
+        parts.append(Message("dependent: {names}", names=_symbols(dependent)))
+    return further(*parts)
+
+
+def _symbols(names: Sequence[str]) -> str:
+    return ", ".join(map(symbol_text, names))

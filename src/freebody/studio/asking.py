@@ -51,7 +51,7 @@ def studied(request: StudyRequest) -> StudyAnswer:
     """What a study finds, as a part of a page."""
     found = _found(request)
     return StudyAnswer(
-        html=html_content(found.report, request.prefix),
+        html=html_content(found.told, request.prefix),
         plain=finite(found.to_plain()),
         is_complete=found.is_complete,
     )

@@ -9,6 +9,7 @@ from typing import Any
 
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number
 from freebody.language.notation import to_latex, to_python
+from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
 from freebody.model.states import shown_rate, state_name
 from freebody.present.lines import system_line
@@ -85,20 +86,22 @@ class Equations(Result):
             system_line(self.system, len(self.coordinates) - len(self.system.states), self.coordinates, self.dependent)
         )
         if self.dependent:
-            told = "Closed loops (the dependent coordinates follow from them)"
+            told = Message("Closed loops (the dependent coordinates follow from them)")
             yield Section((told,), tuple(map(zero, self.loops)))
             rates = ((Call("rate", Symbol(name)), rate) for name, rate in self.dependent_rates.items())
-            yield Section(("Rates of the dependent coordinates",), tuple(line(Formula(r, ("=",))) for r in rates))
+            yield Section(
+                (Message("Rates of the dependent coordinates"),), tuple(line(Formula(r, ("=",))) for r in rates)
+            )
         if self.velocity_constraints:
-            yield Section(("Velocity constraints",), tuple(map(zero, self.velocity_constraints)))
-        yield Section(("Equations of motion",), tuple(line(Formula(sides, ("=",))) for sides in self.lines()))
+            yield Section((Message("Velocity constraints"),), tuple(map(zero, self.velocity_constraints)))
+        yield Section((Message("Equations of motion"),), tuple(line(Formula(sides, ("=",))) for sides in self.lines()))
         own = [k for k, name in enumerate(self.coordinates) if not state_name(name)]  # states have no mass
         if len(own) > 1:
             rows = (((Formula((self.mass_matrix[j][k],)),) for k in own) for j in own)
-            yield Section(("Mass matrix",), tuple(table(rows)))
+            yield Section((Message("Mass matrix"),), tuple(table(rows)))
         if self.redundant:
-            yield line(f"redundant constraints: {', '.join(self.redundant)}")
-        yield from (line(f"not at {pose}") for pose in self.singular)
+            yield line(Message("redundant constraints: {names}", names=", ".join(self.redundant)))
+        yield from (line(Message("not at {pose}", pose=pose)) for pose in self.singular)
 
 
 @in_words

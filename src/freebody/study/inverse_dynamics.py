@@ -104,14 +104,19 @@ class InverseDynamics(Result):
         n_times = len(self.times)
         share = (n_times - 1) / (_MOST_SHOWN - 1)
         shown = sorted({round(k * share) for k in range(_MOST_SHOWN)}) if n_times else []
-        kinds = {"N": "force", "N m": "torque"}
-        columns = {f"{kinds[self.unit(n)]} of {n} [{self.unit(n)}]": x for n, x in self.forces.items()}
+        columns: dict[str, Array] = {
+            Message("force of {name} [N]" if self.unit(n) == "N" else "torque of {name} [N m]", name=n): x
+            for n, x in self.forces.items()
+        }
         columns |= {f"{name} [{unit_of(self.system.measures[name])}]": x for name, x in self.values.items()}
         rows = [[number_text(float(x[k])) for x in (self.times, *columns.values())] for k in shown]
-        some = f", at {len(shown)} of {n_times} times" if len(shown) < n_times else ""
-        yield Section((f"Driving forces and measures{some}",), tuple(table(rows, ("t [s]", *columns))))
+        title = Message("Driving forces and measures")
+        if len(shown) < n_times:
+            title = Message("Driving forces and measures, at {k} of {n} times", k=len(shown), n=n_times)
+        yield Section((title,), tuple(table(rows, ("t [s]", *columns))))
         if self.non_unique:
-            yield from entries(entry("not unique", f"the reactions {', '.join(self.non_unique)}"))
+            told = Message("the reactions {names}", names=", ".join(self.non_unique))
+            yield from entries(entry(Message("not unique"), told))
 
 
 def _plain(x: Array) -> list[float | None]:

@@ -125,23 +125,39 @@ class OverTurn(Result):
 
     def _blocks(self) -> Iterator[Block]:
         low, high = int(np.argmin(self.torque)), int(np.argmax(self.torque))
-        speed = f"at {number_text(self.rate)} rad/s" if self.rate else "turned slowly: without inertia"
+        turn = (
+            Message("of {name}, at {rate} rad/s", name=self.along, rate=number_text(self.rate))
+            if self.rate
+            else Message("of {name}, turned slowly: without inertia", name=self.along)
+        )
         yield from entries(
-            entry("turn", f"of {self.along}, {speed}"),
-            entry("mean", f"{number_text(self.mean)} N m"),
-            *(entry(word, self._at(k)) for word, k in (("least", low), ("greatest", high))),
+            entry(Message("turn"), turn),
+            entry(Message("mean"), f"{number_text(self.mean)} N m"),
+            entry(Message("least"), self._at(low)),
+            entry(Message("greatest"), self._at(high)),
         )
         n = len(self.angles) - 1
         shown = sorted({round(k * n / _N_SHOWN) for k in range(_N_SHOWN + 1)})
         named = {k: v for k, v in self.columns.items() if k in self.system.measures or k.startswith("torque")}
-        head = [f"{name} [{'deg' if name == self.along else unit}]" for name, (unit, _x) in named.items()]
+        head = [
+            f"{name} [{'deg' if name == self.along else unit}]"
+            if name in self.system.measures
+            else Message("torque of {name} [N m]", name=self.along)
+            for name, (unit, _x) in named.items()
+        ]
         values = [np.degrees(x) if name == self.along else x for name, (_unit, x) in named.items()]
         rows = [[number_text(float(x[k])) for x in values] for k in shown]
-        yield Section((f"Driving torque over a turn, at {len(shown)} of {n + 1} poses",), tuple(table(rows, head)))
+        title = Message("Driving torque over a turn, at {k} of {n} poses", k=len(shown), n=n + 1)
+        yield Section((title,), tuple(table(rows, head)))
 
     def _at(self, k: int) -> str:
         where = number_text(float(np.degrees(self.angles[k])))
-        return f"{number_text(float(self.torque[k]))} N m at {self.along} = {where} deg, of the poses looked at"
+        return Message(
+            "{torque} N m at {name} = {angle} deg, of the poses looked at",
+            torque=number_text(float(self.torque[k])),
+            name=self.along,
+            angle=where,
+        )
 
 
 def _without_round_off(x: Array) -> Array:

@@ -22,12 +22,12 @@ from typing import Any
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import ZERO, Expr, Symbol, add, evaluate, multiply
 from freebody.language.notation import to_text
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, further
 from freebody.measures.angle import Angle
 from freebody.model.gear_train import GearTrain, gear_train
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Report, Section
-from freebody.present.report.results import Result, entries, entry, notes, summary, table
+from freebody.present.report.results import Result, entries, entry, summary, table
 from freebody.questions.gear_trains import OfRollingPower, passed_on
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
@@ -76,16 +76,20 @@ class SpeedTable(Result):
     def _blocks(self) -> Iterator[Block]:
         x, y = Symbol("x"), Symbol("y")
         rows = [[b, "x", to_text(multiply(k, y)), to_text(add(x, multiply(k, y)))] for b, k in self.relative.items()]
-        head = ("body", "with the carrier", "carrier held", "together")
-        yield from entries(
-            entry("carrier", f"{self.carrier}: all turn x with it, then {self.reference} turns y against it"),
-            *notes([f"both routes agree: largest relative difference {self.difference:.0e}"], "evidence"),
+        head = (Message("body"), Message("with the carrier"), Message("carrier held"), Message("together"))
+        turns = Message(
+            "{carrier}: all turn x with it, then {gear} turns y against it", carrier=self.carrier, gear=self.reference
         )
-        yield Section(("Speed table",), tuple(table(rows, head)))
+        agree = Message("both routes agree: largest relative difference {gap:.0e}", gap=self.difference)
+        yield from entries(entry(Message("carrier"), turns), entry(Message("evidence"), agree))
+        yield Section((Message("Speed table"),), tuple(table(rows, head)))
         ratios = [[c.held, f"{c.driving} : {c.driven}", to_text(c.ratio), _number(c.ratio_value)] for c in self.cases]
-        yield Section(("Ratios with one member held",), tuple(table(ratios, ("held", "ratio", "", "value"))))
+        held, value = Message("held"), Message("value")
+        title = Message("Ratios with one member held")
+        yield Section((title,), tuple(table(ratios, (held, Message("ratio"), "", value))))
         if any(c.efficiency is not None for c in self.cases):
-            yield Section(("Efficiency",), tuple(table(map(_flow, self.cases), ("held", "from, to", "", "value", ""))))
+            columns = (held, Message("from, to"), "", value, "")
+            yield Section((Message("Efficiency"),), tuple(table(map(_flow, self.cases), columns)))
 
     def to_plain(self) -> dict[str, Any]:
         """Plain data: carrier, reference, relative turns and cases."""
@@ -124,11 +128,15 @@ def _number(value: float | None) -> str:
 
 
 def _flow(c: HeldMember) -> list[str]:
+    way = Message("{driving} to {driven}", driving=c.driving, driven=c.driven)
     if c.efficiency is None or c.efficiency_value is None or c.rolling is None:
-        return [c.held, f"{c.driving} to {c.driven}", "", "", ""]
-    said = "locks itself" if c.efficiency_value <= 0 else "power circulates" if c.rolling > 1.0 + ROUND_OFF else ""
-    rolls = f"{number_text(c.rolling)} of the power rolls{'; ' + said if said else ''}"
-    return [c.held, f"{c.driving} to {c.driven}", to_text(c.efficiency), number_text(c.efficiency_value), rolls]
+        return [c.held, way, "", "", ""]
+    rolls: str = Message("{share} of the power rolls", share=number_text(c.rolling))
+    if c.efficiency_value <= 0:
+        rolls = further(rolls, Message("locks itself"))
+    elif c.rolling > 1.0 + ROUND_OFF:
+        rolls = further(rolls, Message("power circulates"))
+    return [c.held, way, to_text(c.efficiency), number_text(c.efficiency_value), rolls]
 
 
 @in_words

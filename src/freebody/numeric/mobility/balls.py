@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody, Rotation
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.mobility.elimination import Unclear
@@ -281,7 +282,7 @@ def refined(model: BallRows, q: Array, tolerance: float) -> tuple[BallPose, str]
         pose, _unknown = model.meant(q, within)
         model.count_from(pose)
         if max(map(size_of, model.gaps(pose)), default=0.0) <= tolerance:
-            return pose, "at the pose in the exact numbers of the model"
+            return pose, Message("at the pose in the exact numbers of the model")
     # what is known exactly stays if it can: a slide that is level is to stay level to all digits
     _pose, unknown = model.meant(q, ROUNDED)
     # redundant rows that only keep their start values may contradict each other by the rounding of q: then they
@@ -298,7 +299,7 @@ def refined(model: BallRows, q: Array, tolerance: float) -> tuple[BallPose, str]
             if some is not model:
                 model.count_from(pose)
             return pose, how
-    raise error or Unclear("no row closes")
+    raise error or Unclear(Message("no row closes"))
 
 
 def _by_newton(model: BallRows, q: Array, free: Sequence[int], tolerance: float) -> tuple[BallPose, str]:
@@ -315,16 +316,16 @@ def _by_newton(model: BallRows, q: Array, free: Sequence[int], tolerance: float)
         gaps = model.gaps(pose)
         before, error = error, max((size_of(gap) * w for gap, w in zip(gaps, weights, strict=True)), default=0.0)
         if error <= tolerance:
-            return pose, f"at the pose refined to {error:.1e}"
+            return pose, Message("at the pose refined to {error:.1e}", error=error)
         if not error < 0.1 * before:
-            raise Unclear(f"the pose closes only to {before:.1g} with the numbers given")
+            raise Unclear(Message("the pose closes only to {gap:.1g} with the numbers given", gap=before))
         # the step in floats, of gaps brought to about one
         shift = -math.frexp(error)[1]
         scaled = weights * np.array([float(_times_two(gap, shift)) for gap in gaps])
         step = D[free] * (Vt[:rank].T @ ((U[:, :rank].T @ scaled) / singular[:rank]))
         for k, dx in zip(free, step, strict=True):
             pose.numbers[k] = (pose.numbers[k] - _times_two(BALLS.number(float(dx)), -shift)).mid()
-    raise Unclear(f"the pose closes only to {error:.1g} after {N_STEPS} steps")
+    raise Unclear(Message("the pose closes only to {gap:.1g} after {n} steps", gap=error, n=N_STEPS))
 
 
 def row_lengths(J: Array) -> Array:

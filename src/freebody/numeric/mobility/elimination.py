@@ -20,6 +20,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from freebody.language.sentences import Message
 from freebody.numeric.mobility.exact import Gradient, is_zero, size_of
 
 CLEAR = 1e-9  # a rest that is larger is not zero: smaller ones would be told apart from zero by the data's last digits
@@ -69,19 +70,19 @@ class CircuitElimination:
         rest, steps = self._reduced(dict(row))
         sizes = {k: size_of(c) for k, c in rest.items()}
         if not math.isfinite(sum(sizes.values())):
-            raise Unclear("a row has no finite entries")
+            raise Unclear(Message("a row has no finite entries"))
         most = max(sizes.values(), default=0.0)
         if most <= self.zero:
             self.largest = max(self.largest, most)
             self.circuits.append((*sorted(self._combination(steps)), index))
             return
         if most < self.clear:
-            raise Unclear(f"a row is left with entries of {most:.1e} after elimination")
+            raise Unclear(Message("a row is left with entries of {most:.1e} after elimination", most=most))
         # of the large entries the one in the column that is used least: it is eliminated most rarely
         column = min((k for k, size in sizes.items() if size > 0.1 * most), key=lambda k: (counts[k], -sizes[k]))
         pivot = rest.pop(column)
         if not abs(pivot) > self.zero:
-            raise Unclear("a pivot is not proved to differ from zero")
+            raise Unclear(Message("a pivot is not proved to differ from zero"))
         self.smallest = min(self.smallest, size_of(pivot))
         self._at[column] = len(self._pivots)
         self._pivots.append((index, pivot, rest))
@@ -126,7 +127,7 @@ class CircuitElimination:
             if size <= self.zero:
                 continue
             if size < self.clear:
-                raise Unclear(f"a row takes part in a circuit by no more than {size:.1e}")
+                raise Unclear(Message("a row takes part in a circuit by no more than {size:.1e}", size=size))
             found.append(self._pivots[p][0])
             for earlier, factor in self._steps[p]:
                 if earlier not in parts:

@@ -161,12 +161,18 @@ class Framework:
             eliminated = CircuitElimination.of(
                 unit_rows([g.of(row.measure).gradient for row in held], lambda _: 1.0), ZERO
             )
-        how = (
-            f"elimination in balls of {BITS} bits at a random geometry (seed {seed}) that closes to {error:.1e}: what "
-            f"is below {ZERO:g} counts as zero, no pivot is smaller than {eliminated.smallest:.1e}"
+        how = Message(
+            "elimination in balls of {bits} bits at a random geometry (seed {seed}) that closes to {error:.1e}: what "
+            "is below {zero:g} counts as zero, no pivot is smaller than {pivot:.1e}",
+            bits=BITS,
+            seed=seed,
+            error=error,
+            zero=ZERO,
+            pivot=eliminated.smallest,
         )
         if open_rows:
-            how += f"; no geometry was found that closes {', '.join(row.name for row in open_rows)}"
+            names = ", ".join(row.name for row in open_rows)
+            how = Message("{how}; no geometry was found that closes {names}", how=how, names=names)
         names = tuple(row.name for row in held)
         circuits = tuple(tuple(names[k] for k in circuit) for circuit in eliminated.circuits)
         gap = eliminated.smallest, eliminated.largest
@@ -357,7 +363,7 @@ class Framework:
                 self._step_back(balls, columns, [BALLS.number(float(dx)) * down for dx in step])
                 for k in {*columns, *(self._quaternions[k] for k in columns if k in self._quaternions)}:
                     balls[k] = balls[k].mid()
-        raise Unclear(f"the random geometry closes only to {error:.0e}")
+        raise Unclear(Message("the random geometry closes only to {error:.0e}", error=error))
 
     def _is_stuck(self, gradients: Sequence[Gradient], gaps: Array) -> bool:
         """Whether symbols alone cannot close the rows."""

@@ -88,12 +88,15 @@ def rank_at(reference: NumericSystem, q: Array, t: float = 0.0, without: Iterabl
     n = len(q)
     if not rows or not n:
         circuits = tuple((name,) for name in names)
-        return Rank(
-            0, n, names, circuits, "there is nothing to hold or nothing that is held", True, (1.0, 0.0), _pose(q)
-        )
+        how = Message("there is nothing to hold or nothing that is held")
+        return Rank(0, n, names, circuits, how, True, (1.0, 0.0), _pose(q))
     clear = _independent(J)
     if clear is not None:
-        how = f"singular values: the smallest is {clear:.1e} of the largest, rows are independent above {CLEAR_CUT:g}"
+        how = Message(
+            "singular values: the smallest is {clear:.1e} of the largest, rows are independent above {cut:g}",
+            clear=clear,
+            cut=CLEAR_CUT,
+        )
         return Rank(len(rows), n, names, (), how, True, (clear, 0.0), _pose(q))
     singular: Any = np.linalg.svd(J, compute_uv=False)
     relative = singular / (float(singular.max()) or 1.0)
@@ -103,7 +106,7 @@ def rank_at(reference: NumericSystem, q: Array, t: float = 0.0, without: Iterabl
     is_exact = eliminated is not None
     if eliminated is None:
         eliminated, rounded = _in_floats(J, rank)
-        how = f"{rounded}; not confirmed in more digits, because {how}"
+        how = Message("{rounded}; not confirmed in more digits, because {why}", rounded=rounded, why=how)
     circuits = tuple(tuple(names[k] for k in circuit) for circuit in eliminated.circuits)
     return Rank(eliminated.rank, n, names, circuits, how, is_exact, gap, pose)
 
@@ -173,7 +176,8 @@ def _in_floats(J: Array, rank: int) -> tuple[CircuitElimination, str]:
     rows = unit_rows([{int(k): float(row[k]) for k in np.flatnonzero(row)} for row in J], lambda _: 1.0)
     tried = [CircuitElimination.of(rows, zero, zero) for zero in (1e-9, 1e-8, 1e-10, 1e-7, 1e-11, 1e-6)]
     found = next((one for one in tried if one.rank == rank), tried[0])
-    return found, f"numbers of 16 digits, what is below {found.zero:g} after elimination counts as zero"
+    how = Message("numbers of 16 digits, what is below {zero:g} after elimination counts as zero", zero=found.zero)
+    return found, how
 
 
 # In balls ---------------------------------------------------------------------------------------
@@ -198,9 +202,13 @@ def _in_balls(
             except (Unclear, FreebodyError, ArithmeticError, ValueError) as error:
                 why = str(error)
                 continue
-        how = (
-            f"elimination in balls of {bits} bits, {pose}: what is below {ZERO:g} counts as zero, "
-            f"no pivot is smaller than {eliminated.smallest:.1e}"
+        how = Message(
+            "elimination in balls of {bits} bits, {pose}: what is below {zero:g} counts as zero, no pivot is smaller "
+            "than {pivot:.1e}",
+            bits=bits,
+            pose=pose,
+            zero=ZERO,
+            pivot=eliminated.smallest,
         )
         return eliminated, how, _pose(model.coordinates(here))
     return None, why, _pose(q)

@@ -4,23 +4,42 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from copy import copy
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
+from freebody.messages import Message
 from freebody.present.report.blocks import Block, Emphasis, Entries, Entry, Paragraph, Piece, Report, Table, Text
 
 if TYPE_CHECKING:
     from freebody.assess.verdict import Verdict
 
 
+_NOTE = Message("note")
+R = TypeVar("R", bound="Result")
+
+
 class Result:
     """What a study finds out: it says itself in blocks, and so in every format."""
+
+    _teller: ClassVar[Callable[[Report], Report] | None] = None  # of one that is told in another language
 
     @property
     @abstractmethod
     def report(self) -> Report:
-        """The result as a report."""
+        """The result as a report, in English unless the study knows languages itself."""
+
+    @property
+    def told(self) -> Report:
+        """The report in the language in which the result is read: what every writer writes."""
+        return self.report if self._teller is None else self._teller(self.report)
+
+    def told_by(self: R, teller: Callable[[Report], Report]) -> R:
+        """The same result, read in another language. Names and plain data stay as they are."""
+        found = copy(self)
+        object.__setattr__(found, "_teller", teller)  # results are frozen
+        return found
 
     @abstractmethod
     def to_plain(self) -> dict[str, Any]:
@@ -36,26 +55,26 @@ class Result:
         would read are told by their size."""
         from freebody.present.report.formats.terminal import terminal_text
 
-        return terminal_text(self.report, width, is_short=is_short)
+        return terminal_text(self.told, width, is_short=is_short)
 
     def to_html(self) -> str:
         """A page of its own, without any network."""
         from freebody.present.report.formats.html import html_page
 
-        return html_page(self.report)
+        return html_page(self.told)
 
     def to_latex(self) -> str:
         """For a document of one's own."""
         from freebody.present.report.formats.latex import latex_fragment
 
-        return latex_fragment(self.report)
+        return latex_fragment(self.told)
 
     def write(self, path: str | Path) -> list[Path]:
         """Writes it as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix; returns all files written. Raises
         InputError for another suffix or a place that cannot be written."""
         from freebody.present.report.write import write_report
 
-        return write_report(self.report, Path(path), code=self._code)
+        return write_report(self.told, Path(path), code=self._code)
 
     @property
     def _code(self) -> str:
@@ -68,12 +87,12 @@ class Result:
     def _repr_html_(self) -> str:
         from freebody.present.report.formats.html import html_fragment
 
-        return html_fragment(self.report)
+        return html_fragment(self.told)
 
     def _repr_latex_(self) -> str:
         from freebody.present.report.formats.latex import latex_fragment
 
-        return latex_fragment(self.report)
+        return latex_fragment(self.told)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """What notebooks and consoles take; they choose the form that they can show."""
@@ -86,7 +105,7 @@ def summary(title: str, blocks: Iterable[Block]) -> Report:
 
 
 def question_title(id: str, question: str) -> Text:
-    return Emphasis(id, "code"), f"  {question}"
+    return Emphasis(id, "code"), "  ", question
 
 
 def line(*pieces: Piece) -> Paragraph:
@@ -114,7 +133,7 @@ def table(rows: Iterable[Iterable[str | Text]], header: Iterable[str] = ()) -> l
     return [Table(tuple((word,) for word in header), cells)] if cells else []
 
 
-def notes(texts: Iterable[str], label: str = "note") -> list[Entry]:
+def notes(texts: Iterable[str], label: str = _NOTE) -> list[Entry]:
     return [entry(label, text) for text in texts]
 
 
@@ -122,9 +141,19 @@ def options(choice: str | None, verdicts: Mapping[str, Verdict]) -> list[Entry]:
     """The right option, and why each other is wrong."""
     if not verdicts:
         return []
-    others = [(f"({k})", f"{v.verdict}: {v.reason}") for k, v in verdicts.items() if k != choice]
-    right = entry("right", f"({choice})" if choice else "none")
+    others = [(f"({k})", _verdict(v)) for k, v in verdicts.items() if k != choice]
+    right = entry(Message("right"), f"({choice})" if choice else Message("none"))
     return [right, *(Entry(letter, ((reason,),), is_below=True) for letter, reason in others)]
+
+
+def _verdict(of: Verdict) -> str:
+    match of.verdict:
+        case "right":
+            return Message("right: {reason}", reason=of.reason)
+        case "wrong":
+            return Message("wrong: {reason}", reason=of.reason)
+        case "unreadable":
+            return Message("unreadable: {reason}", reason=of.reason)
 
 
 def finite(document: Any) -> Any:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from freebody.language.sentences import Message
 from freebody.model.states import state_name
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Remark, Report
@@ -84,12 +85,12 @@ class Solution(Result):
 
     def _blocks(self) -> Iterator[Block]:
         yield line(system_line(self.system, self.degrees_of_freedom, self.coordinates, self.dependent))
-        yield from (line(f"assumed: {text}") for text in self.assumptions)
+        yield from (line(Message("assumed: {text}", text=text)) for text in self.assumptions)
         if self.redundant:
-            yield line(f"redundant constraints: {', '.join(self.redundant)}")
+            yield line(Message("redundant constraints: {names}", names=", ".join(self.redundant)))
         if self.phases is not None:
             yield self.phases.section
         yield from map(answer_section, self.answers)
         if not self.answers:
-            asked = "The file asks nothing. Add questions, or see its equations with: freebody eom FILE"
+            asked = Message("The file asks nothing. Add questions, or see its equations with: freebody eom FILE")
             yield Remark((asked,), "warning")

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from freebody.assess.verdict import Verdict
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message, in_turn
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Entry, Equation, Equations, Formula, Piece, Section, Text
 from freebody.present.report.results import entries, entry, line, options, question_title
@@ -89,12 +90,11 @@ def answer_section(answer: ShownAnswer) -> Section:
 
 def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
     if answer.understood not in ("", answer.question):
-        yield from entries(entry("understood", answer.understood))
+        yield from entries(entry(Message("understood"), answer.understood))
     yield from map(line, filter(None, (answer.verdict,)))
     if answer.expression is None:
-        word = "never: " if answer.never else "" if "no closed form" in answer.reason else "no closed form: "
-        yield from map(line, f"{word}{answer.reason}".splitlines())
-        yield from entries(*_value(answer, "by numbers"))
+        yield from map(line, _refusal(answer))
+        yield from entries(*_value(answer, Message("by numbers")))
         return
     shown = answer.expression
     if answer.chain is not None:
@@ -106,7 +106,24 @@ def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
     else:
         lines = [Equation(Formula((shown,)))]
     yield Equations(tuple(lines))
-    yield from entries(*_value(answer, "value"), *_said(answer))
+    yield from entries(*_value(answer, Message("value")), *_said(answer))
+
+
+def _refusal(answer: ShownAnswer) -> list[str]:
+    """Why there is no formula, in lines."""
+    first, *others = _lines(answer.reason) or [""]
+    if answer.never:
+        first = Message("never: {reason}", reason=first)
+    elif "no closed form" not in answer.reason:
+        first = Message("no closed form: {reason}", reason=first)
+    return [first, *others] if first else others
+
+
+def _lines(text: str) -> list[str]:
+    """What `freebody.messages.lines` put together, or the lines of a plain text."""
+    if isinstance(text, Message) and text.template == "{first}\n{second}":
+        return [*_lines(str(text.arguments["first"])), *_lines(str(text.arguments["second"]))]
+    return text.splitlines() if "\n" in text else [text]
 
 
 def _value(answer: ShownAnswer, label: str) -> Iterator[Entry]:
@@ -117,15 +134,16 @@ def _value(answer: ShownAnswer, label: str) -> Iterator[Entry]:
 
 
 def _said(answer: ShownAnswer) -> Iterator[Entry]:
-    yield entry("valid", *answer.conditions)
-    yield entry("cases", *(_case(case.expression, case.conditions, case.what) for case in answer.cases))
-    yield entry("note", *answer.notes)
+    yield entry(Message("valid"), *answer.conditions)
+    yield entry(Message("cases"), *(_case(case.expression, case.conditions, case.what) for case in answer.cases))
+    yield entry(Message("note"), *answer.notes)
     yield from options(answer.choice, answer.options)
-    yield entry("to author", *answer.author_notes)
+    yield entry(Message("to author"), *answer.author_notes)
     if answer.evidence is not None:
         e = answer.evidence
-        checked = f"checked numerically at {e.draws} random configurations: {e.route};"
-        yield entry("evidence", checked, f"largest relative difference {e.worst_relative_difference:.1g}")
+        checked = Message("checked numerically at {n} random configurations: {route};", n=e.draws, route=e.route)
+        worst = Message("largest relative difference {gap:.1g}", gap=e.worst_relative_difference)
+        yield entry(Message("evidence"), checked, worst)
 
 
 def _case(expression: Expr | tuple[Expr, ...], conditions: tuple[str, ...], what: str) -> Text:
@@ -133,4 +151,7 @@ def _case(expression: Expr | tuple[Expr, ...], conditions: tuple[str, ...], what
     shown: list[Piece] = [Formula((parts[0],))]
     for part in parts[1:]:
         shown += [", ", Formula((part,))]
-    return (*shown, f"   if {', '.join(conditions) or 'else'}" + (f" ({what})" if what else ""))
+    where = in_turn(conditions) or Message("else")
+    if what:
+        return (*shown, Message("   if {case} ({what})", case=where, what=what))
+    return (*shown, Message("   if {case}", case=where))

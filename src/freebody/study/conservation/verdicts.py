@@ -48,12 +48,13 @@ class Verdicts:
         """For which motions, or under which conditions, it is conserved, in words: whether only then is said where
         it is known."""
         if self.is_conserved is not None:
-            return ("for every motion" if self.is_proved else EVERY_SIMULATED) if self.is_conserved else "no"
-        word = "if and only if" if self.is_exact else "if"
-        given = f" (for {', '.join(self.provided)} ≠ 0)" if self.provided else ""
-        conditions = joined(self.conditions, " or ")
-        told = f"{word} {conditions}{given}"
-        return reworded(told if self.is_proved else f"{EVERY_SIMULATED} {told}", conditions)
+            proved = Message("for every motion") if self.is_proved else EVERY_SIMULATED
+            return proved if self.is_conserved else Message("no")
+        case = joined(self.conditions, " or ")
+        told = Message("if and only if {case}" if self.is_exact else "if {case}", case=case)
+        if self.provided:
+            told = Message("{case} (for {names} ≠ 0)", case=told, names=", ".join(self.provided))
+        return reworded(told if self.is_proved else Message("{what} {case}", what=EVERY_SIMULATED, case=told), case)
 
     @property
     def verdict(self) -> str:

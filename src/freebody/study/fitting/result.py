@@ -128,25 +128,35 @@ class Fit(Result):
 
     def _blocks(self) -> Iterator[Block]:
         rows = [
-            [u.name, number_text(float(x)), f"± {e:.2g}" if math.isfinite(e) else "not told by the data", u.unit]
+            [
+                u.name,
+                number_text(float(x)),
+                f"± {e:.2g}" if math.isfinite(e) else Message("not told by the data"),
+                u.unit,
+            ]
             for u, x, e in zip(self.unknowns, self.found, self.estimate.errors, strict=True)
         ]
         n = len(self.unknowns)
         yield from entries(
-            entry("data", f"{self.n_data} values, {n} {'unknown' if n == 1 else 'unknowns'}"),
+            entry(
+                Message("data"),
+                Message("{k} values, 1 unknown" if n == 1 else "{k} values, {n} unknowns", k=self.n_data, n=n),
+            ),
             *(
                 []
                 if self.has_converged
-                else [entry("note", "the search ended before it came to rest: the values are the best so far")]
+                else notes([Message("the search ended before it came to rest: the values are the best so far")])
             ),
-            *([entry("differences", self.why_differences)] if self.why_differences else []),
-            *([entry("at a bound", ", ".join(self.at_bound))] if self.at_bound else []),
-            *notes(self.estimate.combinations, "not identifiable"),
+            *([entry(Message("differences"), self.why_differences)] if self.why_differences else []),
+            *([entry(Message("at a bound"), ", ".join(self.at_bound))] if self.at_bound else []),
+            *notes(self.estimate.combinations, Message("not identifiable")),
         )
-        yield Section(("Found, with intervals of 95 %",), tuple(table(rows, ["", "value", "", "unit"])))
+        value, unit = Message("value"), Message("unit")
+        yield Section((Message("Found, with intervals of 95 %"),), tuple(table(rows, ["", value, "", unit])))
         yield from self._correlation()
         left = [[r.file, r.series, str(len(r.times)), number_text(r.rms), r.unit] for r in self.residuals]
-        yield Section(("Left over",), tuple(table(left, ["file", "series", "values", "root mean square", "unit"])))
+        head = [Message("file"), Message("series"), Message("values"), Message("root mean square"), unit]
+        yield Section((Message("Left over"),), tuple(table(left, head)))
         for k, name in enumerate(dict.fromkeys(r.series for r in self.residuals), 1):
             picture = self.chart(name)
             yield Figure(picture, (picture.title,), k)
@@ -158,7 +168,7 @@ class Fit(Result):
                 [name, *(f"{x:.2f}" if math.isfinite(x) else "" for x in row)]
                 for name, row in zip(names, self.estimate.correlation, strict=True)
             ]
-            yield Section(("Correlation",), tuple(table(cells, ["", *names])))
+            yield Section((Message("Correlation"),), tuple(table(cells, ["", *names])))
 
 
 def _finite(x: float) -> float | None:

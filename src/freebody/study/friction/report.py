@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, further
 from freebody.language.units import ENERGY
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
@@ -57,12 +57,24 @@ class Reaction:
         if self.is_unique:
             return low
         if math.isinf(self.low):
-            return "any" if math.isinf(self.high) else f"at most {high}"
-        return f"at least {low}" if math.isinf(self.high) else f"{low} to {high}"
+            return Message("any") if math.isinf(self.high) else Message("at most {x}", x=high)
+        if math.isinf(self.high):
+            return Message("at least {x}", x=low)
+        return Message("{low} to {high}", low=low, high=high)
 
     @property
     def where(self) -> str:
-        return f"{self.connection} at {self.place}" if self.place else self.connection
+        if not self.place:
+            return self.connection
+        return Message("{connection} at {place}", connection=self.connection, place=self.place)
+
+    @property
+    def told_reaction(self) -> str:
+        """What it is, with its component."""
+        name, _space, axis = self.reaction.rpartition(" ")
+        if axis in ("x", "y", "z"):
+            return Message("{reaction} {axis}", reaction=name, axis=axis)
+        return Message("{reaction}", reaction=self.reaction)
 
     def to_plain(self) -> dict[str, Any]:
         """The reaction as plain data; without a limit None."""
@@ -115,32 +127,39 @@ class Statics(Result):
         return summary(self.system.title, self._blocks())
 
     def _blocks(self) -> Iterator[Block]:
-        yield line(f"{system_line(self.system, None)}; at rest in the start pose")
-        verdict = "It holds." if self.holds else f"It does not hold: {self.fails}."
+        yield line(further(system_line(self.system, None), Message("at rest in the start pose")))
+        verdict = Message("It holds.") if self.holds else Message("It does not hold: {fails}.", fails=self.fails)
         yield Section((verdict,), (line(self._told_reserve()),))
         if self.reactions:
-            yield Section(("Reactions",), tuple(table(*self._table())))
+            yield Section((Message("Reactions"),), tuple(table(*self._table())))
         yield from entries(*notes(self.notes))
 
     def _table(self) -> tuple[list[list[str]], list[str]]:
         """Its rows and its header; what is used of friction where that is known of one."""
-        header, rows = ["where", "what", "force"], [[r.where, r.reaction, f"{r.told} {r.unit}"] for r in self.reactions]
+        header: list[str] = [Message("where"), Message("what"), Message("force")]
+        rows: list[list[str]] = [
+            [r.where, r.told_reaction, Message("{force} {unit}", force=r.told, unit=r.unit)] for r in self.reactions
+        ]
         if any(r.used is not None for r in self.reactions):
-            header.append("used of friction")
+            header.append(Message("used of friction"))
             for row, r in zip(rows, self.reactions, strict=True):
                 row.append("" if r.used is None else f"{100 * r.used:.3g} %")
         return rows, header
 
     def _told_reserve(self) -> str:
         if math.isinf(self.reserve) and not self.fails:
-            return "no friction is needed"
+            return Message("no friction is needed")
         if math.isinf(self.reserve):
-            return f"a millionth of the friction is enough; without it {self.fails}"
+            return Message("a millionth of the friction is enough; without it {fails}", fails=self.fails)
         if self.holds:
-            return f"friction can carry {number_text(self.reserve)} times what is needed; with less {self.fails}"
+            return Message(
+                "friction can carry {x} times what is needed; with less {fails}",
+                x=number_text(self.reserve),
+                fails=self.fails,
+            )
         if self.reserve > 0.0:
-            return f"friction would have to be {number_text(1 / self.reserve)} times as large"
-        return "not even a million times the friction is enough"
+            return Message("friction would have to be {x} times as large", x=number_text(1 / self.reserve))
+        return Message("not even a million times the friction is enough")
 
 
 @in_words
@@ -169,7 +188,7 @@ def statics(system: System) -> Statics:
     reactions = tuple(_reactions(touching, problem)) if is_held else ()
     notes: list[str] = []
     if any(not r.is_unique for r in reactions):
-        notes.append("where an interval is shown, rigid-body mechanics leaves the reaction open")
+        notes.append(Message("where an interval is shown, rigid-body mechanics leaves the reaction open"))
     return Statics(system, is_held, fails, reserve, reactions, tuple(notes))
 
 

@@ -10,7 +10,6 @@ from freebody.assess.verdict import Judgement
 from freebody.language.sentences import Message, in_turn
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.numeric.mobility.rank import Rank
-from freebody.present.lines import plural
 from freebody.present.report.blocks import Block, Entry, Report, Section
 from freebody.present.report.results import Result, entries, entry, line, notes, options, question_title, summary
 from freebody.questions.reading import Question
@@ -151,63 +150,89 @@ class Mobility(Result):
 
     def _blocks(self) -> Iterator[Block]:
         yield count_section(self.gruebler)
-        independent = (
-            f"{self.rank.rank - self._n_defining} of {self.gruebler.n_constraints} constraints are independent"
+        independent = Message(
+            "{k} of {n} constraints are independent",
+            k=self.rank.rank - self._n_defining,
+            n=self.gruebler.n_constraints,
         )
-        yield Section(("Rank",), (line(independent), *entries(*self._rank())))
+        yield Section((Message("Rank"),), (line(independent), *entries(*self._rank())))
         if self.motions is not None:
             yield from motion_sections(self.motions)
             at_pose = (
                 []
                 if self.motions.input is None
-                else [entry("this pose", f"is a {what} of {self.motions.input.name}") for what in self.motions.singular]
+                else [
+                    entry(
+                        Message("this pose"),
+                        Message("is a {singular} of {name}", singular=what, name=self.motions.input.name),
+                    )
+                    for what in self.motions.singular
+                ]
             )
-            yield from entries(*at_pose, *notes(self.motions.notes), entry("advice", self.advice))
+            yield from entries(*at_pose, *notes(self.motions.notes), entry(Message("advice"), self.advice))
         else:
-            yield from entries(entry("advice", self.advice))
+            yield from entries(entry(Message("advice"), self.advice))
         for question in self.system.questions:
             if question.id in self.answers:
                 judged = self.answers[question.id]
-                said = [*options(judged.choice, judged.options), *notes(judged.notes, "to author")]
-                title = question_title(question.id, f"{question.text}: {self.finite_freedom}")
-                yield Section(title, tuple(entries(*said)))
+                said = [*options(judged.choice, judged.options), *notes(judged.notes, Message("to author"))]
+                title = question_title(question.id, question.text)
+                yield Section((*title, f": {self.finite_freedom}"), tuple(entries(*said)))
 
     def _rank(self) -> Iterator[Entry]:
         n, held = self.rank.n_coordinates - self._n_defining, self.rank.rank - self._n_defining
-        yield entry("found by", self.rank.how)
-        yield entry("mobility", f"{n} - {held} = {self.degrees_of_freedom}")
+        yield entry(Message("found by"), self.rank.how)
+        yield entry(Message("mobility"), f"{n} - {held} = {self.degrees_of_freedom}")
         if self.nearby is not None and self.nearby < self.degrees_of_freedom:
-            shaky = f"motions that start here {self.nearby}: the rest gives way to first order only"
-            branching = f"at nearby poses {self.nearby}: the pose is singular, motions branch (bifurcation)"
+            shaky = Message("motions that start here {n}: the rest gives way to first order only", n=self.nearby)
+            branching = Message(
+                "at nearby poses {n}: the pose is singular, motions branch (bifurcation)", n=self.nearby
+            )
             yield entry("", shaky if any(d.is_shaky for d in self.dependences) else branching)
         if self.contradiction is not None:
-            what = "cannot be assembled" + ("" if self.contradiction.is_geometric else " at its start")
-            yield entry(
-                "conflict", f"{what}: {', '.join(self.contradiction.names)}", f"at best {self.contradiction.gap}"
+            what = Message(
+                "cannot be assembled: {names}"
+                if self.contradiction.is_geometric
+                else "cannot be assembled at its start: {names}",
+                names=in_turn(self.contradiction.names),
             )
+            yield entry(Message("conflict"), what, Message("at best {gap}", gap=self.contradiction.gap))
         for d in self.dependences:
-            yield entry("redundant", f"{', '.join(d.rows)} depend on each other ({d.kind})", d.why)
+            rows = ", ".join(d.rows)
+            told = Message("{rows} depend on each other ({dependence})", rows=rows, dependence=d.kind)
+            yield entry(Message("redundant"), told, d.why)
         if self.dependences:
-            yield entry("not unique", f"the reactions {', '.join(self.indeterminate)}")
+            names = ", ".join(self.indeterminate)
+            yield entry(Message("not unique"), Message("the reactions {names}", names=names))
         for body, what in self.idle.items():
-            yield entry("idle", f"{body} {what}, and nothing else moves")
+            yield entry(Message("idle"), Message("{body} {does}, and nothing else moves", body=body, does=what))
         if self.n_idle:
-            useful = f"{self.finite_freedom} - {self.n_idle} = {self.useful_freedom} without what is idle"
-            yield entry("useful", useful)
+            useful = f"{self.finite_freedom} - {self.n_idle} = {self.useful_freedom}"
+            yield entry(Message("useful"), Message("{count} without what is idle", count=useful))
         if self.reachable is not None:
-            yield entry("velocities", self._reachable())
+            yield entry(Message("velocities"), self._reachable())
         if self.independent_coordinates:
-            yield entry("coordinates", ", ".join(self.independent_coordinates))
+            yield entry(Message("coordinates"), ", ".join(self.independent_coordinates))
         yield from notes(self.notes)
 
     def _reachable(self) -> str:
         n, m = self.degrees_of_freedom, self.reachable
         held = [c.connection for c in self.gruebler.connections if c.is_nonholonomic]
-        verb = "holds" if len(held) == 1 else "hold"
-        what = f"{', '.join(held)} {verb} velocities: {plural(n, 'freedom')} at a pose"
+        freedoms = Message("1 freedom") if n == 1 else Message("{n} freedoms", n=n)
+        what = Message(
+            "{names} holds velocities: {freedoms} at a pose"
+            if len(held) == 1
+            else "{names} hold velocities: {freedoms} at a pose",
+            names=", ".join(held),
+            freedoms=freedoms,
+        )
         if m == n:
-            return f"{what}, and poses in {plural(n, 'dimension')} are reached, so they can be integrated (holonomic)"
-        return f"{what}, but poses in {m} dimensions are reached (nonholonomic)"
+            return Message(
+                "{what}, and poses in {dimensions} are reached, so they can be integrated (holonomic)",
+                what=what,
+                dimensions=Message("1 dimension") if n == 1 else Message("{n} dimensions", n=n),
+            )
+        return Message("{what}, but poses in {m} dimensions are reached (nonholonomic)", what=what, m=m)
 
 
 def asked(system: System) -> list[Question]:

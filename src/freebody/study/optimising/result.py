@@ -14,7 +14,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.present.charts.lines import line_chart
 from freebody.present.files import check_writable, replaced
-from freebody.present.lines import amount_text, number_text, plural
+from freebody.present.lines import amount_text, number_text
 from freebody.present.picture.picture import Picture
 from freebody.present.report.blocks import Block, Figure, Report, Section
 from freebody.present.report.results import Result, entries, entry, notes, summary, table
@@ -178,16 +178,16 @@ class Optimum(Result):
     def _blocks(self) -> Iterator[Block]:
         yield from entries(
             *(
-                entry("goal", _goal(g.words, g.quantity, None if self.is_front else self.value))
+                entry(Message("goal"), _goal(g.words, g.quantity, None if self.is_front else self.value))
                 for g in self.problem.goals
             ),
-            *(entry("limit", limit.text) for limit in self.problem.limits),
+            *(entry(Message("limit"), limit.text) for limit in self.problem.limits),
             *(
                 []
                 if self.is_complete
                 else [
                     entry(
-                        "note",
+                        Message("note"),
                         Message(
                             "no case was found that keeps all limits: the nearest misses them by {x:.2g} of their size",
                             x=self.missed,
@@ -195,27 +195,35 @@ class Optimum(Result):
                     )
                 ]
             ),
-            *([] if self.is_front else [entry("local", str(self.local))]),
-            entry("global", str(self.globally)),
+            *([] if self.is_front else [entry(Message("local"), str(self.local))]),
+            entry(Message("global"), str(self.globally)),
             *notes(
                 (
-                    f"{plural(n, 'case')}: {of}: {status}{f': {why}' if why else ''}"
+                    Message(
+                        "{cases}: {name}: {why}",
+                        cases=Message("1 case") if n == 1 else Message("{n} cases", n=n),
+                        name=of,
+                        why=Message("{status}: {why}", status=status, why=why)
+                        if why
+                        else Message("{status}", status=status),
+                    )
                     for of, status, n, why in self.failures
                 ),
-                "failed",
+                Message("failed"),
             ),
         )
         if self.is_front:
             yield from self._front()
             return
         rows = [[v.name, number_text(self.values[v.name]), v.unit] for v in self.problem.names]
-        yield Section(("Found",), tuple(table(rows, ["", "value", "unit"])))
+        unit = Message("unit")
+        yield Section((Message("Found"),), tuple(table(rows, ["", Message("value"), unit])))
         if self.known is not None and self.known.active:
             costs = [[a.text, number_text(a.cost, 1e-12), a.unit] for a in self.known.active]
-            head = ["active", "goal per bound", "unit"]
+            head = [Message("active"), Message("goal per bound"), unit]
             note = Message("more limits are active than needed: what each of them costs is not unique")
-            said = [] if self.known.are_unique else entries(entry("note", note))
-            yield Section(("Limits that hold it",), (*table(costs, head), *said))
+            said = [] if self.known.are_unique else entries(*notes([note]))
+            yield Section((Message("Limits that hold it"),), (*table(costs, head), *said))
 
     def _front(self) -> Iterator[Block]:
         chosen = np.unique(np.linspace(0, len(self.u) - 1, min(len(self.u), _MOST_SHOWN)).round().astype(int))

@@ -13,7 +13,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, substitute
 from freebody.language.notation import stated_plain
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Report, Section
@@ -69,9 +69,9 @@ class Phases(Result):
 
     def _blocks(self) -> Iterator[Block]:
         yield line(system_line(self.system, None))
-        yield from (line(f"assumed: {text}") for text in self.system.assumptions)
+        yield from (line(Message("assumed: {text}", text=text)) for text in self.system.assumptions)
         yield self.section
-        yield from entries(*notes(self.reasons, "left out"))
+        yield from entries(*notes(self.reasons, Message("left out")))
 
     @property
     def section(self) -> Section:
@@ -187,13 +187,13 @@ def _title(shown: Sequence[PhaseResult]) -> str:
     for k, phase in enumerate(shown):
         word = phase.what
         if phase.begins == "blow" and k and word == shown[k - 1].what:
-            word = f"{word} on"
+            word = Message("{does} on", does=word)
         elif phase.begins == "impact":
-            word = "rebounds" if word == "flies" else f"{word} after the impact"
+            word = Message("rebounds") if word == "flies" else Message("{does} after the impact", does=word)
         elif word == "slides" and k and shown[k - 1].what == "slides":
-            word = "slides back"
+            word = Message("slides back")
         words.append(word)
-    return ", then ".join(words)
+    return in_turn(words, "{first}, then {second}")
 
 
 def _phase(tree: PhaseTree, node: PhaseNode, edge: PhaseEnd | None, following: PhaseNode | None) -> PhaseResult:
@@ -233,10 +233,12 @@ def _phase(tree: PhaseTree, node: PhaseNode, edge: PhaseEnd | None, following: P
 def _impulses(tree: PhaseTree, impact: PhaseImpact) -> tuple[tuple[str, Expr], ...]:
     """Impulses as their reactions are counted: at a bound a push is positive."""
     rows = {row.name: row for row in tree.system.rows}
-    return tuple(
-        (f"impulse of {rows[name].reaction} of {label(name)}", readable(rows[name].sign * x))
-        for name, x in impact.impulses.items()
-    )
+
+    def name_of(row: str) -> str:
+        told = Message("{reaction} of {connection}", reaction=rows[row].reaction, connection=label(row))
+        return Message("impulse of {force}", force=told)
+
+    return tuple((name_of(row), readable(rows[row].sign * x)) for row, x in impact.impulses.items())
 
 
 def _with_purpose(r: SolvedRelation) -> str:
@@ -309,7 +311,8 @@ def _forces(tree: PhaseTree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
             except CannotAnswer:
                 continue
             force = phase.model.field.lowest_terms(force) if course is None else course.plain(force)
-            found.append((f"{row.reaction} of {label(row.name)}{where}", _shown(tree, phase, force)))
+            name = Message("{reaction} of {connection}", reaction=row.reaction, connection=label(row.name) + where)
+            found.append((name, _shown(tree, phase, force)))
     return tuple(found)
 
 

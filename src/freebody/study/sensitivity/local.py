@@ -68,10 +68,10 @@ class Gradient(Result):
                 [d.by, _told(d.value), d.unit, _told(d.relative), d.why]
                 for d in sorted(a.derivatives, key=lambda d: -round(abs(d.relative or 0.0), 9))
             ]
-            head = ["by", "derivative", "unit", "% for 1 %", ""]
+            head = [Message("by"), Message("derivative"), Message("unit"), Message("% for 1 %"), ""]
             shown = f"{_told(a.value)} {a.unit}".strip() if a.formula is None and a.value is not None else ""
             blocks = [
-                *entries(*([entry("value", shown)] if shown else [])),
+                *entries(*([entry(Message("value"), shown)] if shown else [])),
                 *([Equations(tuple(lines))] if lines else []),
                 *table(rows, head),
             ]

@@ -77,14 +77,14 @@ class Sensitivity(Result):
 
     def _blocks(self) -> Iterator[Block]:
         if self.cases is not None:
-            yield from entries(entry("cases", f"{self.cases.n:,}"))
+            yield from entries(entry(Message("cases"), f"{self.cases.n:,}"))
         for of, found in self.indices.items():
             rows = [
                 [i.name, number_text(i.first), f"± {i.first_error:.2g}", number_text(i.total), f"± {i.total_error:.2g}"]
                 for i in sorted(found, key=lambda i: -i.total)
             ]
-            head = ["", "by itself", "", "with interactions", ""]
-            yield Section((f"Shares in the variance of {of}",), tuple(table(rows, head)))
+            head = ["", Message("by itself"), "", Message("with interactions"), ""]
+            yield Section((Message("Shares in the variance of {name}", name=of),), tuple(table(rows, head)))
         yield from self.gradient.blocks()
 
 

@@ -48,7 +48,7 @@ class Simulation(MeasuredMotion, Result):
 
     @property
     def report(self) -> Report:
-        return summary(self.system.title or "simulation", motion_blocks(self))
+        return summary(self.system.title or Message("simulation"), motion_blocks(self))
 
     def to_plain(self) -> dict[str, Any]:
         """The JSON document of the command line."""

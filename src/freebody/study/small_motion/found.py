@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, ENERGY
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
@@ -107,38 +108,47 @@ class Equilibria(Result):
 
     def _blocks(self) -> Iterator[Block]:
         yield line(system_line(self.system, self.degrees_of_freedom))
-        yield from (line(f"note: {note}") for note in self.notes)
+        yield from (line(Message("note: {note}", note=note)) for note in self.notes)
         for k, rest in enumerate(self, 1):
-            title = "Equilibrium" if len(self) == 1 else f"Equilibrium {k} of {len(self)}"
+            one, several = Message("Equilibrium"), Message("Equilibrium {k} of {n}", k=k, n=len(self))
+            title = Message("{what}: {verdict}", what=one if len(self) == 1 else several, verdict=_verdict(rest))
             at = [f"{symbol_text(n)} = {amount_text(x, self.unit(n))}" for n, x in rest.measures.items()]
             said = entries(
-                entry("at", *(at or (_pose(body, pose) for body, pose in rest.poses.items()))),
-                entry("reactions", *self._reactions(rest)),
-                entry("note", *rest.notes),
+                entry(Message("at"), *(at or (_pose(body, pose) for body, pose in rest.poses.items()))),
+                entry(Message("reactions"), *self._reactions(rest)),
+                entry(Message("note"), *rest.notes),
             )
-            yield Section((f"{title}: {_verdict(rest)}",), tuple(said))
+            yield Section((title,), tuple(said))
 
     def _reactions(self, rest: FoundEquilibrium) -> Iterator[str]:
         largest = max((abs(x) for x in rest.reactions.values() if x is not None), default=0.0)
         for row in self.system.constraint_rows:
             if row.name not in rest.reactions:
                 continue
-            value, what = rest.reactions[row.name], f"{row.name}: {row.reaction}"
+            value, names = rest.reactions[row.name], {"row": row.name, "what": row.reaction}
             if value is None:
-                yield f"{what} is not unique"
+                yield Message("{row}: {what} is not unique", **names)
             else:
                 unit = ENERGY / row.measure.dimension
                 is_nothing = abs(value) <= ROUND_OFF * largest
-                yield f"{what} {number_text(0.0 if is_nothing else value)} {unit}"
+                x = number_text(0.0 if is_nothing else value)
+                yield Message("{row}: {what} {x} {unit}", x=x, unit=unit, **names)
 
 
 def _verdict(rest: FoundEquilibrium) -> str:
     if rest.eigenvalue is None:
-        return rest.stability if rest.direction else "nothing can move"
+        return rest.stability if rest.direction else Message("nothing can move")
     x = rest.eigenvalue
     value = number_text(x.real) if not x.imag else f"{number_text(x.real)} ± {number_text(abs(x.imag))} i"
-    what, unit = ("lowest stiffness", "1/s^2") if rest.eigenvalue_of == "stiffness" else ("eigenvalue", "1/s")
-    return f"{rest.stability} ({what} {value} {unit}, along {symbol_text(rest.direction)})"
+    along = symbol_text(rest.direction)
+    return Message(
+        "{stability} (lowest stiffness {value} 1/s^2, along {name})"
+        if rest.eigenvalue_of == "stiffness"
+        else "{stability} (eigenvalue {value} 1/s, along {name})",
+        stability=rest.stability,
+        value=value,
+        name=along,
+    )
 
 
 def _pose(body: str, pose: tuple[float, ...]) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from freebody.language.sentences import Message, in_turn
 from freebody.present.lines import number_text, symbol_text
 from freebody.study.small_motion.found import plain_number
 from freebody.tolerances import ROUND_OFF
@@ -70,27 +71,34 @@ class NaturalMode:
         """Its kind and its frequency or rate, in words."""
         rate = self.rate
         if self.kind == "rigid":
-            return "rigid, no frequency: it stays or drifts"
+            return Message("rigid, no frequency: it stays or drifts")
         if self.kind == "creeping":
-            return f"creeping back, rate {number_text(rate.real)} 1/s"
+            return Message("creeping back, rate {rate} 1/s", rate=number_text(rate.real))
+        growing = [Message("growing, rate {rate} 1/s", rate=number_text(rate.real))] if self.kind == "growing" else []
         if self.frequency is None:
-            return f"growing, rate {number_text(rate.real)} 1/s"
+            return in_turn(growing)
         assert self.frequency_hz is not None
-        text = f"omega = {number_text(self.frequency)} rad/s, f = {number_text(self.frequency_hz)} Hz"
+        swings: list[str] = [
+            f"omega = {number_text(self.frequency)} rad/s, f = {number_text(self.frequency_hz)} Hz",
+        ]
         if self.damping_ratio:
-            damped = number_text(abs(rate.imag))
-            text += f", damping ratio {number_text(self.damping_ratio)}, damped {damped} rad/s"
-        return f"growing, rate {number_text(rate.real)} 1/s, {text}" if self.kind == "growing" else text
+            swings.append(Message("damping ratio {ratio}", ratio=number_text(self.damping_ratio)))
+            swings.append(Message("damped {frequency} rad/s", frequency=number_text(abs(rate.imag))))
+        return in_turn([*growing, *swings])
 
     @property
     def told_shape(self) -> list[str]:
         """The parts of the named measures, or the motions of the bodies where no measure moves."""
         if any(abs(x) for x in self.shape.values()):
-            return [f"{symbol_text(name)} {_part(x)}" for name, x in self.shape.items()]
-        return [f"{body}: ({', '.join(map(_part, motion))})" for body, motion in self.bodies.items()]
+            return [Message("{name} {part}", name=symbol_text(name), part=_part(x)) for name, x in self.shape.items()]
+        return [
+            Message("{body}: ({parts})", body=body, parts=in_turn(list(map(_part, motion))))
+            for body, motion in self.bodies.items()
+        ]
 
 
 def _part(x: complex) -> str:
     if abs(x.imag) < ROUND_OFF:
         return number_text(x.real if abs(x.real) > ROUND_OFF else 0.0)
-    return f"{number_text(abs(x))} at {number_text(math.degrees(math.atan2(x.imag, x.real)))}°"
+    phase = number_text(math.degrees(math.atan2(x.imag, x.real)))
+    return Message("{size} at {phase}°", size=number_text(abs(x)), phase=phase)

@@ -161,13 +161,22 @@ class NaturalModes(Result):
         yield line(system_line(self.system, len(self.small.speeds) - len(self.system.states)))
         units = self._units
         at = ", ".join(f"{symbol_text(n)} = {amount_text(x, units[n])}" for n, x in self.measures.items())
-        stability = f" ({self.stability})" if self.stability else ""
-        yield line(f"small motions about the {self.about}{stability}" + (f": {at}" if at else ""))
-        yield from (line(f"note: {note}") for note in self.notes)
+        about = (
+            Message("small motions about the equilibrium")
+            if self.about == "equilibrium"
+            else Message("small motions about the start")
+        )
+        if self.stability:
+            about = Message("{what} ({stability})", what=about, stability=self.stability)
+        yield line(Message("{what}: {values}", what=about, values=at) if at else about)
+        yield from (line(Message("note: {note}", note=note)) for note in self.notes)
         if not self.modes:
-            yield Remark(("Nothing can move, so there are no modes.",))
+            yield Remark((Message("Nothing can move, so there are no modes."),))
         for k, mode in enumerate(self, 1):
-            yield Section((f"Mode {k}: {mode.told}",), tuple(entries(entry("shape", *mode.told_shape))))
+            yield Section(
+                (Message("Mode {k}: {what}", k=k, what=mode.told),),
+                tuple(entries(entry(Message("shape"), *mode.told_shape))),
+            )
 
 
 @in_words

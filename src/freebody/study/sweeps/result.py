@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.errors import InputError
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, in_turn
 from freebody.numeric.jets import Array
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Figure, Report, Section
@@ -280,32 +280,40 @@ class Sweep(Result):
     def _blocks(self) -> Iterator[Block]:
         sizes = " x ".join(f"{n} {name}" for name, n in self.plan.dimensions.items() if name != "case")
         shape = f"{self.n:,}" + (f" ({sizes})" if sizes else "")
-        done = "" if self.is_complete else f", {self.n_done:,} of them done"
+        done = shape if self.is_complete else Message("{cases}, {n:,} of them done", cases=shape, n=self.n_done)
         yield from entries(
-            entry("cases", shape + done),
-            *(entry("status", f"{name}: {self._told(of)}") for name, of in self.counts.items()),
+            entry(Message("cases"), done),
+            *(
+                entry(Message("status"), Message("{name}: {counts}", name=name, counts=self._told(of)))
+                for name, of in self.counts.items()
+            ),
         )
-        head = ["", "unit", "least", "mean", "greatest", "std. deviation"]
+        head: list[str] = ["", Message("unit"), Message("least"), Message("mean"), Message("greatest")]
+        head.append(Message("std. deviation"))
         is_random = self.plan.sampled.is_random
         if is_random:
-            head.append("error of mean")
+            head.append(Message("error of mean"))
         rows: list[Sequence[str]] = []
         for c in self.columns:
             s = self.statistics[c.name]
             numbers = [s.least, s.mean, s.greatest, s.deviation, *([s.error] if is_random else [])]
             rows.append([c.name, c.unit, *(number_text(x) if math.isfinite(x) else "" for x in numbers)])
-        yield Section(("Results",), tuple(table(rows, head)))
+        yield Section((Message("Results"),), tuple(table(rows, head)))
         if self.is_complete and self.n <= MOST_SHOWN:
             from freebody.study.sweeps.charts import charts
 
             yield from (Figure(picture, (picture.title,), k) for k, picture in enumerate(charts(self), 1))
         if self.failures:
-            told = [[f.of, f.status, f"{f.count:,}", self._case(f), f.why] for f in self.failures]
-            yield Section(("Cases without a number",), tuple(table(told, ["", "status", "cases", "first case", "why"])))
+            told = [
+                [f.of, Message("{status}", status=f.status), f"{f.count:,}", self._case(f), f.why]
+                for f in self.failures
+            ]
+            head = ["", Message("status"), Message("cases"), Message("first case"), Message("why")]
+            yield Section((Message("Cases without a number"),), tuple(table(told, head)))
 
     @staticmethod
     def _told(of: Mapping[str, int]) -> str:
-        return ", ".join(f"{count:,} {word}" for word, count in of.items())
+        return in_turn([Message("{n:,} {status}", n=count, status=word) for word, count in of.items()])
 
     def _case(self, f: Failure) -> str:
         return ", ".join(

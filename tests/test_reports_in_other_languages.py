@@ -1,0 +1,156 @@
+"""Reports of studies in another language: no sentence of ours stays English, and nothing else changes."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+from command import freebody
+from freebody.language.notation import Stated
+from freebody.language.sentences import Message
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.phrases import phrases_of
+from freebody.narrative.telling.reports import ReportTeller
+from freebody.present.report import blocks
+from freebody.present.report.results import Result
+from freebody.studies import STUDIES
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+LANGUAGE = "de"
+WORD = re.compile(r"[A-Za-z]{3,}")
+KNOWN = {template for table in phrases_of(LANGUAGE).messages.values() for template in table}
+UNITS = {"rad", "deg"}
+
+CASES: list[tuple[str, Callable[[fb.System], Result]]] = [
+    ("atwood_machine", lambda s: s.solve()),
+    ("cardan_joint", lambda s: s.solve()),
+    ("block_on_rough_incline", lambda s: s.solve()),
+    ("four_bar", lambda s: s.equations_of_motion()),
+    ("four_bar", lambda s: s.mobility()),
+    ("planetary_gear", lambda s: s.mobility()),
+    ("cardan_joint", lambda s: s.mobility()),
+    ("double_pendulum", lambda s: s.conserved()),
+    ("body_on_driven_roller", lambda s: s.conserved()),
+    ("ladder_against_wall", lambda s: s.statics()),
+    ("atwood_machine", lambda s: s.statics()),
+    ("double_pendulum", lambda s: s.equilibria()),
+    ("double_pendulum", lambda s: s.modes()),
+    ("mass_on_spring", lambda s: s.modes("start")),
+    ("block_on_rough_incline", lambda s: s.phases()),
+    ("bouncing_ball", lambda s: s.phases()),
+    ("block_on_rough_incline", lambda s: s.simulate(1.0)),
+    ("loop_the_loop", lambda s: s.simulate(0.3)),
+]
+
+
+def pieces(report: object) -> Iterator[str]:
+    """Every text of a report, wherever it stands: no part of it is known here, so none can be forgotten."""
+    match report:
+        case blocks.Formula() | blocks.Emphasis(look="code" | "name"):
+            return
+        case str():
+            yield report
+        case tuple():
+            for part in report:
+                yield from pieces(part)
+        case _ if hasattr(report, "__dataclass_fields__"):
+            for name in report.__dataclass_fields__:  # type: ignore[attr-defined]
+                if name not in ("look", "kind", "marks", "words", "title" if isinstance(report, blocks.Report) else ""):
+                    yield from pieces(getattr(report, name))
+        case _:
+            return
+
+
+def untold(text: str, names: set[str]) -> Iterator[str]:
+    """The parts of a text that no catalogue has and no author wrote."""
+    text = text.words if isinstance(text, Stated) else text
+    if isinstance(text, Message):
+        if text.template not in KNOWN:
+            yield text.template
+        for part in text.arguments.values():
+            if isinstance(part, Message | Stated):
+                yield from untold(part, names)
+    elif not set(WORD.findall(text)) <= names and Catalogue(LANGUAGE).said(text) == text:
+        yield text
+
+
+def names_of(system: fb.System, file: Path) -> set[str]:
+    """The words of the author, and the names of rows that are made of them."""
+    rows = " ".join(row.name for row in system.rows)
+    return {*WORD.findall(file.read_text("utf-8")), *WORD.findall(rows), *UNITS}
+
+
+@pytest.mark.parametrize(("name", "study"), CASES, ids=[f"{name}-{k}" for k, (name, _study) in enumerate(CASES)])
+def test_no_english_sentence_is_left(name: str, study: Callable[[fb.System], Result]) -> None:
+    file = EXAMPLES / f"{name}.yaml"
+    system = fb.System.load(file)
+    found = study(system)
+    names = names_of(system, file)
+    assert [part for text in pieces(found.report.blocks) for part in untold(text, names)] == []
+    told = found.told_by(ReportTeller(LANGUAGE))
+    assert told.to_text() != found.to_text()
+    assert told.to_plain() == found.to_plain()
+
+
+def test_a_sentence_that_is_left_english_is_found() -> None:
+    text = Message("{what}: {why}", what="x", why=Message("nobody translates this"))
+    assert list(untold(text, set()))[-1] == "nobody translates this"
+    assert list(untold("it cannot be so", {"crank"})) == ["it cannot be so"]
+    assert list(untold("crank - rod", {"crank", "rod"})) == []
+    report = blocks.Section(("a",), (blocks.Table((("b",),), ((("c",),),)), blocks.Entries((blocks.Entry("d", ()),))))
+    assert list(pieces(report)) == ["a", "b", "c", "d"]
+
+
+def test_formulas_names_and_numbers_stay() -> None:
+    """In both languages a report has the same formulas in the same order."""
+
+    def formulas(part: object) -> Iterator[blocks.Formula]:
+        if isinstance(part, blocks.Formula):
+            yield part
+        elif isinstance(part, tuple):
+            for each in part:
+                yield from formulas(each)
+        elif hasattr(part, "__dataclass_fields__"):
+            for name in part.__dataclass_fields__:  # type: ignore[attr-defined]
+                yield from formulas(getattr(part, name))
+
+    system = fb.System.load(EXAMPLES / "atwood_machine.yaml")
+    english, german = system.solve(), system.solve(language=LANGUAGE)
+    assert list(formulas(german.told)) == list(formulas(english.told))
+    assert "3 bewegte Körper, 2 Verbindungen, 1 Freiheitsgrad; Koordinate: x₁" in german.to_text()
+    assert "gültig      für alle positiven Parameter" in german.to_text()
+    assert german.told.language == LANGUAGE
+    assert 'lang="de"' in german.to_html()
+    assert german == english
+
+
+def test_every_study_that_reports_knows_the_language() -> None:
+    pictures = {"draw", "picture", "free_body"}
+    for name, study in STUDIES.items():
+        assert study.is_told == (name not in pictures)
+        assert ("language" in inspect.signature(getattr(fb, name)).parameters) == (name not in pictures)
+
+
+def test_an_unknown_language_is_told_before_anything_is_computed() -> None:
+    system = fb.System.load(EXAMPLES / "atwood_machine.yaml")
+    with pytest.raises(fb.InputError, match="there are no words for the language dee"):
+        system.mobility(language="dee")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("mobility", "examples/four_bar.yaml"), "Abzählung nach Grübler und Kutzbach"),
+        (("statics", "examples/ladder_against_wall.yaml"), "Das System bleibt in Ruhe."),
+        (("simulate", "examples/double_pendulum.yaml", "--until", "0.1"), "Fehler der Energiebilanz"),
+    ],
+)
+def test_a_command_takes_the_language(arguments: tuple[str, ...], said: str) -> None:
+    done = freebody(*arguments, "--language", "de")
+    assert done.returncode == 0, done.stderr
+    assert said in done.stdout
