@@ -40,7 +40,7 @@ class ReportTeller:
 
     language: str
 
-    def __call__(self, report: Report) -> Report:
+    def tell(self, report: Report) -> Report:
         catalogue = Catalogue(self.language)
         words = _Words(catalogue)
         return replace(

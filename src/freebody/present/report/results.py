@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from copy import copy
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
 
 from freebody.messages import Message
 from freebody.present.report.blocks import Block, Emphasis, Entries, Entry, Paragraph, Piece, Report, Table, Text
@@ -20,10 +20,16 @@ _NOTE = Message("note")
 R = TypeVar("R", bound="Result")
 
 
+class Teller(Protocol):
+    """Who tells a report in another language."""
+
+    def tell(self, report: Report) -> Report: ...
+
+
 class Result:
     """What a study finds out: it says itself in blocks, and so in every format."""
 
-    _teller: ClassVar[Callable[[Report], Report] | None] = None  # of one that is told in another language
+    _teller: ClassVar[Teller | None] = None  # of one that is told in another language
 
     @property
     @abstractmethod
@@ -33,9 +39,9 @@ class Result:
     @property
     def told(self) -> Report:
         """The report in the language in which the result is read: what every writer writes."""
-        return self.report if self._teller is None else self._teller(self.report)
+        return self.report if self._teller is None else self._teller.tell(self.report)
 
-    def told_by(self: R, teller: Callable[[Report], Report]) -> R:
+    def told_by(self: R, teller: Teller) -> R:
         """The same result, read in another language. Names and plain data stay as they are."""
         found = copy(self)
         object.__setattr__(found, "_teller", teller)  # results are frozen

@@ -59,7 +59,8 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
         evidence = over_a_period(setup, question.text, q.of, turning, (least.value, largest.value), conditions)
     else:
         evidence = over_a_turn(setup, question.text, q.of, turning.angle, least, largest, conditions)
-    notes = [_where(Message(end), e, turning) for end, e in (("least", least), ("largest", largest))] + turning.notes
+    ends = ((Message("least"), least), (Message("largest"), largest))
+    notes = [_where(end, e, turning) for end, e in ends] + turning.notes
     element = told(search, q, least, largest)
     return Finding(element, evidence, conditions, notes)
 
