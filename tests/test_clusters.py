@@ -352,7 +352,11 @@ def test_ctrl_c_in_the_queue_takes_the_jobs_out_of_it(tmp_path: Path, monkeypatc
     squeue = f"#!/bin/bash\nkill -INT {os.getpid()}\necho PENDING\n"
     scancel = '#!/bin/bash\necho "scancel $@" >> {folder}/called\n'
     script = slurm(tmp_path, monkeypatch, sbatch="#!/bin/bash\necho 4711\n", squeue=squeue, scancel=scancel)
-    found = pendulum().sweep(**ASKED, cluster=f"slurm:{script}@127.0.0.1", out=tmp_path / "a.csv")
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # what was started in the background ignores it
+    try:
+        found = pendulum().sweep(**ASKED, cluster=f"slurm:{script}@127.0.0.1", out=tmp_path / "a.csv")
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert (found.is_complete, found.n_done) == (False, 0)
     assert (tmp_path / "called").read_text(encoding="utf-8") == "scancel 4711\n"
     assert (tmp_path / "a.csv.part").is_dir()
