@@ -96,6 +96,18 @@ start: {x: 0, rate(x): v}
 """,
         {"normal force of it at start": "m*(g - 2*a*v**2)"},
     ),
+    # kappa = s/A^2 after the way s at the speed v: N = m v^2 s/A^2
+    "clothoid": (
+        "clothoid",
+        """
+parameters: {m: 2 kg, A: 3 m, v: 4 m/s, b: 2 m}
+bodies: {car: {particle: {mass: m}}}
+connections: {it: {clothoid: {point: car, scale: A}}}
+measures: {s: {parameter of it}}
+start: {s: b, rate(s): v}
+""",
+        {"normal force of it at start": "m*v**2*b/A**2", "acceleration of s": "0"},
+    ),
     # down a straight curve as down an incline, 2/3 g sin(beta) along it
     "rolling on a straight curve": (
         "rolling_on_curve",
