@@ -116,7 +116,7 @@ def test_a_kernel_gives_value_rate_and_second_derivative_of_its_measure(name: st
     y = observer.state(*reference.by_body(q, v))
     observer.align(y, 0.0, lambda m: reference.jet(snapshot.geometry, m).value)
     course = _instant(y, observer, a)
-    value, rate, second = observer.along(course)[measure]
+    value, rate, second = observer.along(course, [measure])[measure]
     assert value[0] == pytest.approx(jet.value, abs=1e-13)
     assert rate[0] == pytest.approx(jet.rate, abs=1e-13)
     assert second[0] == pytest.approx(float(jet.row(9) @ a) + jet.bias, abs=1e-12)

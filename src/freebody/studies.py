@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, wraps
+from functools import wraps
 from importlib import import_module
 from inspect import Parameter, Signature, signature
 from pathlib import Path
@@ -101,7 +101,7 @@ class Study:
     is_short: bool
     is_told: bool = False  # its line has a language
 
-    @cached_property
+    @property
     def function(self) -> Callable[..., Any]:
         """The study itself, as a function of a system; where its line has a language, what it finds is told in it."""
         own = getattr(import_module(self.home), self.name)
