@@ -481,7 +481,7 @@ def test_what_is_watched_along_a_motion_in_space_has_its_rates() -> None:
     engine, y = chain(2, LINK, ("left", "right"))
     course = run(engine, y, 0.01, 10)
     measure = Turn(Direction("b1", triple(1, 0, 0)), Direction("b0", triple(0, 1, 0)), Direction("b0", triple(0, 0, 1)))
-    value, rate, second = Observer(engine.numbers, [measure]).along(course)[measure]
+    value, rate, second = Observer(engine.numbers, [measure]).along(course, [measure])[measure]
     h = 0.001
     f, g = derivatives_on(value, h)
     assert rate[5] == pytest.approx(f, abs=1e-8)
