@@ -26,7 +26,7 @@ suppress_warnings = ["misc.highlighting_failure"]
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
-autodoc_preserve_defaults = True
+autodoc_preserve_defaults = False  # studies that take a language have a signature besides their source
 autodoc_default_options = {"exclude-members": "model_config, kind, kinds, called, example"}
 
 _LITERAL = re.compile(r"`([^`]*)`")

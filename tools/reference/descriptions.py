@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
@@ -66,6 +67,9 @@ FAMILIES = (
 )
 
 
+BESIDE = str(Path(__file__).with_name("model.yaml"))  # the file that examples name stands in that folder
+
+
 def pages() -> Iterator[Page]:
     for family in FAMILIES:
         parts, pictures = [f"# {family.title}", family.head], dict[str, str]()
@@ -84,7 +88,7 @@ def model_of(section: str, kind: str, spec: type[Spec]) -> str:
         return example
     plane = f"bodies: {{it: {{{kind}: {example}}}}}"
     try:
-        fb.System.from_text(plane)
+        fb.System.from_text(plane, BESIDE)
     except ModelError:
         return f"space: true\n{plane}"
     return plane
@@ -93,7 +97,7 @@ def model_of(section: str, kind: str, spec: type[Spec]) -> str:
 def _section(family: Family, kind: str, spec: type[Spec], pictures: dict[str, str]) -> str:
     model = model_of(family.section, kind, spec)
     with listening(spec) as units:
-        system = fb.System.from_text(model)
+        system = fb.System.from_text(model, BESIDE)
     drawn = system.picture()
     for paper in ("light", "dark"):
         pictures[f"pictures/{family.name}-{kind}-{paper}.svg"] = drawn.svg(dark=paper == "dark")
