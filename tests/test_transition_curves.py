@@ -168,3 +168,14 @@ def test_a_table_is_in_the_folder_of_the_model_or_below(tmp_path: Path) -> None:
         with_table(tmp_path / "models", "", HILL % "missing.csv")
     with pytest.raises(fb.ModelError, match="the model, which is in no file"):
         fb.System.from_text(HILL % "track.csv")
+
+
+def test_a_rail_that_cannot_be_read_is_told_once() -> None:
+    text = """
+bodies: {car: {particle: {mass: 1 kg}}}
+connections: {road: {clothoid: {point: car, scal: 3 m}}}
+measures: {s: {parameter of road}}
+"""
+    with pytest.raises(fb.ModelError) as told:
+        fb.System.from_text(text)
+    assert not any("is no rail" in problem.message for problem in told.value.problems)

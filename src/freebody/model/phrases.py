@@ -137,7 +137,7 @@ def _parameter(names: Names, found: Found, path: Path) -> Measure:
         place = None if connection is None else connection.curve_place(names)
     if place is None:
         told = Message("{name} is no rail along a curve in a parameter, x: ..., y: ... in s", name=found["of"])
-        names.problem(told, *path)
+        names.unknown(cast("str", found["of"]), told, *path)
         return Displacement(names.ground_origin, names.ground_origin, RIGHT)
     return place.parameter
 
