@@ -828,3 +828,26 @@ start: {s: 0.6 m, rate(s): 0}
 questions: {a: acceleration of s at start}
 """)
     assert system.solve()["a"].value == pytest.approx(0.6 * (9 - 2 * 0.8 * 9.81) / (1 + 4 * 0.64 * 0.36))
+
+
+TWO_PULLEYS = """
+freebody: 1
+space: {up: z}
+parameters: {m1: 2 kg, m2: 3 kg, g: 9.81 m/s^2, h: 2 m}
+ground: {points: {A: [0, 0, h], B: [1 m, 1 m, h]}}
+bodies:
+  one: {particle: {mass: m1}, at: [0, 0, 0]}
+  two: {particle: {mass: m2}, at: [1 m, 0, 1 m]}
+connections: {rope: {string: {from: one, over: [ground.A, ground.B], to: two}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_string_over_two_small_pulleys_has_a_length_of_each_part_that_moves() -> None:
+    """At rest along u = (0, 1, 1)/sqrt(2) the second weight adds g/sqrt(2): T (1/m1 + 1/m2) = g (1 + 1/sqrt(2))."""
+    [answer] = fb.System.from_text(TWO_PULLEYS).solve("tension of rope at the start").answers
+    assert answer.expression is not None, answer.reason
+    assert answer.value == pytest.approx(9.81 * (1 + math.sqrt(0.5)) / (1 / 2 + 1 / 3), rel=1e-12)
+    [anywhere] = fb.System.from_text(TWO_PULLEYS).solve("tension of rope").answers
+    assert "defect" not in (anywhere.reason or "")  # the routes agree at any pose
+    assert anywhere.value == pytest.approx(answer.value, rel=1e-9)
