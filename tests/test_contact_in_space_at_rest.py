@@ -167,3 +167,29 @@ def test_when_a_coin_on_a_table_that_spins_up_slips_is_a_number_of_the_motion() 
     asked = TURNED.replace("NORMAL", "up").replace("LAW", "W*t^2/(2 s)").replace("QUESTION", "time when top slips")
     (answer,) = fb.solve(fb.System.from_text(asked)).answers
     assert answer.value == pytest.approx(((0.4 * 9.81 / 0.3) ** 2 / 16 - 0.25) ** 0.25, rel=1e-6)
+
+
+IN_A_BOWL = """
+freebody: 1
+space: {up: z}
+parameters: {m: 1 kg, r: 0.1 m, R: 0.6 m, g: 9.81 m/s^2}
+bodies:
+  ball: {sphere: {mass: m, radius: r}, at: [0, 0, r - R]}
+  bowl: {fixed: true, hollow_sphere: {mass: 1 kg, radius: R, inner_radius: R}}
+connections: {c: {contact: {between: [ball, inside bowl]}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_ball_at_the_bottom_of_a_bowl_touches_it() -> None:
+    """Its centre is |R - r| from that of the bowl, which is R - r for the ball that fits into it."""
+    system = fb.System.from_text(IN_A_BOWL)
+    [case] = system.phases().cases
+    assert [phase.what for phase in case.phases] == ["moves in contact"]
+    assert case.conditions == ("R > r",)
+    *still, first, second = system.solve("natural frequencies").answers[0].value
+    assert still == [0, 0, 0]
+    assert [first, second] == pytest.approx([math.sqrt(9.81 / 0.5)] * 2)
+    [period] = system.solve("period of small oscillations").answers
+    assert period.value == pytest.approx(math.tau * math.sqrt(0.5 / 9.81))
+    assert "2 motions that are independent of one another have it" in period.notes

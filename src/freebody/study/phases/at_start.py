@@ -109,11 +109,13 @@ def _moved_by_its_gap(system: System, bound: UnilateralConstraint, loose: list[s
 
 
 def _gap_at_start(setup: Setup, bound: UnilateralConstraint) -> Ratio:
-    """The measure of a bound less its target, at the start."""
-    geometry = setup.model.geometry
-    target = setup.model.field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
+    """The measure of a bound less its target, at the start. What stands in it as the size of an element of the
+    parameters, as |R - r|, has the sign of the model's own numbers."""
+    field, geometry = setup.model.field, setup.model.geometry
+    target = field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
     measure: Any = bound.row.measure
-    return setup.start_instant.here(measure.value(geometry) - target)
+    gap = setup.start_instant.here(measure.value(geometry) - target)
+    return geometry.scalar(field.expression(gap)) if gap.is_constant() else gap
 
 
 @lru_cache(maxsize=4)
