@@ -896,3 +896,26 @@ start: {y: 0, rate(y): v}
         assert answer.expression is not None, answer.reason
         agrees_text(to_python(answer.expression), formula)
         assert condition in answer.conditions
+
+
+BOWL = """
+freebody: 1
+parameters: {m: 1 kg, r: 0.1 m, R: 0.6 m, g: 9.81 m/s^2, mu: 0.5, a: 30 deg}
+bodies:
+  bowl: {ring: {radius: R}, fixed: true}
+  ball: {sphere: {mass: m, radius: r}, at: [(R - r)*sin(a), -(R - r)*cos(a)]}
+connections: {c: {contact: {between: [ball, inside bowl], friction: mu}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_ball_that_is_let_go_in_a_bowl_rolls_if_it_does_so_at_first() -> None:
+    """With psi the angle of its centre, 7/5 (R - r) psi'' = -g sin psi, T = 2/7 m g sin psi, and N >= m g cos psi: mu
+    is at least 2/7 tan a. The ball itself turns by (R - r)/r psi, of which the whole turns say nothing of the way."""
+    system = fb.System.from_text(BOWL)
+    rolls, slides = system.phases().cases
+    assert (rolls.what, rolls.conditions) == ("rolls", ("R > r", "μ ≥ 2·tan(a)/7"))
+    assert (slides.what, slides.conditions) == ("slides", ("R > r", "μ < 2·tan(a)/7"))
+    lowest = BOWL.replace(", a: 30 deg", "").replace("sin(a)", "0").replace("cos(a)", "1")
+    [period] = fb.System.from_text(lowest).solve("period of small oscillations").answers
+    assert period.value == pytest.approx(math.tau * math.sqrt(7 * 0.5 / (5 * 9.81)))

@@ -56,19 +56,22 @@ def cos_sin(field: Field, angle: Ratio) -> Complex:
 
 
 def _angle_terms(field: Field, angle: Ratio) -> list[tuple[Ratio, int]]:
-    """The angle as sum of multiple * base, bases in a standard form."""
+    """The angle as sum of multiple * base, bases in a standard form. What is constant is taken together by what the
+    denominator leaves of it: (R pi - r pi)/(R - r) is pi."""
     numerator = field.terms(angle.num)
     den = angle.denominator()
+    below = den.generators()
     moving = sorted(g for g in angle.generators() if not field.is_constant_generator(g))
     groups: dict[int | tuple[tuple[int, int], ...], dict[tuple[tuple[int, int], ...], int]] = {}
     for monomial, coefficient in numerator.items():
         own = [g for g, _e in monomial if g in moving]
         linear = len(own) == 1 and dict(monomial)[own[0]] == 1
-        key: int | tuple[tuple[int, int], ...] = own[0] if linear else (monomial if not own else -1)
+        apart = tuple(item for item in monomial if item[0] not in below)
+        key: int | tuple[tuple[int, int], ...] = own[0] if linear else (apart if not own else -1)
         groups.setdefault(key, {})[monomial] = coefficient
     if -1 in groups or any(g in moving for g in den.generators()):
         return [(angle, 1)]  # not linear in what moves: one opaque angle
-    return [_standard(field, field.polynomial(terms) / den) for terms in groups.values()]
+    return [_standard(field, field.lowest_terms(field.polynomial(terms) / den)) for terms in groups.values()]
 
 
 def _in_known_angles(field: Field, base: Ratio, multiple: int) -> tuple[Ratio, int]:

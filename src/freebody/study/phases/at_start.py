@@ -115,7 +115,9 @@ def _gap_at_start(setup: Setup, bound: UnilateralConstraint) -> Ratio:
     target = field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
     measure: Any = bound.row.measure
     gap = setup.start_instant.here(measure.value(geometry) - target)
-    return geometry.scalar(field.expression(gap)) if gap.is_constant() else gap
+    roots = [g for g in field.ingredients(gap) if field.generators[g].kind == "root" and field.is_constant_generator(g)]
+    signed = {g: field.sqrt(field.radicand(g), setup.model.samples.is_negative) for g in roots}
+    return field.lowest_terms(field.follow(gap, signed))
 
 
 @lru_cache(maxsize=4)
