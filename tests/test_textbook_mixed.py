@@ -1,0 +1,50 @@
+"""Problems of textbook families that mix what is tested one by one elsewhere: wheels that are driven, masses that land,
+balls that collide and roll on. Beside each stands the family, and from what its formula follows by hand."""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+from conftest import assert_same_function
+from freebody.language.expression import Expr
+from freebody.language.notation import to_python
+
+
+def expression(model: str, question: str) -> str:
+    answer = fb.System.from_text(model).solve(question)["q1"]
+    assert isinstance(answer.expression, Expr), answer
+    return to_python(answer.expression)
+
+
+# Routh, Advanced Rigid Dynamics; Beer & Johnston ch. 17: a ball that rolls hits an equal one, elastic and smooth
+BALLS = """
+parameters: {m: 170 g, r: 28 mm, v: 2 m/s, mu: 0.2, d: 0.5 m, g: 9.81 m/s^2}
+ground: {lines: {cloth: {along: right}}}
+bodies:
+  a: {sphere: {mass: m, radius: r}, at: [0, r], velocity: [v, 0], angular_velocity: -v/r}
+  b: {sphere: {mass: m, radius: r}, at: [2*r + d, r], velocity: [0, 0], angular_velocity: 0}
+connections:
+  ca: {contact: {between: [a, cloth], friction: mu}}
+  cb: {contact: {between: [b, cloth], friction: mu}}
+  hit: {contact: {between: [a, b], restitution: 1}}
+loads: {weight: {gravity: g}}
+measures: {x: x of a, y: x of b}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        # the first keeps its spin and has no speed, the second has the speed and no spin; the moment of momentum about
+        # a point of the cloth stays: 7/5 m r v' = 2/5 m r v and 7/5 m r v' = m r v, at the same instant
+        ("velocity of x when ca rolls", "2*v/7"),
+        ("velocity of y when cb rolls", "5*v/7"),
+        ("velocity of y when ca rolls", "5*v/7"),
+        ("velocity of x as t grows", "2*v/7"),
+        ("velocity of y as t grows", "5*v/7"),
+        ("time when cb rolls", "d/v + 2*v/(7*mu*g)"),
+    ],
+)
+def test_balls_that_begin_to_roll_at_one_instant_are_each_told_of(question: str, expected: str) -> None:
+    assert_same_function(expression(BALLS, question), expected, {})
