@@ -3,12 +3,55 @@ balls that collide and roll on. Beside each stands the family, and from what its
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
 from conftest import assert_same_function
 from freebody.language.expression import Expr
 from freebody.language.notation import to_python
+from freebody.numeric.engine.course import Status
+
+
+# Timoshenko & Young, Advanced Dynamics: a plank on two rollers without mass that turn towards each other
+ROLLERS = """
+parameters: {m: 20 kg, L: 3 m, a: 0.5 m, R: 0.1 m, mu: 0.3, W: 50 rad/s, x0: 0.1 m, g: 9.81 m/s^2}
+ground: {points: {A: [-a, -R], B: [a, -R]}}
+bodies:
+  plank: {rod: {mass: m, length: L}, at: [x0, 0], angle: 0, velocity: [0, 0], angular_velocity: 0}
+  left: {disk: {radius: R}}
+  right: {disk: {radius: R}}
+connections:
+  A: {pin: [ground.A, left]}
+  B: {pin: [ground.B, right]}
+  dl: {driver: {measure: angle of left clockwise, follows: W*t}}
+  dr: {driver: {measure: angle of right, follows: W*t}}
+  cl: {contact: {between: [left, plank], friction: mu}}
+  cr: {contact: {between: [right, plank], friction: mu}}
+loads: {weight: {gravity: g}}
+measures: {x: x of plank}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        # N_r = m g (a + x)/(2 a), N_l = m g (a - x)/(2 a): m x'' = mu (N_l - N_r) = -mu m g x/a
+        ("acceleration of x at start", "-mu*g*x0/a"),
+        ("normal force of cr at start", "m*g*(a + x0)/(2*a)"),
+        ("velocity of x when x = 0", "-x0*sqrt(mu*g/a)"),
+    ],
+)
+def test_a_plank_swings_on_rollers_without_mass(question: str, expected: str) -> None:
+    assert_same_function(expression(ROLLERS, question), expected, {"a": 0.5, "x0": 0.1, "mu": 0.3})
+
+
+def test_friction_does_not_jam_on_a_roller_without_mass_however_rough_it_is() -> None:
+    system = fb.System.from_text(ROLLERS.replace("mu: 0.3", "mu: 0.9"))
+    run = system.simulate(until=1.0)
+    assert run.status is Status.FINISHED
+    assert run.series["x"][0][-1] == pytest.approx(0.1 * math.cos(math.sqrt(0.9 * 9.81 / 0.5)), abs=1e-7)
 
 
 def expression(model: str, question: str) -> str:
