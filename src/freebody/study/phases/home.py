@@ -69,7 +69,7 @@ class Home:
                 needed.append(
                     (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
                 )
-            elif bound.name in self.moving:
+            elif bound.name in touching:
                 needed += self._on_its_edge(bound)
         needed += self._held_in_blow(state)
         for row in [r for r in self.system.constraint_rows if r.unilateral] + [b.row for b in self.system.bounds]:
@@ -97,8 +97,11 @@ class Home:
                 yield row.sign * state.impulse(row), ">=", held_in_blow(row)
 
     def _on_its_edge(self, bound: UnilateralConstraint) -> Iterator[Inequality]:
-        """What is struck at the start is so between the ends of its edge."""
-        scalar, purpose = self.home.model.geometry.scalar, Message("{contact} is struck", contact=bound.row.connection)
+        """What touches at the start, or is struck there, does so between the ends of its edge."""
+        scalar, contact = self.home.model.geometry.scalar, bound.row.connection
+        purpose = Message("{contact} is struck", contact=contact)
+        if bound.name not in self.moving:
+            purpose = Message("{contact} touches", contact=contact)
         for span in bound.within:
             measure: Any = span.measure
             value = self.home.start_instant.value(measure)
