@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, Symbol, n_operations
+from freebody.language.expression import ZERO, Expr, Symbol, n_operations, substitute
 from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose, SpatialPose
@@ -218,7 +218,7 @@ class Home:
             return x
 
         def shown(x: Ratio) -> Expr:
-            return f.expression(at(x))
+            return substitute(f.expression(at(x)), self._lengths_by_symbol)
 
         starts: dict[str, Start] = {}
         for body in phase.system.moving if phase.system.space else ():
@@ -266,6 +266,11 @@ class Home:
         gone = self.closed - phase.mode.closed
         rates = (phase.state.rate(self.bound_row(name).measure) for name in gone)
         return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
+
+    @cached_property
+    def _lengths_by_symbol(self) -> dict[str, Expr]:
+        rows = {row.name: row for row in ideal_bounds(self.system)}
+        return {_symbol_of(rows[name]): length for name, length in self.lengths.items()}
 
     @cached_property
     def lengths(self) -> dict[str, Expr]:
