@@ -13,7 +13,6 @@ from freebody.language.expression import Expr
 from freebody.language.notation import to_python
 from freebody.numeric.engine.course import Status
 
-
 # Timoshenko & Young, Advanced Dynamics: a plank on two rollers without mass that turn towards each other
 ROLLERS = """
 parameters: {m: 20 kg, L: 3 m, a: 0.5 m, R: 0.1 m, mu: 0.3, W: 50 rad/s, x0: 0.1 m, g: 9.81 m/s^2}
@@ -92,6 +91,49 @@ def test_an_equilibrium_is_one_of_the_loop_as_it_is_assembled(question: str, exp
     assert_same_function(expression(TOGGLE, question), expected, {})
 
 
+# Beer & Johnston ch. 13, Hibbeler ch. 14: a hanging mass lands, its rope goes slack, and the block slides on
+LANDING = """
+parameters: {m1: 4 kg, m2: 3 kg, M: 1 kg, mu: 0.25, h: 0.6 m, R: 5 cm, d: 2 m, H: 1.5 m, g: 9.81 m/s^2}
+ground: {points: {edge: [d, -R]}, lines: {table: {along: right}, floor: {along: right, through: [0, -H]}}}
+bodies:
+  block: {particle: {mass: m1}, at: [0, 0]}
+  load: {particle: {mass: m2}, at: [d + R, h - H]}
+  pulley: {disk: {PULLEY}}
+connections:
+  table: {contact: {between: [block, ground.table], friction: mu}}
+  floor: {contact: {between: [load, ground.floor]}}
+  axle: {pin: [ground.edge, pulley]}
+  rope: {string: {from: block, over: [pulley], to: load}}
+loads: {weight: {gravity: g}}
+measures: {x: x of block}
+start: {x: 0, rate(x): 0}
+"""
+LIGHT, HEAVY = (
+    LANDING.replace("PULLEY", "radius: R").replace("M: 1 kg, ", ""),
+    LANDING.replace("PULLEY", "mass: M, radius: R"),
+)
+FALL = "(m2 - mu*m1)/(m1 + m2 + M/2)"  # of the load, by g
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected"),
+    [
+        # v^2 = 2 h g (m2 - mu m1)/(m1 + m2), and on by v^2/(2 mu g)
+        (LIGHT, "x when block stops", "h*m2*(1 + mu)/(mu*(m1 + m2))"),
+        (LIGHT, "velocity of x when load hits the floor", "sqrt(2*h*g*(m2 - mu*m1)/(m1 + m2))"),
+        (LIGHT, "energy lost in the impact", "m2*h*g*(m2 - mu*m1)/(m1 + m2)"),
+        # in the end all that the load had is lost
+        (LIGHT, "energy lost until block stops", "m2*g*h"),
+        # a wheel with mass goes on with the block, and the rope between them stays taut: (m1 + M/2) a = mu m1 g
+        (HEAVY, "x when block stops", f"h + h*{FALL}*(m1 + M/2)/(mu*m1)"),
+        (HEAVY, "energy lost until block stops", "m2*g*h"),
+    ],
+)
+def test_a_block_slides_on_when_the_load_that_pulled_it_has_landed(model: str, question: str, expected: str) -> None:
+    near = {"m1": 4.0, "m2": 3.0, "M": 1.0, "mu": 0.25, "h": 0.6, "d": 2.0, "H": 1.5, "R": 0.05}
+    assert_same_function(expression(model, question), expected, near)
+
+
 # Routh, Advanced Rigid Dynamics; Beer & Johnston ch. 17: a ball that rolls hits an equal one, elastic and smooth
 BALLS = """
 parameters: {m: 170 g, r: 28 mm, v: 2 m/s, mu: 0.2, d: 0.5 m, g: 9.81 m/s^2}
@@ -123,3 +165,52 @@ measures: {x: x of a, y: x of b}
 )
 def test_balls_that_begin_to_roll_at_one_instant_are_each_told_of(question: str, expected: str) -> None:
     assert_same_function(expression(BALLS, question), expected, {})
+
+
+# Goldstein ch. 1; Greenwood, Principles of Dynamics: a tube turns in a vertical plane, r'' = W^2 r - g sin(W t)
+TUBE = """
+parameters: {m: 0.2 kg, W: 2 rad/s, b: 0.3 m, T: 0.8 s, g: 9.81 m/s^2}
+bodies: {tube: {rod: {length: 4 m}}, ball: {particle: {mass: m}, near: {at: [b, 0]}}}
+connections:
+  axle: {pin: [ground.O, tube.center]}
+  slot: {slot: {pin: ball, along: tube.x, on: tube}}
+  motor: {driver: {measure: phi, follows: W*t}}
+loads: {weight: {gravity: g}}
+measures: {r: travel of ball along tube.x from tube.center, phi: angle of tube}
+start: {r: b, rate(r): 0}
+"""
+# Meriam & Kraige ch. 8: an oscillator that is shaken from rest
+SHAKEN = """
+parameters: {m: 2 kg, k: 50 N/m, c: 3 kg/s, F: 4 N, W: 3 rad/s, T: 0.8 s}
+ground: {points: {A: [-1 m, 0]}}
+bodies: {block: {particle: {mass: m}, at: [0, 0]}}
+connections: {rail: {slider: {body: block, along: right}}}
+loads:
+  spring: {law: {measure: x, force: -k*x}}
+  shaker: {force: {at: block, along: right, magnitude: F*sin(W*t)}}
+measures: {x: x of block}
+start: {x: 0, rate(x): 0}
+"""
+DAMPED = SHAKEN.replace("-k*x", "-k*x - c*rate(x)")
+# P C - Q D = A/m, Q C + P D = B/m with A = 0, B = F, P = k/m - W^2, Q = -c W/m
+COSINE, SINE = "(-F*c*W/((k - m*W**2)**2 + c**2*W**2))", "(F*(k - m*W**2)/((k - m*W**2)**2 + c**2*W**2))"
+DECAY, SWING = "(c/(2*m))", "sqrt(k/m - c**2/(4*m**2))"
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected"),
+    [
+        (TUBE, "r at t = T", "(b*cosh(W*T) - g/(2*W**2)*sinh(W*T)) + g/(2*W**2)*sin(W*T)"),
+        (TUBE, "velocity of r at t = T", "W*b*sinh(W*T) - g/(2*W)*cosh(W*T) + g/(2*W)*cos(W*T)"),
+        (SHAKEN, "x at t = T", "F/(k - m*W**2)*(sin(W*T) - W*sqrt(m/k)*sin(sqrt(k/m)*T))"),
+        (
+            DAMPED,
+            "x at t = T",
+            f"{COSINE}*cos(W*T) + {SINE}*sin(W*T) - exp(-{DECAY}*T)*({COSINE}*cos({SWING}*T)"
+            f" + ({SINE}*W + {DECAY}*{COSINE})/{SWING}*sin({SWING}*T))",
+        ),
+    ],
+)
+def test_what_is_driven_by_waves_is_followed_from_its_start(model: str, question: str, expected: str) -> None:
+    near = {"m": 2.0, "k": 50.0, "c": 3.0, "W": 3.0 if model is not TUBE else 2.0}
+    assert_same_function(expression(model, question), expected, near)
