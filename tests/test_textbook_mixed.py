@@ -214,3 +214,104 @@ DECAY, SWING = "(c/(2*m))", "sqrt(k/m - c**2/(4*m**2))"
 def test_what_is_driven_by_waves_is_followed_from_its_start(model: str, question: str, expected: str) -> None:
     near = {"m": 2.0, "k": 50.0, "c": 3.0, "W": 3.0 if model is not TUBE else 2.0}
     assert_same_function(expression(model, question), expected, near)
+
+
+# Beer & Johnston ch. 17, Kasdin & Paley ch. 9: masses are pulled in along a bar that turns freely; (J + 2 m r^2) w
+# stays
+SKATER = """
+parameters: {J: 2 kg m^2, m: 5 kg, b: 0.8 m, c: 0.3 m, v: 0.1 m/s, W: 4 rad/s}
+ground: {points: {O: [0, 0]}}
+bodies:
+  bar: {body: {inertia: J}}
+  one: {particle: {mass: m}, near: {at: [b, 0]}}
+  two: {particle: {mass: m}, near: {at: [-b, 0]}}
+connections:
+  bearing: {pin: [ground.O, bar]}
+  s1: {slot: {pin: one, along: bar.x, on: bar}}
+  s2: {slot: {pin: two, along: bar.x, on: bar}}
+  m1: {driver: {measure: r, follows: b - v*t}}
+  m2: {driver: {measure: u, follows: v*t - b}}
+measures:
+  r: travel of one along bar.x from bar
+  u: travel of two along bar.x from bar
+  phi: angle of bar
+start: {phi: 0, rate(phi): W}
+"""
+H = "((J + 2*m*b**2)*W)"
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        ("angular velocity of bar when r = c", f"{H}/(J + 2*m*c**2)"),
+        ("kinetic energy when r = c", f"{H}**2/(J + 2*m*c**2)/2 + m*v**2"),
+        # int w dt with dr = -v dt
+        ("phi when r = c", f"{H}/(v*sqrt(2*J*m))*(atan(b*sqrt(2*m/J)) - atan(c*sqrt(2*m/J)))"),
+    ],
+)
+def test_who_pulls_in_the_arms_turns_faster(question: str, expected: str) -> None:
+    assert_same_function(expression(SKATER, question), expected, {"b": 0.8, "c": 0.3, "m": 5.0, "J": 2.0})
+
+
+# Lamb, Higher Mechanics; Routh: four hinged rods in a square are struck at a corner along the diagonal. With X of the
+# middle and the half angle th of the corner T = 2 m X'^2 + 2/3 m L^2 th'^2, so that 4 m X' = J and
+# 4/3 m L^2 th' = J L sin(th); the opposite corner has the velocity X' - L th' sin(th)
+SQUARE = """
+parameters: {m: 1 kg, L: 0.5 m, J: 3 N s}
+bodies:
+  ab: {rod: {mass: m, length: L}, at: {start: [0, 0]}, angle: 45 deg}
+  bc: {rod: {mass: m, length: L}, at: {start: [L/sqrt(2), L/sqrt(2)]}, angle: -45 deg}
+  cd: {rod: {mass: m, length: L}, at: {start: [sqrt(2)*L, 0]}, angle: -135 deg}
+  da: {rod: {mass: m, length: L}, at: {start: [L/sqrt(2), -L/sqrt(2)]}, angle: 135 deg}
+connections:
+  B: {pin: [ab.end, bc.start]}
+  C: {pin: [bc.end, cd.start]}
+  D: {pin: [cd.end, da.start]}
+  A: {pin: [da.end, ab.start]}
+loads: {blow: {impulse: {at: ab.start, along: right, magnitude: J}}}
+"""
+# Beer & Johnston ch. 16: a wheel on a light hinged arm is let down on a turning one: N = mB g, and the rims come to one
+# speed, rA (w0 - 2 mu mB g t/(mA rA)) = 2 mu g t
+WHEELS = """
+parameters: {mA: 8 kg, mB: 3 kg, rA: 0.2 m, rB: 0.1 m, b: 0.4 m, mu: 0.2, w0: 60 rad/s, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], P: [-b, rA + rB]}}
+bodies:
+  A: {disk: {mass: mA, radius: rA}, at: [0, 0], angular_velocity: w0}
+  B: {disk: {mass: mB, radius: rB}, at: [0, rA + rB], angular_velocity: 0}
+  arm: {rod: {length: b}, near: {at: [-b/2, rA + rB]}}
+connections:
+  O: {pin: [ground.O, A]}
+  P: {pin: [ground.P, arm.start]}
+  Q: {pin: [arm.end, B]}
+  rim: {contact: {between: [A, B], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+# Routh; Ginsberg: a cylinder rolls inside a pipe that rolls. x' = -3 m s'/(4 M + 3 m), reduced mass 6 M m/(4 M + 3 m)
+PIPE = """
+parameters: {M: 4 kg, m: 3 kg, R: 0.5 m, r: 0.1 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  pipe: {ring: {mass: M, radius: R}, at: [0, R]}
+  cyl: {disk: {mass: m, radius: r}, at: [0, r]}
+connections:
+  outer: {rolling: {body: pipe, on: floor}}
+  inner: {rolling: {body: cyl, inside: pipe}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of line from pipe to cyl from down, x: x of pipe}
+start: {x: 0, rate(x): 0, rate(phi): 0, phi: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected"),
+    [
+        (SQUARE, "velocity of bc.end along right after the blow", "-J/(8*m)"),
+        (SQUARE, "kinetic energy after the blow", "5*J**2/(16*m)"),
+        (WHEELS, "time when slipping ends", "w0*rA/(2*mu*g*(1 + mB/mA))"),
+        (WHEELS, "angular velocity of B when slipping ends", "-w0*rA/(rB*(1 + mB/mA))"),
+        (WHEELS, "energy lost until rolling begins", "mA*mB/(mA + mB)*rA**2*w0**2/4"),
+        (PIPE, "period of small oscillations", "2*pi*sqrt(6*M*(R - r)/(g*(4*M + 3*m)))"),
+    ],
+)
+def test_blows_wheels_and_pipes(model: str, question: str, expected: str) -> None:
+    assert_same_function(expression(model, question), expected, {"R": 0.5, "r": 0.1})
