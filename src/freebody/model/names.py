@@ -85,6 +85,10 @@ class Joining(Protocol):
         """The direction of a line of the ground that bears a body, which may leave it."""
         ...
 
+    def is_floor_below(self, names: Names, body: str) -> bool:
+        """Whether it is no more to a body than a level floor on which it may land, and above which it is put."""
+        ...
+
     def room_between(self, names: Names, body: str, place: str) -> Measure | Message | None:
         """What vanishes where a body gets to the place to which it leads it, or why that never happens."""
         ...

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, Symbol, n_operations
+from freebody.language.expression import ZERO, Expr, Symbol, n_operations, substitute
 from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose, SpatialPose
@@ -69,7 +69,7 @@ class Home:
                 needed.append(
                     (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
                 )
-            elif bound.name in self.moving:
+            elif bound.name in touching:
                 needed += self._on_its_edge(bound)
         needed += self._held_in_blow(state)
         for row in [r for r in self.system.constraint_rows if r.unilateral] + [b.row for b in self.system.bounds]:
@@ -97,8 +97,11 @@ class Home:
                 yield row.sign * state.impulse(row), ">=", held_in_blow(row)
 
     def _on_its_edge(self, bound: UnilateralConstraint) -> Iterator[Inequality]:
-        """What is struck at the start is so between the ends of its edge."""
-        scalar, purpose = self.home.model.geometry.scalar, Message("{contact} is struck", contact=bound.row.connection)
+        """What touches at the start, or is struck there, does so between the ends of its edge."""
+        scalar, contact = self.home.model.geometry.scalar, bound.row.connection
+        purpose = Message("{contact} is struck", contact=contact)
+        if bound.name not in self.moving:
+            purpose = Message("{contact} touches", contact=contact)
         for span in bound.within:
             measure: Any = span.measure
             value = self.home.start_instant.value(measure)
@@ -215,7 +218,7 @@ class Home:
             return x
 
         def shown(x: Ratio) -> Expr:
-            return f.expression(at(x))
+            return substitute(f.expression(at(x)), self._lengths_by_symbol)
 
         starts: dict[str, Start] = {}
         for body in phase.system.moving if phase.system.space else ():
@@ -263,6 +266,11 @@ class Home:
         gone = self.closed - phase.mode.closed
         rates = (phase.state.rate(self.bound_row(name).measure) for name in gone)
         return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
+
+    @cached_property
+    def _lengths_by_symbol(self) -> dict[str, Expr]:
+        rows = {row.name: row for row in ideal_bounds(self.system)}
+        return {_symbol_of(rows[name]): length for name, length in self.lengths.items()}
 
     @cached_property
     def lengths(self) -> dict[str, Expr]:

@@ -24,7 +24,7 @@ from freebody.study.phases.ends import PhaseOutcome, Proofs
 from freebody.study.phases.events import first_events
 from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
-from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome
+from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome, collisions
 from freebody.study.phases.in_plane import slips_of, ways_of_impact
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
@@ -125,18 +125,20 @@ class PhaseTree(Home):
         try:
             values = self.sets.some(indices, 3)
             ways = ways_of_impact(self, instant, hits, values)
-            collision = ClosedFormCollision(
-                self.system, instant.closed, hits, instant.placed, values, instant.past, ways
-            )
-            blows = [(blow, *self._tested(collision, blow)) for blow in collision.blows()]
+            blows: list[tuple[ClosedFormCollision, CollisionOutcome, list[Inequality], list[Test]]] = []
+            labels = np.full(self.sets.n, NOTHING)
+            for one in collisions(self.system, instant.closed, hits, instant.placed, values, instant.past, ways):
+                for blow in one.blows():
+                    elements, tests = self._tested(one, blow)
+                    holds = np.all([np.ones(self.sets.n, dtype=bool), *(t.holds & t.known for t in tests)], axis=0)
+                    labels[holds & (labels == NOTHING)] = len(blows)
+                    blows.append((one, blow, elements, tests))
+                if (labels[indices] != NOTHING).all():
+                    break
         except NO_FORM as error:
             self.reasons.append(why(self.system, error))
             return []
-        labels = np.full(self.sets.n, NOTHING)
-        for k, (_blow, _elements, tests) in enumerate(blows):
-            holds = np.all([t.holds & t.known for t in tests], axis=0) if tests else np.ones(self.sets.n, dtype=bool)
-            labels[holds & (labels == NOTHING)] = k
-        for cell in cells(labels, indices, [t for _b, _e, tests in blows for t in tests]):
+        for cell in cells(labels, indices, [t for *_which, tests in blows for t in tests]):
             if cell.label == NOTHING:
                 self.reasons.append(
                     Message(
@@ -144,7 +146,7 @@ class PhaseTree(Home):
                     )
                 )
                 continue
-            blow, elements, _tests = blows[cell.label]
+            collision, blow, elements, _tests = blows[cell.label]
             impulses = {name: self.to_home(collision.setup, x) for name, x in collision.by_row(blow.impulses).items()}
             given = self.conditions([*elements, *cell.cuts], cell.sets)
             impact = PhaseImpact(hits, impulses, collision, collision.kept, collision=(collision, blow.impulses))
