@@ -11,6 +11,7 @@ import math
 from enum import Enum
 from fractions import Fraction
 
+from freebody.language.expression import LAMBERT
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.waves import Terms, fourier, sine_form, square_variants
@@ -165,7 +166,8 @@ def _function(field: Field, terms: Terms) -> Sign:
     used = sorted({g for m in terms for g, _e in m if g in field.arguments}, reverse=True)
     x = field.polynomial(terms)
     for g in used:
-        if field.arguments[g][0] == "exp" and (found := _exponential(field, x, g)) is not Sign.UNKNOWN:
+        way = {"exp": _exponential, **dict.fromkeys(LAMBERT, _lambert)}.get(field.arguments[g][0])
+        if way is not None and (found := way(field, x, g)) is not Sign.UNKNOWN:
             return found
     names = {field.arguments[g][0] for g in used}
     if len(names) != 1 or not names <= _RISING.keys() or len(used) > 2:
@@ -267,6 +269,23 @@ def _exponential(field: Field, x: Ratio, g: int) -> Sign:
         if all(s in (sign, wide) for s in signs):
             at_zero = not shifted[0].is_zero() and signs[0] is sign
             return sign if at_zero or (argument.is_strict and sign in signs) else wide
+    return Sign.UNKNOWN
+
+
+def _lambert(field: Field, x: Ratio, g: int) -> Sign:
+    """Of a (W + c), since W_0 >= -1 has the sign of its argument and W_-1 <= -1."""
+    name, argument = field.arguments[g]
+    parts = x.coefficients(g)
+    if len(parts) != 2:
+        return Sign.UNKNOWN
+    slope = sign_of(parts[1])
+    if name == "lambert_W0" and parts[0].is_zero():
+        return times(slope, sign_of(argument))
+    beyond = sign_of(field.lowest_terms(parts[0] / parts[1]) - 1)
+    if name == "lambert_W0" and beyond in (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO):
+        return times(slope, Sign.POSITIVE if beyond is Sign.POSITIVE else Sign.NONNEGATIVE)
+    if name == "lambert_Wm1" and beyond in (Sign.NEGATIVE, Sign.NONPOSITIVE, Sign.ZERO):
+        return times(slope, Sign.NEGATIVE if beyond is Sign.NEGATIVE else Sign.NONPOSITIVE)
     return Sign.UNKNOWN
 
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.language.expression import ELLIPTIC, FLOAT_FUNCTIONS, FRESNEL, free_symbols
+from freebody.language.expression import ELLIPTIC, FLOAT_FUNCTIONS, FRESNEL, LAMBERT, free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
@@ -42,6 +42,18 @@ def _of_floats(function: Callable[..., Any]) -> Callable[..., Any]:
     return lambda *arguments: function(*(np.asarray(a, dtype=np.float64) for a in arguments))
 
 
+def _or_nan(name: str) -> Callable[..., float]:
+    """A function of floats, nan where it is not real."""
+
+    def function(*arguments: float) -> float:
+        try:
+            return float(FLOAT_FUNCTIONS[name](*arguments))
+        except (ValueError, OverflowError):
+            return math.nan
+
+    return function
+
+
 _FUNCTIONS = SimpleNamespace(
     pi=math.pi,
     **{name: _of_floats(getattr(np, name)) for name in ("sqrt", "cos", "sin", "exp", "log", "sinh", "cosh", "tanh")},
@@ -49,7 +61,7 @@ _FUNCTIONS = SimpleNamespace(
     asin=_of_floats(np.arcsin),
     atan=_of_floats(np.arctan),
     atan2=_of_floats(np.arctan2),
-    **{name: _of_floats(np.vectorize(FLOAT_FUNCTIONS[name], otypes=[float])) for name in (*FRESNEL, *ELLIPTIC)},
+    **{name: _of_floats(np.vectorize(_or_nan(name), otypes=[float])) for name in (*FRESNEL, *ELLIPTIC, *LAMBERT)},
 )
 
 
