@@ -1,9 +1,9 @@
 """Landing with a drag that is linear in the velocity: the time by Lambert's W function, on the right real branch.
 
 By hand, upwards positive, with tau = m/c and u = m g/c the terminal speed: v = -u + (v0 + u) e^(-t/tau) and
-y = y0 - u t + tau (v0 + u) (1 - e^(-t/tau)). With a = 1 + v0/u and w = t/tau - a - (y0 - y)/(u tau) the place y is reached
-where w e^w = -a e^-(a + (y0 - y)/(u tau)), and there v = -u (1 + w). Problem families: Warburton & Wang, Am. J. Phys. 72,
-2004, 1404; Packel & Yuen, Coll. Math. J. 35, 2004, 337; Meriam & Kraige, Dynamics, sec. 2/2 and 3/4.
+y = y0 - u t + tau (v0 + u) (1 - e^(-t/tau)). With a = 1 + v0/u and w = t/tau - a - (y0 - y)/(u tau) the place y is
+reached where w e^w = -a e^-(a + (y0 - y)/(u tau)), and there v = -u (1 + w). Problem families: Warburton & Wang,
+Am. J. Phys. 72, 2004, 1404; Packel & Yuen, Coll. Math. J. 35, 2004, 337; Meriam & Kraige, Dynamics, sec. 2/2 and 3/4.
 """
 
 from __future__ import annotations

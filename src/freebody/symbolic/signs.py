@@ -283,10 +283,32 @@ def _lambert(field: Field, x: Ratio, g: int) -> Sign:
         return times(slope, sign_of(argument))
     beyond = sign_of(field.lowest_terms(parts[0] / parts[1]) - 1)
     if name == "lambert_W0" and beyond in (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO):
-        return times(slope, Sign.POSITIVE if beyond is Sign.POSITIVE else Sign.NONNEGATIVE)
+        is_strict = beyond is Sign.POSITIVE or _is_off_branch_point(field, argument)
+        return times(slope, Sign.POSITIVE if is_strict else Sign.NONNEGATIVE)
     if name == "lambert_Wm1" and beyond in (Sign.NEGATIVE, Sign.NONPOSITIVE, Sign.ZERO):
-        return times(slope, Sign.NEGATIVE if beyond is Sign.NEGATIVE else Sign.NONPOSITIVE)
+        is_strict = beyond is Sign.NEGATIVE or _is_off_branch_point(field, argument)
+        return times(slope, Sign.NEGATIVE if is_strict else Sign.NONPOSITIVE)
     return Sign.UNKNOWN
+
+
+def _is_off_branch_point(field: Field, z: Ratio) -> bool:
+    """Whether z > -1/e: z is not negative, or it is -k e^q with k > 0 and log k + q + 1 < 0, which log k <= k - 1 (with
+    equality for k = 1 only) shows where k + q < 0, or k + q = 0 and k is not 1."""
+    if sign_of(z) in (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO):
+        return True
+    atoms = [g for g in z.generators() if field.arguments.get(g, ("",))[0] == "exp"]
+    if len(atoms) != 1:
+        return False
+    g, q = atoms[0], field.arguments[atoms[0]][1]
+    for power in (1, -1):
+        k = field.lowest_terms(-z / field.variable(g) ** power)
+        if g in k.generators():
+            continue
+        rest, unit = sign_of(field.lowest_terms(k + power * q)), sign_of(k - 1)
+        return sign_of(k) is Sign.POSITIVE and (
+            rest is Sign.NEGATIVE or (rest in (Sign.ZERO, Sign.NONPOSITIVE) and unit.is_strict)
+        )
+    return False
 
 
 def _number(field: Field, terms: Terms) -> Sign:

@@ -206,9 +206,7 @@ def _lambert(way: EventWay, law: Decay, place: int, at: int) -> list[int]:
         w = sum_of(f.lowest_terms(law.gamma * time + f.variable(g)), (-law.gamma, TIME))
         args: dict[str, Argument] = {"given": at, "line": place}
         left = multiply(w, Call("exp", w))
-        lines.append(
-            way.script.line(left, tidy(z), why="course.lambert", args=args, uses=(at, place), when="event")
-        )
+        lines.append(way.script.line(left, tidy(z), why="course.lambert", args=args, uses=(at, place), when="event"))
         way.script.say(f"course.{name.lower()}", line=lines[-1], rate=rates_of(way.coordinate.name, 1))
     return lines
 

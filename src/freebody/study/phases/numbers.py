@@ -34,6 +34,7 @@ N_WIDE = 600
 _SEED = 11
 _SPREAD = 1.4
 _MOST_FRICTION = 1.2
+_NEXT_TO_BRANCH_POINT = 1e-6  # 1 + W has some ten digits there
 _WIDEST = 5.8  # e^5.8: two decades and a half
 
 
@@ -164,6 +165,17 @@ class Sets:
             except (KeyError, ZeroDivisionError, OverflowError):
                 return np.full(self.n, np.nan)
         return found if found.ndim else np.full(self.n, float(found))
+
+    def loses_digits(self, model: SymbolicModel, x: Ratio) -> Mask:
+        """Where a branch of Lambert's W stands in an element and its argument is next to -1/e, as without a drag: 1 + W
+        has few digits there, and what is left of it none."""
+        found, f = np.zeros(self.n, dtype=bool), model.field
+        for g in f.ingredients(x) & f.arguments.keys():
+            name, argument = f.arguments[g]
+            if name in LAMBERT:
+                with np.errstate(invalid="ignore"):
+                    found |= np.abs(1.0 + math.e * self.evaluate(model, argument)) < _NEXT_TO_BRANCH_POINT
+        return found
 
     def vanishes(self, model: SymbolicModel, x: Ratio, k: int) -> bool:
         """Whether an element is zero in one of the sets, or round-off of its terms."""
