@@ -188,7 +188,8 @@ def _decay(way: EventWay, law: Decay) -> list[int]:
     u = script.line(
         rates_of(c.name, 1), right, why="course.decay", args={"line": way.line}, uses=(way.line,), when="event"
     )
-    if way.question.event is None or way.question.event.order != 0 or law.end.is_zero():
+    event = way.question.event
+    if not isinstance(event, QuestionEvent) or event.order != 0 or law.end.is_zero():
         return [u]
     grown = multiply(tidy(f.lowest_terms(over / law.gamma)), add(decayed, number(-1)))
     place = add(sum_of(law.q0, (law.end, TIME)), grown)
