@@ -75,7 +75,9 @@ def readable_or_told(stated: Stated) -> Stated:
     if n <= _READABLE:
         return stated
     names = sorted({name for side in sides for name in free_symbols(side)} - {"pi"})
-    words = Message("an inequality of {n} operations in {names}", n=n, names=in_turn([to_text(Symbol(x)) for x in names]))
+    words = Message(
+        "an inequality of {n} operations in {names}", n=n, names=in_turn([to_text(Symbol(x)) for x in names])
+    )
     return Stated(words, stated.expression)
 
 

@@ -35,10 +35,8 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     unknown = unknown_of(steady, q)
     if unknown is None:
         return _during(setup, question, q, steady)
-    if is_steady_place(q):
-        solutions = _places(setup, question, steady, unknown)
-    else:
-        solutions = steady.solved_for(unknown.speed)
+    is_place = is_steady_place(q)
+    solutions = _places(setup, question, steady, unknown) if is_place else steady.solved_for(unknown.speed)
     if not solutions.roots:
         raise CannotAnswer(further(*solutions.notes) or Message("there is no such motion"))
     evidence = in_steady_motion(setup, question.text, steady, solutions)
