@@ -138,3 +138,17 @@ def test_a_bouncing_ball_lands_by_the_same_formula() -> None:
     floor = "ground: {lines: {floor: {along: right}}}\n"
     contact = "connections: {floor: {contact: {between: [ball, floor], restitution: 0.5}}}\n"
     is_formula(DROPPED.replace("mass: m}}", "mass: m}, at: [0, h]}") + floor + contact, *BY_HAND["dropped"][1:])
+
+
+PROJECTILE = """
+parameters: {m: 0.4 kg, c: 0.2 kg/s, v0: 18 m/s, al: 40 deg, g: 9.81 m/s^2, h: 3 m}
+bodies: {ball: {particle: {mass: m}, at: [0, h], velocity: [v0*cos(al), v0*sin(al)]}}
+loads: {weight: {gravity: g}, air: {drag: {body: ball, linear: c}}}
+"""
+
+
+def test_the_range_of_a_projectile_with_linear_drag() -> None:
+    a = "(1 + c*v0*sin(al)/(m*g))"
+    w = f"lambert_W0(-{a}*exp(-{a} - c^2*h/(m^2*g)))"
+    far = f"m*v0*cos(al)/c*(1 - exp(-{a} - c^2*h/(m^2*g) - {w}))"
+    is_formula(PROJECTILE, "x of ball when y of ball = 0", far)
