@@ -87,4 +87,5 @@ def test_a_level_axis_precesses_with_one_rate() -> None:
     assert any("Not valid" in note for note in leaning.notes)  # cos(b) = 0 with the numbers of the file
     upright = posed(TOP.replace("b: 90 deg", "b: 60 deg"), "rate of psi in steady motion when theta = b")
     a, b, c = (5e-4 - 8e-4 - 0.5 * 0.06**2) * 0.5, 5e-4 * 200, -0.5 * 9.81 * 0.06
+    assert isinstance(upright.value, tuple)
     assert sorted(upright.value) == pytest.approx(sorted(np.roots([a, b, c]).real.tolist()))

@@ -50,10 +50,9 @@ class BallFunctions:
         if name == "pi":
             return _flint.arb.pi()
 
-        if name in LAMBERT:
-            return lambda x: _flint.arb(x).lambertw(branch=-LAMBERT.index(name))
-
         def function(first: Any, *others: Any) -> Any:
+            if name in LAMBERT:
+                return _flint.arb(first).lambertw(branch=-LAMBERT.index(name))
             return getattr(_flint.arb, name)(_flint.arb(first), *map(_flint.arb, others))
 
         return function
