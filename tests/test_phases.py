@@ -6,9 +6,11 @@ import json
 import math
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import freebody as fb
 from conftest import assert_same_function
@@ -591,15 +593,33 @@ def test_a_block_with_drag_comes_to_rest_after_a_logarithm(agrees_text: Agree) -
     assert found.phases.cases[0].what == "slides, then holds"
 
 
-def test_without_a_closed_form_there_is_the_number_of_the_motion() -> None:
-    """With drag the place of a block contains time and exponential both: v - v0 = -c x/m - mu g t when x = 1 m."""
+def _dragged(law: str) -> str:
+    """A block that slides on with friction and a drag."""
     text = FLAT.format(shape="disk").replace("{ball: {disk: {mass: m, radius: r}}}", "{ball: {particle: {mass: m}}}")
-    text = text.replace("v0: 5 m/s", "v0: 5 m/s, c: 1 N s/m")
-    text = text.replace("{gravity: g}}", "{gravity: g}, d: {force: {at: ball, along: right, magnitude: -c*rate(x)}}}")
-    found = solved(text, "velocity of x when x = 1 m", "time when x = 1 m")
+    text = text.replace("v0: 5 m/s", "v0: 5 m/s, c: 1 N s/m, b: 0.1 N s^2/m^2")
+    return text.replace(
+        "{gravity: g}}", f"{{gravity: g}}, d: {{force: {{at: ball, along: right, magnitude: {law}}}}}}}"
+    )
+
+
+def test_with_a_linear_drag_a_block_passes_a_place_at_a_time_by_lamberts_function() -> None:
+    """The place contains time and exponential both: v - v0 = -c x/m - mu g t when x = 1 m."""
+    found = solved(_dragged("-c*rate(x)"), "velocity of x when x = 1 m", "time when x = 1 m")
+    assert "lambert_Wm1" in to_python(found["q1"].expression)  # it still slides against its final velocity
+    assert found["q1"].value == pytest.approx(5 - 1 - 0.2 * 9.81 * found["q2"].value, rel=1e-9)
+
+
+def test_without_a_closed_form_there_is_the_number_of_the_motion() -> None:
+    """The place is a logarithm of the time and of an exponential: v dv/dx = -mu g - c v/m - b v^2/m, in numbers."""
+    found = solved(_dragged("-c*rate(x) - b*rate(x)^2"), "velocity of x when x = 1 m")
     assert found["q1"].expression is None
     assert "has no closed form" in found["q1"].reason
-    assert found["q1"].value == pytest.approx(5 - 1 - 0.2 * 9.81 * found["q2"].value, rel=1e-9)
+
+    def slope(_x: float, v: Any) -> Any:
+        return -(0.2 * 9.81 + v + 0.1 * v * v) / v
+
+    there = solve_ivp(slope, (0.0, 1.0), [5.0], rtol=1e-11, atol=1e-12).y[0, -1]
+    assert found["q1"].value == pytest.approx(there, rel=1e-8)
 
 
 def test_a_pendulum_on_a_cart_with_a_stop_moves_by_energy_and_momentum() -> None:

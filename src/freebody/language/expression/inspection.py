@@ -6,6 +6,7 @@ from collections.abc import Collection
 
 from freebody.language.expression.tree import (
     ELLIPTIC,
+    LAMBERT,
     MINUS_ONE,
     Call,
     Expr,
@@ -16,6 +17,7 @@ from freebody.language.expression.tree import (
     Symbol,
     add,
     children,
+    multiply,
     negate,
     number,
     power,
@@ -67,6 +69,10 @@ def domain(expr: Expr) -> list[tuple[Expr, str]]:
         case Call(function) if function in ELLIPTIC:
             k = children(expr)[-1]
             found += [(add(one, negate(k)), ">"), (add(one, k), ">")]
+        case Call(function, argument) if function in LAMBERT:
+            found.append((add(one, multiply(argument, Call("exp", one))), ">="))
+            if function == "lambert_Wm1":
+                found.append((negate(argument), ">"))
         case _:
             pass
     return [(part, relation) for part, relation in dict.fromkeys(found) if free_symbols(part)]

@@ -40,8 +40,12 @@ SUM, MINUS, PRODUCT, POWER, ATOM = range(5)
 # Greek letters by name, without those that look like Latin ones.
 LETTER_OF = {name: letter for letter, name in GREEK.items() if letter not in "ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοϒ"}
 
-# Of Legendre's elliptic integrals of the first kind, K(k) and F(phi, k) with the modulus k, and of Fresnel's.
-LETTER_OF_INTEGRAL = {"elliptic_K": "K", "elliptic_F": "F", "fresnel_c": "C", "fresnel_s": "S"}
+# Letter and index of Legendre's elliptic integrals of the first kind, K(k) and F(phi, k) with the modulus k, of
+# Fresnel's, and of the branches of Lambert's function.
+SPECIAL = {
+    **{"elliptic_K": ("K", ""), "elliptic_F": ("F", ""), "fresnel_c": ("C", ""), "fresnel_s": ("S", "")},
+    **{"lambert_W0": ("W", "0"), "lambert_Wm1": ("W", "-1")},
+}
 
 
 @dataclass(frozen=True, slots=True)

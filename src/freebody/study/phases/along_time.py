@@ -131,6 +131,7 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
     model, found = course.model, PossibleEnds()
     mine = np.zeros(sets.n, dtype=bool)
     mine[indices] = True
+    too_near = np.zeros(sets.n, dtype=bool)
     functions = {watch: course.over_time(watch.element) for watch in watches}
     tau = model.field.index(course.tau)
 
@@ -145,7 +146,10 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
                 exists = (*zero.needs, *needed_there(model, watch, zero))
                 with np.errstate(invalid="ignore"):
                     good = mine & np.isfinite(t) & (t > _SOON) & all_hold(model, exists, sets)
-                    good &= (at(watch, t * (1 - _BESIDE)) > 0) & (at(watch, t * (1 + _BESIDE)) < 0)
+                    before, after = (at(watch, t * (1 + way * _BESIDE)) for way in (-1, 1))
+                    # where exponentials are beyond all numbers nothing can be told
+                    too_near |= good & (np.isnan(before + after) | sets.loses_digits(model, zero.time))
+                    good &= (before > 0) & (after < 0)
                 if good.any():
                     found.candidates.append(PossibleEnd(watch, zero, np.where(good, t, np.inf), exists))
                     found.tests += [as_test(x, ">", sets.evaluate(model, x)) for x in exists]
@@ -158,11 +162,12 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
         seen = np.array([at(watch, np.where(until > 0.0, s * until, t)) for s, t in zip(_SHARES, _TIMES, strict=True)])
         with np.errstate(invalid="ignore"):
             missed = (seen < -_NOW * np.abs(seen).max(axis=0)).any(axis=0)
-        if (missed & mine).any():
+        if (missed & mine & ~too_near).any():
             raise CannotAnswer(
                 Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
             )
     found.tests = _times_in_order(course, found.candidates, sets) + found.tests
+    found.too_near = too_near & mine
     return found
 
 

@@ -74,6 +74,7 @@ class PossibleEnds:
     candidates: list[PossibleEnd] = field(default_factory=list[PossibleEnd])
     tests: list[Test] = field(default_factory=list[Test])
     unsure: list[Proofs] = field(default_factory=list[Proofs])  # what vanishes at none of the sets
+    too_near: Mask | None = None  # sets at which numbers cannot tell
 
 
 def no_closed_form(watch: PhaseWatch, error: CannotAnswer) -> CannotAnswer:

@@ -27,6 +27,7 @@ from freebody.study.phases.together import slip_rates
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.parameter_roots import without_roots_below
 from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_rows
@@ -143,7 +144,7 @@ class Home:
                     Message("what {name} is at the start has no closed form; give it in start", name=c.name)
                 )
         expr = phase.model.field.expression(x)
-        return model.field.lowest_terms(model.geometry.apply(expr, {**self.later, **self.constants}))
+        return _shorter(model.field.lowest_terms(model.geometry.apply(expr, {**self.later, **self.constants})))
 
     def at_start(self, x: Ratio) -> Ratio:
         return self.home.start_instant.here(x)
@@ -312,6 +313,17 @@ class Home:
         self.later[name] = self.to_home(phase, x)
         self.sets.values[name] = self.numbers(self.later[name])
         return Symbol(name)
+
+
+def _shorter(x: Ratio) -> Ratio:
+    """With its one root on top where that is shorter: only then common factors cancel, which else are sums of large
+    terms that leave round-off."""
+    below = x.denominator()
+    roots = [g for g in below.generators() if x.field.generators[g].kind == "root"]
+    if len(roots) != 1:
+        return x
+    found = without_roots_below(x)
+    return found if found.n_terms < x.n_terms else x
 
 
 def _symbol_of(row: ConstraintRow) -> str:

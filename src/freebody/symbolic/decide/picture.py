@@ -19,6 +19,7 @@ from typing import Any
 
 import flint
 
+from freebody.language.expression import LAMBERT
 from freebody.symbolic.decide.cells import Interval, Poly, Polynomials, TooLarge, points
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import is_positive
@@ -37,6 +38,8 @@ _RANGES: dict[str, Interval] = {
     "asin": (-_HALF_PI, _HALF_PI),
     "atan": (-_HALF_PI, _HALF_PI),
     "acos": (Fraction(0), 2 * _HALF_PI),
+    "lambert_W0": (Fraction(-1), None),
+    "lambert_Wm1": (None, Fraction(-1)),
 }
 
 
@@ -48,6 +51,8 @@ class BallFunctions:
             return _flint.arb.pi()
 
         def function(first: Any, *others: Any) -> Any:
+            if name in LAMBERT:
+                return _flint.arb(first).lambertw(branch=-LAMBERT.index(name))
             return getattr(_flint.arb, name)(_flint.arb(first), *map(_flint.arb, others))
 
         return function
