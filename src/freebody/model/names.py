@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from pathlib import Path
@@ -159,7 +159,7 @@ class Names(Formulas):
 
     def __init__(self) -> None:
         super().__init__()
-        self.folder: Path | None = None  # of the model file, in which its tables are
+        self.folders: Sequence[Path] = ()  # in which its tables are: that of the model file
         self.bodies: dict[str, RigidBody] = {}
         self.measures: dict[str, Measure] = {}
         self.states: dict[str, ControllerState] = {}
