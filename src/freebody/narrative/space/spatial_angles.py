@@ -185,6 +185,8 @@ class Angles:
             angles = self._angles_in(equation)
             if name not in angles or not self._only_angles(equation):
                 continue
+            if row.if_needed and angles[0] == name:
+                continue  # that others are like it tells these
             rank = len([a for a in angles if a not in self.independent and a != name]), len(equation.num)
             if best is None or rank < best[0]:
                 best = rank, row
