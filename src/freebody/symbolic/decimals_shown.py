@@ -5,11 +5,14 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from fractions import Fraction
 
 from freebody.language.expression import Expr, Number, PowerOf, ProductOf, Sum, add, multiply, number, whole_exponent
 
 _LONG = 10**9  # what nobody reads as a whole number
+_MOST_PLACES = 60  # of a decimal
 
 
 def in_decimals(expr: Expr) -> Expr:
@@ -40,11 +43,22 @@ def _factor(factor: Expr) -> tuple[Expr, ...]:
 
 def _scaled(given: Sum) -> tuple[Fraction, Expr]:
     """A power of ten and the sum without it."""
-    sizes = [abs(_coefficient(term)) for term in given.terms]
-    if max(sizes) < _LONG or any(size.denominator != 1 for size in sizes):
+    if max(_coefficients(given)) < _LONG:
         return Fraction(1), given
-    scale = Fraction(10 ** (len(str(sizes[0].numerator)) - 1))
-    return scale, add(*(multiply(number(1 / scale), term) for term in given.terms))
+    terms = [in_decimals(term) for term in given.terms]
+    sizes = [abs(_coefficient(term)) for term in terms]
+    if any(pow(10, _MOST_PLACES, size.denominator) for size in sizes):  # thirds are no decimals
+        return Fraction(1), given
+    scale = Fraction(10) ** math.floor(math.log10(sizes[0]))
+    return scale, add(*(multiply(number(1 / scale), term) for term in terms))
+
+
+def _coefficients(expr: Expr) -> Iterator[Fraction]:
+    """The sizes of the numbers before the terms of a sum and of the sums in these."""
+    for term in expr.terms if isinstance(expr, Sum) else (expr,):
+        yield abs(_coefficient(term))
+        for factor in term.factors if isinstance(term, ProductOf) else ():
+            yield from _coefficients(factor) if isinstance(factor, Sum) else ()
 
 
 def _coefficient(term: Expr) -> Fraction:
