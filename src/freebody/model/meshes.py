@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib import import_module
 from io import BytesIO
 from typing import TYPE_CHECKING, Any, TypeVar, cast
@@ -223,7 +223,7 @@ def _measured(file: str, data: bytes, unit: Fraction) -> Triangulated:
     return Triangulated(
         *closed.measured(unit),
         is_convex,
-        _hull_of([tuple(v) for v in hull.vertices.tolist()], lambda v: closed.place(v, unit)),
+        _hull_of([tuple(v) for v in hull.vertices.tolist()], partial(closed.place, unit=unit)),
         tuple(tuple(places[k] for k in triangle) for triangle in triangles),
         is_coarse,
     )

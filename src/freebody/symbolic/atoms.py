@@ -146,7 +146,7 @@ class _Of(dict[str, Any]):
     """The functions of an arithmetic (a module of them) by name."""
 
     def __init__(self, functions: Any) -> None:
-        exact = getattr(type(functions), "number", float)  # what an arithmetic makes of fractions, if it says so
+        exact = getattr(functions.__class__, "number", float)  # what an arithmetic makes of fractions, if it says so
         super().__init__({"abs": abs, "sign": _sign, "number": exact, "pi": math.pi})
         self._functions = functions
 

@@ -76,7 +76,7 @@ def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
             Message("'{here}' cannot stand here; begin a list on its own line, or put a text in quotes", here=here)
         )
     if "<block end>" in says:
-        if bare := _BARE_NAME.match(text.split("\n")[mark.line]):
+        if bare := _BARE_NAME.match(text.split("\n")[int(mark.line)]):
             return problem(Message("a colon is missing after {name}: {name}: {rest}", name=bare[1], rest=bare[2]))
         if "<scalar>" in says or here in ",]}[{":
             return problem(Message("text after a closed quote or bracket; put the whole value in quotes"))
