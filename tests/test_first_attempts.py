@@ -96,3 +96,34 @@ questions: [acceleration of phi]
     with pytest.raises(fb.FreebodyError, match="freebody mobility says which parts contradict each other"):
         system.solve()
     assert "contradict each other" in system.mobility().to_text()
+
+
+# -- in Python ------------------------------------------------------------------------------------------
+def test_one_wheel_of_a_string_needs_no_list_in_python() -> None:
+    """a = g (m_2 - m_1)/(m_1 + m_2 + M/2)"""
+    model = fb.Model("Atwood")
+    first, second = (model.body(name, fb.Particle(mass)) for name, mass in (("a", "1 kg"), ("b", "2 kg")))
+    pulley = model.body("p", fb.Disk("1 kg", "0.1 m"))
+    model.connect("axle", fb.Pin("ground.P", pulley))
+    model.connect("rope", fb.String(first, second, over=pulley))
+    model.load("weight", fb.Gravity("9.81 m/s^2"))
+    model.measure("y", "y of a")
+    model.ask("acceleration of y")
+    assert model.system().solve().answers[0].value == pytest.approx(9.81 / 3.5)
+
+
+def test_what_has_to_be_called_says_so() -> None:
+    model = fb.Model("Rod")
+    rod = model.body("rod", fb.Rod("2 kg", "1 m"))
+    model.measure("phi", rod.angle)  # pyright: ignore[reportArgumentType]
+    with pytest.raises(fb.ModelError, match=r"angle is a function: call it, as angle\(\)"):
+        model.system()
+
+
+def test_a_point_of_the_ground_has_its_place_as_a_list_or_as_numbers() -> None:
+    one, other = fb.Model("A"), fb.Model("A")
+    one.point("A", "1 m", 0)
+    other.point("A", ["1 m", 0])
+    for model in (one, other):
+        model.body("ball", fb.Particle("1 kg"))
+    assert one.system().to_yaml() == other.system().to_yaml()
