@@ -46,6 +46,10 @@ _RANGES: dict[str, Interval] = {
 class BallFunctions:
     """The elementary functions on balls, by the names that generators use."""
 
+    @staticmethod
+    def number(value: Fraction) -> Any:
+        return _ball(value)
+
     def __getattr__(self, name: str) -> Any:
         if name == "pi":
             return _flint.arb.pi()
@@ -155,7 +159,7 @@ class CellDecomposition:
         values = {k: self._number(k) for k in sorted(self.field.generators[g].made_of - {g})}
         compute = self.field.generators[g].compute
         assert compute is not None
-        return compute(self.field.complete(values, BallFunctions()), BallFunctions())
+        return _flint.arb(compute(self.field.complete(values, BallFunctions()), BallFunctions()))
 
     # -- the polynomials ----------------------------------------------------------------------
     @cached_property
