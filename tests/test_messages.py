@@ -355,7 +355,7 @@ def test_every_template_is_said_in_every_language(language: str) -> None:
     assert {key: place for key, place in templates().items() if key not in known} == {}
 
 
-@pytest.mark.parametrize("language", ("en", *LANGUAGES))
+@pytest.mark.parametrize("language", ["en", *LANGUAGES])
 def test_a_language_says_everything_once(language: str) -> None:
     """The files of a language are read together: of what stands in two of them one is never said."""
     twice: set[tuple[str, ...]] = set()
