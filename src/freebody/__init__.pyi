@@ -99,6 +99,7 @@ from freebody.model.shapes.straight import Rectangle as _Rectangle
 from freebody.model.shapes.straight import Rod as _Rod
 from freebody.narrative.explain import explain as explain
 from freebody.narrative.marking.check import check as check
+from freebody.narrative.synthesised import synthesise as synthesise
 from freebody.numeric.options import SimulationOptions as SimulationOptions
 from freebody.study.answering.answer import Answer as Answer
 from freebody.study.answering.solution import Solution as Solution
@@ -133,7 +134,6 @@ from freebody.study.small_motion.modes import modes as modes
 from freebody.study.speed_table import speed_table as speed_table
 from freebody.study.sweeps.result import Sweep as Sweep
 from freebody.study.sweeps.sweep import sweep as sweep
-from freebody.study.synthesis.synthesise import synthesise as synthesise
 
 _Text = str | Written
 _Formula = Formula | Expr

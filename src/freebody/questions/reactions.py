@@ -148,7 +148,7 @@ questions: {it: reaction of rod on bob}
         what, size = self.said_as[self.moment], "size_" if self.size else ""
         on = NOTHING if self.on is None else Sentence("what.on", {"body": self.on})
         about = NOTHING if self.about is None else Sentence("what.about", {"point": str(self.about)})
-        along = said_along(self.along)
+        along = said_along(self.along, self.basis)
         args: dict[str, Argument] = {"connection": self.connection, "on": on, "along": along, "about": about}
         return Sentence(f"what.{size}{what}", args)
 
