@@ -16,6 +16,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Geometry, Point, Scalar, Vector, unit
+from freebody.model.one_sided import OneSided
 from freebody.model.solids import NO_SOLID, SolidKind
 
 S = TypeVar("S", bound=Scalar)
@@ -380,6 +381,7 @@ class AppliedLoad:
     measures: tuple[tuple[str, Measure], ...] = ()  # named measures in the law
     load: str = ""
     general: Expr | None = None  # the law with functions of time as symbols; None: it contains none
+    one_sided: OneSided | None = None  # where it acts on one side of a border only; `law` is that of both sides
 
     @property
     def in_symbols(self) -> Expr:

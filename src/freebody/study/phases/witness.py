@@ -101,6 +101,7 @@ class NumericMode:
         self.references = [self._reference(u) for u in units]
         self._last: tuple[Any, list[Snapshot]] | None = None
         self.bounds = {b.name: b for b in base.bounds}
+        self.at_gap = {**base.borders, **{b.name: b.row for b in base.bounds}}
         self.dry_friction = {r.name: r for r in base.dry_friction}
 
     def _reference(self, loads: Mapping[str, float]) -> Reference:
@@ -194,6 +195,9 @@ class NumericMode:
                     found.append((("edge ends", name, 0), lambda q, v, t, n=name: self.on_edge(n, q, v, t)))
             elif name in self.bounds or name in self.stage.phase.closing_again:
                 found.append((("touches", name, 0), lambda q, v, t, n=name: self.gap(n, q, v, t)))
+        for name, acts in self.mode.acting:
+            kind, side = ("opens", -1.0) if acts else ("touches", 1.0)
+            found.append(((kind, name, 0), lambda q, v, t, n=name, s=side: s * self.gap(n, q, v, t)))
         for name, state in self.mode.states.items():
             if state:
                 found.append((("slip ends", name, 0), lambda q, v, t, n=name, s=state: s * self.slip(n, q, v, t)))
@@ -206,8 +210,8 @@ class NumericMode:
         return self.rows[name].sign * self.multiplier(name, q, v, t)
 
     def gap(self, name: str, q: Array, v: Array, t: float) -> float:
-        reference, again = self.references[0], name not in self.bounds
-        row = self.stage.phase.closing_again[name] if again else self.bounds[name].row
+        reference, again = self.references[0], name not in self.at_gap
+        row = self.stage.phase.closing_again[name] if again else self.at_gap[name]
         if again and self.base_target(name) is None:
             target = self.lengths[name]
         else:

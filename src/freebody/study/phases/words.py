@@ -30,9 +30,10 @@ def states(phase: Phase) -> dict[str, str]:
     """The state of every contact, stop, ideal string and dry friction, by the name that a user knows."""
     found: dict[str, str] = {}
     rows = [row for row in phase.base.constraint_rows if row.unilateral] + [b.row for b in phase.base.bounds]
-    for row in rows:
+    acting = {name for name, acts in phase.mode.acting if acts}
+    for row in [*rows, *phase.base.borders.values()]:
         closed, opened = _HELD.get(row.reaction, _CONTACT)
-        found[label(row.name)] = closed if row.name in phase.mode.closed else opened
+        found[label(row.name)] = closed if row.name in phase.mode.closed | acting else opened
     for row in phase.base.constraint_rows:
         if row.needs and f"{row.connection}.{row.needs}" in phase.mode.closed:
             found[row.connection] = Message("rolls")
@@ -147,6 +148,8 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
             if watch.name.endswith(".length"):
                 return Message("{contact} goes slack", contact=name)
             return Message("{contact} opens", contact=name)
+        case "touches" if watch.name.endswith(".length"):
+            return Message("{contact} comes taut", contact=name)
         case "touches":
             return Message("{contact} touches", contact=name)
         case "edge ends":
