@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 
-
 LENGTH_OF_STRING = "length"  # the component that a border is, as of a string that cannot stretch
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol
 from freebody.language.notation.stated import compared
 from freebody.language.sentences import Argument, Message
+from freebody.language.units import AREA
 from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import MotionLines, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -26,6 +28,7 @@ from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 
 _CLOCK = Symbol("t")
+_AT_BORDERS = {"opens": "goes_slack", "touches": "comes_taut"}
 _UNIT = re.compile(r"\d\s*[A-Za-zµ°]")  # behind a number
 
 
@@ -39,7 +42,8 @@ def tell_event(
     course = leg.phase.course
     with script.stage("stage.phase_event", "hint.phase_event", phase=f"@{leg.number}"):
         comes = said_event(way, leg, watch)
-        script.say(f"event.{watch.kind.replace(' ', '_')}", connection=label(watch.name), event=comes)
+        key = _AT_BORDERS[watch.kind] if watch.name in leg.phase.base.borders else watch.kind.replace(" ", "_")
+        script.say(f"event.{key}", connection=label(watch.name), event=comes)
         symbol, element = _watched(script, way, leg, watch)
         base = lines.get(watch.name, 0)
         uses = tuple(n for n in dict.fromkeys((base, *_lines_of(leg, told, element))) if n)
@@ -72,6 +76,8 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
         case "slip ends":
             rub = phase.dry_friction[watch.name]
             return slip_symbol(leg, rub), phase.state.rate(rub.row.measure)
+        case "opens" | "touches" if watch.name in phase.base.borders:
+            return _stretch(script, leg, watch), watch.element
         case "opens":
             return Symbol(symbols[watch.name].name), watch.element
         case "slips":
@@ -126,6 +132,23 @@ def _gap(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
         return symbol
     assert row.target is not None
     return (symbol**2 - row.target**2) * row.sign
+
+
+def _stretch(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
+    """How far a load is from its border, positive until it gets there: of a straight string by squares."""
+    row = leg.phase.base_row(watch.name)
+    assert row.target is not None
+    by_squares = row.measure.dimension == AREA
+    symbol, what = Symbol(leg.free_name("d")), Sentence("symbol.length_of", {"string": label(watch.name)})
+
+    def read(world: World) -> float:
+        value = float(world.snapshot.value(row.measure))  # type: ignore[arg-type]
+        return math.sqrt(value) if by_squares else value
+
+    leg.glossary.introduce(Meaning(symbol, what, read, "m"))
+    script.add(Legend(((symbol, what, "m"),)))
+    beyond = (symbol**2 if by_squares else symbol) - row.target
+    return beyond if watch.kind == "opens" else -beyond
 
 
 def said_event(way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> Argument:

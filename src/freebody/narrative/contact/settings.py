@@ -40,6 +40,6 @@ def first_mode(system: System) -> Setup:
 
 def has_phases(system: System) -> bool:
     """Whether the law of motion may change on the way."""
-    return bool(system.bounds or system.dry_friction or system.blows) or any(
+    return bool(system.bounds or system.dry_friction or system.blows or system.borders) or any(
         q.transition is not None for q in system.questions
     )

@@ -82,6 +82,8 @@ def action(phase: Phase) -> str:
             return Message("holds")
         return Message("moves with {names} closed", names=in_turn(closed))
     if not spoken:
+        if "taut" in found.values() and phase.base.borders:
+            return Message("moves with a taut string")
         return Message("moves in contact") if any(w == "touches" for w in found.values()) else Message("moves")
     if len(spoken) == 1:
         (word,) = spoken.values()
@@ -149,7 +151,7 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
                 return Message("{contact} goes slack", contact=name)
             return Message("{contact} opens", contact=name)
         case "touches" if watch.name.endswith(".length"):
-            return Message("{contact} comes taut", contact=name)
+            return Message("{contact} goes taut", contact=name)
         case "touches":
             return Message("{contact} touches", contact=name)
         case "edge ends":

@@ -50,7 +50,8 @@ class EnergyMotion(ClosedFormMotion):
     def reduced(self, x: Ratio) -> Ratio:
         """With the speeds that momenta give put in. Raises CannotAnswer where it depends on another coordinate."""
         x = self.model.in_independent_speeds(x)
-        x = self.model.field.follow(x, {**self._others, **self.integrals.resting}) if self._others else x
+        if self._others:
+            x = self.integrals.on_its_line(self.model.field.follow(x, {**self._others, **self.integrals.resting}))
         inside = self.model.field.ingredients(x) if self._others else set[int]()
         others = [c.name for c in self.model.coordinates if c is not self.coordinate and c.index in inside]
         if others:
@@ -201,5 +202,8 @@ def _laws(motion: SmoothMotion, one_way: Set[int]) -> tuple[list[MotionLaw], tup
         law = motion.law_of(c, keeps_sense=c.speed in one_way)
         if law is not None and law.has_course:
             found.append(law)
-    sides, samples.assumed = samples.assumed, before
+    taken, samples.assumed = samples.assumed, before
+    changing = {g for c in motion.model.coordinates for g in (c.index, c.speed)}
+    sides = [x for x in taken if not motion.model.field.ingredients(x) & changing]
+    samples.assumed += [x for x in taken if x not in sides and x not in before]  # looked at along the motion
     return found, tuple(sides)
