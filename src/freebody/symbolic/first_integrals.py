@@ -54,6 +54,7 @@ class FirstIntegrals:
     def __init__(self, model: SymbolicModel, start: StartState) -> None:
         self.model = model
         self.start = start
+        self.keeps_side = False  # of a motion that is followed only as long as it stays on the side of its start
         self.field = model.field
 
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
@@ -158,9 +159,9 @@ class FirstIntegrals:
         return x
 
     def on_its_line(self, x: Ratio) -> Ratio:
-        """Where other coordinates stay at rest a distance in a plane may be one along a line, sqrt(y^2) = y: on the side
-        of the start, which is a condition of what follows."""
-        if not self.resting:
+        """Where other coordinates stay at rest a distance in a plane may be one along a line, sqrt(y^2) = y, on the
+        side of the start."""
+        if not (self.keeps_side and self.resting):
             return x
         f, samples = self.field, self.model.samples
         roots = {g: f.radicand(g) for g in x.generators() if f.generators[g].kind == "root" and f.generators[g].made_of}
