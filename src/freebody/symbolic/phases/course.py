@@ -140,8 +140,13 @@ class UniformMotion(MotionInTime):
         whole = self.sign_along(x)
         if has_roots(behind_zeros(whole)):
             return [whole]
-        odd = [base for base, exponent in self.model.field.factor(self.plain(x).num)[1] if exponent % 2]
+        there = {c.index: self.start.of(c.index) for c in self.model.coordinates if self._rests(c)}
+        alone = self.model.field.follow(self.plain(x), there)
+        odd = [base for base, exponent in self.model.field.factor(alone.num)[1] if exponent % 2]
         return [self.sign_along(base) for base in odd] if len(odd) > 1 else [whole]
+
+    def _rests(self, c: Coordinate) -> bool:
+        return self.start.of(c.speed).is_zero() and self.accelerations[c.speed].is_zero()
 
     def zeros(self, x: Ratio) -> list[CourseZero]:
         try:
