@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from pydantic import ConfigDict, Field
 
-from freebody.language.expression import Call, Expr, Symbol, divide, multiply, negate, number
+from freebody.language.expression import Call, Expr, Symbol, divide, multiply, negate, number, power
 from freebody.language.sentences import Message
 from freebody.language.units import AREA, FORCE, LENGTH, STIFFNESS
 from freebody.loads.base import Load
@@ -109,7 +109,7 @@ loads: {it: {elastic_string: {from: ground.A, to: ball, stiffness: 5 N/m, length
         if len(parts) > 1:
             return Composed(_sum(parts), parts, LENGTH), natural
         square, sides = self._square(names)
-        return Composed(square, sides, AREA), natural * natural
+        return Composed(square, sides, AREA), power(natural, number(2))
 
     def _starts_at_its_anchor(self, names: Names) -> bool:
         """Whether the model puts both ends in one place, where the string has no direction."""

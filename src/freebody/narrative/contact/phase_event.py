@@ -18,7 +18,7 @@ from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.questions.clock import Clock
 from freebody.questions.event import AskedEvent, Meeting, OfQuantity, QuestionEvent
-from freebody.study.phases.phase import PhaseWatch
+from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
@@ -28,7 +28,6 @@ from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 
 _CLOCK = Symbol("t")
-_AT_BORDERS = {"opens": "goes_slack", "touches": "comes_taut"}
 _UNIT = re.compile(r"\d\s*[A-Za-zµ°]")  # behind a number
 
 
@@ -42,7 +41,7 @@ def tell_event(
     course = leg.phase.course
     with script.stage("stage.phase_event", "hint.phase_event", phase=f"@{leg.number}"):
         comes = said_event(way, leg, watch)
-        key = _AT_BORDERS[watch.kind] if watch.name in leg.phase.base.borders else watch.kind.replace(" ", "_")
+        key = at_border(leg.phase, watch) or watch.kind.replace(" ", "_")
         script.say(f"event.{key}", connection=label(watch.name), event=comes)
         symbol, element = _watched(script, way, leg, watch)
         base = lines.get(watch.name, 0)
@@ -55,6 +54,13 @@ def tell_event(
             else:
                 raise CannotAnswer(Message("of this law of motion the time of an event is derived by no line here"))
             return {**found, **_state(script, way, leg, told, found)}
+
+
+def at_border(phase: Phase, watch: PhaseWatch) -> str:
+    """What an event at the border of a load is called in keys; nothing for others."""
+    if watch.name not in phase.base.borders:
+        return ""
+    return {"opens": "goes_slack", "touches": "comes_taut"}[watch.kind]
 
 
 def _lines_of(leg: PhaseSegment, told: MotionLines, element: Ratio) -> tuple[int, ...]:
@@ -147,8 +153,8 @@ def _stretch(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
 
     leg.glossary.introduce(Meaning(symbol, what, read, "m"))
     script.add(Legend(((symbol, what, "m"),)))
-    beyond = (symbol**2 if by_squares else symbol) - row.target
-    return beyond if watch.kind == "opens" else -beyond
+    long: Expr = symbol**2 if by_squares else symbol
+    return long - row.target if watch.kind == "opens" else row.target - long
 
 
 def said_event(way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> Argument:
