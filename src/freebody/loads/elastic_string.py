@@ -135,7 +135,6 @@ loads: {it: {elastic_string: {from: ground.A, to: ball, stiffness: 5 N/m, length
         larger = divide(square + relaxed + Call("abs", square - relaxed), number(2))
         return Composed(Call("sqrt", larger) - natural, parts, LENGTH)
 
-
     def _square(self, names: Names) -> tuple[Expr, tuple[tuple[str, Displacement], ...]]:
         """The square of the length of a straight string, and what it is made of."""
         first, last = self._points(names)

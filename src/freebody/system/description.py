@@ -183,8 +183,8 @@ class SystemDescription:
 
     @cached_property
     def borders(self) -> Mapping[str, ConstraintRow]:
-        """Of the loads that act beyond a border only, by name: rows that nothing holds, whose gap is positive on the side
-        where the load does nothing."""
+        """Of the loads that act beyond a border only, by name: rows that nothing holds, whose gap is positive on the
+        side where the load does nothing."""
         sides = [(push.load, push.one_sided) for push in self.applied_loads if push.one_sided is not None]
         rows = [
             ConstraintRow(LENGTH_OF_STRING, "tension", it.measure, it.limit, -1, unilateral=True, connection=load)

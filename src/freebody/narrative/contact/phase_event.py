@@ -17,7 +17,7 @@ from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.questions.clock import Clock
-from freebody.questions.event import AskedEvent, Meeting, OfQuantity, QuestionEvent
+from freebody.questions.event import AskedEvent, Meeting, OfQuantity, Peak, QuestionEvent
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.words import label
@@ -95,6 +95,8 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
             if isinstance(event, Clock):
                 return _CLOCK, f.time
             assert event is not None
+            if isinstance(event, Peak):
+                raise CannotAnswer(Message("where a quantity is greatest is derived from no line here"))
             name = next((n for n, m in phase.base.measures.items() if m == event.measure), "")
             if not name:
                 name = leg.free_name("q")

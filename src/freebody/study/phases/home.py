@@ -89,8 +89,8 @@ class Home:
         return found
 
     def _acting(self) -> Iterator[tuple[str, bool]]:
-        """Whether loads that have a border act at the start, at the model's own values; of those that are at it nothing.
-        The start is on that side for all sets that are left."""
+        """Whether loads that have a border act at the start, at the model's own values, and so for all sets that are
+        left; of loads that are at their border nothing."""
         for name, row in self.system.borders.items():
             beyond = -self._gap(row)
             if beyond.is_zero():

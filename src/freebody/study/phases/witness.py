@@ -27,9 +27,11 @@ from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.clock import Clock
+from freebody.questions.event import Peak
 from freebody.questions.reading import AskedEvent
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.study.phases.reached import STRIKES
+from freebody.study.phases.slopes import slope_of
 from freebody.study.phases.turned_along import TurnedAlong
 from freebody.symbolic.phases.friction import named_rows
 from freebody.system.modes import ContactMode, across_the_way, ideal_bounds, in_mode, straightened
@@ -280,6 +282,9 @@ class NumericMode:
         if isinstance(asked, Clock):
             end = math.inf if asked.time is None else self.references[0].number(asked.time)
             return lambda _q, _v, t: end - t
+
+        if isinstance(asked, Peak):
+            return slope_of(self, asked.quantity, begin)
 
         def gap(s: Snapshot) -> float:
             found = s.rate(asked.measure) if asked.order else s.value(asked.measure)

@@ -135,8 +135,8 @@ class UniformMotion(MotionInTime):
         return [f.lowest_terms(part / below) for part in rest.numerator().coefficients(index)] or [f.zero]
 
     def parts_along(self, x: Ratio) -> list[list[Ratio]]:
-        """Polynomials in the time, by their coefficients, whose product has the sign of a function of the state: itself,
-        or where that has no roots in closed form here its factors. Raises CannotAnswer."""
+        """Polynomials in the time, by their coefficients, whose product has the sign of a function of the state:
+        itself, or where that has no roots in closed form here its factors. Raises CannotAnswer."""
         whole = self.sign_along(x)
         if has_roots(behind_zeros(whole)):
             return [whole]
