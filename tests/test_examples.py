@@ -976,15 +976,12 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "cam_with_roller": {
         "angle": "atan(h/2*sin(Omega*t)/(r + r_R + h/2*(1 - cos(Omega*t))))",
     },
-    # m g y = k (y - L)^2/2 where it turns; v^2 = 2 g y - k (y - L)^2/m is greatest where k (y - L) = m g; beyond L
-    # y - L = (m g/k)(1 - cos(w t)) + sqrt(2 g L) sin(w t)/w, whose rate and whose value vanish at half and at all of
+    # m g y = k (y - L)^2/2 where it turns; v^2 = 2 g y - k (y - L)^2/m is greatest where k (y - L) = m g
     "bungee_jump": {
         "caught": "sqrt(2*g*L)",
         "deepest": "L + m*g/k + sqrt((m*g/k)**2 + 2*m*g*L/k)",
         "fastest": "sqrt(2*g*L + m*g**2/k)",
         "hardest": "m*g + sqrt((m*g)**2 + 2*k*L*m*g)",
-        "down": "sqrt(2*L/g) + sqrt(m/k)*(pi - atan(sqrt(2*k*L/(m*g))))",
-        "slack": "sqrt(2*L/g) + 2*sqrt(m/k)*(pi - atan(sqrt(2*k*L/(m*g))))",
     },
     # m v0^2/2 = k e^2/2 + mu m g e at the farthest, and m v^2/2 = k e^2/2 - mu m g e back at l
     "block_on_an_elastic_string": {
@@ -1010,7 +1007,6 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "motorcycle_brakes": {
         "braking": "-mu*g*b/(a + b - mu*h)",
         "rear": "m*g*(a - mu*h)/(a + b - mu*h)",
-        "lifts": "a/h",
         "way": "v0**2*(a + b - mu*h)/(2*mu*g*b)",
     },
     # N_r (a + b) = m g (a cos + h sin), mu N_r = m g sin
