@@ -151,5 +151,5 @@ measures: {x: {x of block}}
 start: {x: 1 m, rate(x): 3 m/s}
 """)
     own = next(case for case in system.phases().cases if case.is_own)
-    told = str(own)
-    assert told.count("slip of table reverses") >= 2, told
+    # 0.527 m, 0.370 m, 0.213 m, 0.056 m < mu m g/k = 0.078 m
+    assert own.what == "slides, then slides back, then slides back, then slides back, then holds"

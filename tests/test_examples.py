@@ -989,10 +989,9 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "back": "sqrt(v0**2 - 4*mu*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k)",
         "lost": "2*mu*m*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k",
     },
-    # slipping: m x'' = -mu m g, I w' = T - mu m g r; it rolls where x'' = -r w' and T r <= mu m g (m r^2 + I)/m
+    # slipping: m x'' = -mu m g, I w' = T - mu m g r; it slides on with the same x''
     "wheel_that_locks": {
         "braking": "-mu*g",
-        "rolls": "mu*g*(m*r**2 + I)/r",
         "locks": "I*v0/(r*(T - mu*m*g*r))",
         "way": "v0**2/(2*mu*g)",
     },
