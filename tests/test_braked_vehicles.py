@@ -48,7 +48,7 @@ def test_way_of_a_car_until_it_stands_on_its_locked_wheels(locked: tuple[str, ..
 
 
 def test_which_axle_locks_first_changes_with_the_share_of_the_rear_brakes() -> None:
-    """At the ideal share for z = mu both lock at once, when the car brakes with mu g; beyond it the rear one is first."""
+    """At the ideal share for z = mu both lock at once, with mu g; with more at the rear wheels these lock first."""
     system = fb.System.load(EXAMPLES / "brake_force_distribution.yaml")
     ideal = (A - H * MU) / (A + B)
     for share in (ideal - 0.05, ideal, ideal + 0.05):
