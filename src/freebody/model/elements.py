@@ -143,7 +143,7 @@ class RigidBody:
         Edge[Components], ...
     ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon
     copies: tuple[str, ...] = ()  # the further ones of equal bodies on one carrier, of which this one is written
-    tensor: Components = ()  # in space, as all that follows: of inertia about the mass centre in body axes: xx, yy, zz, xy, xz, yz
+    tensor: Components = ()  # in space: of inertia about the mass centre in body axes, xx, yy, zz, xy, xz, yz
     round: str = ""  # what of it can roll: "disk" (its rim), "sphere", "cone"
     axis: Components = ()  # of a round body
     planes: dict[str, BodyPlane] = field(default_factory=dict[str, BodyPlane])
