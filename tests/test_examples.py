@@ -986,6 +986,43 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "cam_with_roller": {
         "angle": "atan(h/2*sin(Omega*t)/(r + r_R + h/2*(1 - cos(Omega*t))))",
     },
+    # m g y = k (y - L)^2/2 where it turns; v^2 = 2 g y - k (y - L)^2/m is greatest where k (y - L) = m g
+    "bungee_jump": {
+        "caught": "sqrt(2*g*L)",
+        "deepest": "L + m*g/k + sqrt((m*g/k)**2 + 2*m*g*L/k)",
+        "fastest": "sqrt(2*g*L + m*g**2/k)",
+        "hardest": "m*g + sqrt((m*g)**2 + 2*k*L*m*g)",
+    },
+    # m v0^2/2 = k e^2/2 + mu m g e at the farthest, and m v^2/2 = k e^2/2 - mu m g e back at l
+    "block_on_an_elastic_string": {
+        "farthest": "l + (sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k",
+        "back": "sqrt(v0**2 - 4*mu*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k)",
+        "lost": "2*mu*m*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k",
+    },
+    # slipping: m x'' = -mu m g, I w' = T - mu m g r; it slides on with the same x''
+    "wheel_that_locks": {
+        "braking": "-mu*g",
+        "locks": "I*v0/(r*(T - mu*m*g*r))",
+        "way": "v0**2/(2*mu*g)",
+    },
+    # N_r (a + b) = m g (a - h z), N_f (a + b) = m g (b + h z): a wheel locks where its share of z m g is mu N
+    "brake_force_distribution": {
+        "rear_locks": "mu*a/(p*(a + b) + mu*h)",
+        "front_locks": "mu*b/((1 - p)*(a + b) - mu*h)",
+        "ideal": "(a - h*z)/(a + b)",
+        "way": "v0**2/(2*z*g)",
+    },
+    # about the rear wheel N_f (a + b) = m g b + mu N_f h; the rear one lifts where mu m g h = m g a
+    "motorcycle_brakes": {
+        "braking": "-mu*g*b/(a + b - mu*h)",
+        "rear": "m*g*(a - mu*h)/(a + b - mu*h)",
+        "way": "v0**2*(a + b - mu*h)/(2*mu*g*b)",
+    },
+    # N_r (a + b) = m g (a cos + h sin), mu N_r = m g sin
+    "steepest_road": {
+        "steepest": "atan(mu*a/(a + b - mu*h))",
+        "friction": "(a + b)*sin(alpha)/(a*cos(alpha) + h*sin(alpha))",
+    },
     # N_r (a + b) = m g a + F h about the front wheels, F = mu N_r; N_f (a + b) = m g b - F h
     "traction_limits": {
         "acceleration": "F/m",

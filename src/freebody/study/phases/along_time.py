@@ -26,7 +26,14 @@ from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, MotionInTime, UniformMotion, has_roots
+from freebody.symbolic.phases.course import (
+    ClosedFormMotion,
+    LawMotion,
+    MotionInTime,
+    UniformMotion,
+    behind_zeros,
+    has_roots,
+)
 from freebody.symbolic.signs import sign_of
 from freebody.tolerances import LEAST
 
@@ -47,16 +54,17 @@ def in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, in
     for watch in watches:
         try:
             coefficients = course.sign_along(watch.element)
+            parts = course.parts_along(watch.element)
         except CannotAnswer as error:
             raise no_closed_form(watch, error) from None
-        n_now = next((k for k, c in enumerate(coefficients) if not c.is_zero()), 0)  # zeros at the start itself
-        if not has_roots(coefficients[n_now:]):
+        open_ones = [part for part in map(behind_zeros, parts) if not has_roots(part)]
+        if open_ones:
             raise CannotAnswer(
                 Message(
                     "when {contact} {event} is a root of degree {n}",
                     contact=watch.connection,
                     event=occurs(watch),
-                    n=len(coefficients) - 1 - n_now,
+                    n=len(open_ones[0]) - 1,
                 )
             )
         numbers = np.array([sets.evaluate(model, c) for c in coefficients])

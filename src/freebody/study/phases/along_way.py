@@ -81,7 +81,8 @@ class EnergyRoad:
         found = [(place, self.sets.evaluate(self.model, place)) for place in listed]
         for _place, at in found:
             near = np.abs(at - self.q0) < _CLOSE * self._size(at)
-            if not near[: self.sets.n_near].all():  # else it is the start, however it is written
+            own = self.mine[: self.sets.n_near]  # of other sets it says nothing
+            if not near[: self.sets.n_near][own].all():  # else it is the start, however it is written
                 self.too_near |= near
         return found
 

@@ -57,6 +57,7 @@ class Home:
         self.sets.constants = {name: self.numbers(x) for name, x in self.constants.items()}
         self.assumed: list[Condition] = []
         self.indices: Chosen = np.flatnonzero(self._admissible(touching))
+        self.acting = dict(self._acting())
 
     def _admissible(self, touching: frozenset[str]) -> Any:
         """Sets for which the start is one: on the branch of the model's own numbers, and nothing inside another."""
@@ -68,7 +69,11 @@ class Home:
         for bound in self.system.bounds:
             if bound.name not in touching and not bound.within:
                 needed.append(
-                    (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
+                    (
+                        self._gap(bound.row),
+                        ">=",
+                        Message("{contact} is open at the start", contact=bound.row.connection),
+                    )
                 )
             elif bound.name in touching:
                 needed += self._on_its_edge(bound)
@@ -83,6 +88,23 @@ class Home:
             if condition is not None:
                 self.assumed.append(condition)
         return found
+
+    def _acting(self) -> Iterator[tuple[str, bool]]:
+        """Whether loads that have a border act at the start, at the model's own values, and so for all sets that are
+        left; of loads that are at their border nothing."""
+        for name, row in self.system.borders.items():
+            beyond = -self._gap(row)
+            if beyond.is_zero():
+                continue
+            numbers = self.numbers(beyond)
+            acts = bool(np.sum(numbers[self.indices[:1]] > 0))
+            side = 1 if acts else -1
+            told = Message("{string} is taut at the start", string=row.connection)
+            slack = Message("{string} is slack at the start", string=row.connection)
+            condition, _possible = require(side * beyond, ">", told if acts else slack)
+            self.assumed += [] if condition is None else [condition]
+            self.indices = self.indices[side * numbers[self.indices] > 0]
+            yield name, acts
 
     def _held_in_blow(self, state: SymbolicState) -> Iterator[Inequality]:
         """What cannot pull must be pressed, or not be needed, where the start is a blow. Raises CannotAnswer where the
@@ -110,11 +132,11 @@ class Home:
             ends += [] if span.high is None else [scalar(span.high) - value]
             yield from ((self.home.model.field.lowest_terms(x), ">", purpose) for x in ends if not x.is_zero())
 
-    def _gap(self, bound: UnilateralConstraint) -> Ratio:
-        measure: Any = bound.row.measure
-        target = bound.row.target
+    def _gap(self, row: ConstraintRow) -> Ratio:
+        measure: Any = row.measure
+        target = row.target
         value = self.home.start_instant.value(measure)
-        return bound.row.sign * (value if target is None else value - self.home.model.geometry.scalar(target))
+        return row.sign * (value if target is None else value - self.home.model.geometry.scalar(target))
 
     def _constants(self) -> Iterator[tuple[str, Ratio]]:
         """Start values of the measures that are held where they are, by the symbols that stand for them."""
@@ -178,7 +200,13 @@ class Home:
     def bound_row(self, name: str) -> ConstraintRow:
         """Of a bound, or of a connection that cannot pull."""
         return next(
-            row for row in (*ideal_bounds(self.system), *(b.row for b in self.system.bounds)) if row.name == name
+            row
+            for row in (
+                *ideal_bounds(self.system),
+                *(b.row for b in self.system.bounds),
+                *self.system.borders.values(),
+            )
+            if row.name == name
         )
 
     def by_sign(self, rates: Mapping[str, Ratio], indices: Chosen) -> Iterator[tuple[dict[str, int], Chosen]]:

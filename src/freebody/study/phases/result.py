@@ -111,7 +111,8 @@ def phases(system: System) -> Phases:
 @lru_cache(maxsize=4)
 def phases_of(tree: PhaseTree) -> Phases:
     """The cases of a tree, path by path; kept as long as trees are, as every question asks for them."""
-    if not tree.system.bounds and not tree.system.dry_friction and not tree.closed and not tree.system.blows:
+    ends = (tree.system.bounds, tree.system.dry_friction, tree.closed, tree.system.blows, tree.system.borders)
+    if not any(ends):
         raise CannotAnswer(Message("the system has no contact, no stop and no dry friction: its motion has one phase"))
     cases = [_case(tree, path) for path in paths(tree.roots)]
     cases.sort(key=lambda case: not case.is_own)

@@ -103,6 +103,7 @@ class PhaseTree(Home):
         closed = self.closed | {name for name, sign in signs.items() if sign == 0}
         if hits:
             start = PhaseStart(Placed(), closed, {}, given=tuple(given), began=self.home.model.field.zero)
+            start = replace(start, acting=self.acting)
             nodes = self._struck(start, hits, sets, 0)
         else:
             here = self.home.state
@@ -112,6 +113,7 @@ class PhaseTree(Home):
             self.boundaries += [x for x in slips.values() if self.changes_sign(x, sets)]
             zero = self.home.model.field.zero
             start = PhaseStart(Placed(), closed, slips, given=tuple(given), began=zero, ways=found.ways)
+            start = replace(start, acting=self.acting)
             nodes = self._follow(start, sets, 0)
         self.roots += nodes
         gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
@@ -345,13 +347,15 @@ class PhaseTree(Home):
         try:
             placed = self.placed(phase, {**phase.still, **edge.first.zero.values})
             began = None if node.began is None or edge.time is None else node.began + edge.time
+            acting = dict(phase.mode.acting)
             if watch.kind == STRIKES:
-                edge.nodes = self._blown(
-                    node, edge, PhaseStart(placed, phase.mode.closed, {}, before, known=known, began=began)
-                )
-            elif watch.kind == "touches":
+                instant = PhaseStart(placed, phase.mode.closed, {}, before, known=known, began=began)
+                edge.nodes = self._blown(node, edge, replace(instant, acting=acting))
+            elif watch.kind == "touches" and watch.name not in acting:
                 edge.nodes = self._touched(node, edge, placed, before, known, began)
             else:
+                if watch.name in acting:
+                    acting[watch.name] = watch.kind == "touches"
                 slips: dict[str, Ratio] = {}
                 for name, state in states.items():
                     is_still = name == watch.name or state == 0
@@ -366,6 +370,7 @@ class PhaseTree(Home):
                     slips = {name: slips.get(name, slip) for name, slip in more.sizes.items()}
                 instant = PhaseStart(placed, closed, slips, before, excluded, None, node.n_impacts, known)
                 instant = replace(instant, past=phase.mode.past, began=began, ways=dict(phase.mode.ways))
+                instant = replace(instant, acting=acting)
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
         except NO_FORM as error:
             edge.stops = why(self.system, error)
@@ -393,7 +398,7 @@ class PhaseTree(Home):
             )
             return []
         instant = PhaseStart(placed, node.phase.mode.closed, {}, before, None, None, node.n_impacts, known)
-        instant = replace(instant, past=node.phase.mode.past, began=began)
+        instant = replace(instant, past=node.phase.mode.past, began=began, acting=dict(node.phase.mode.acting))
         return self._struck(instant, (watch.name,), edge.sets, node.depth + 1)
 
 
