@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -92,6 +93,7 @@ class Ends:
         self.model = setup.model
         self.field = setup.model.field
         self._limits: dict[int, HoldingLimit] = {}
+        self._numbers: dict[int, tuple[Draw, int, dict[int, Any]]] = {}
 
     def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         """The largest (sign +1) or smallest value at a draw; None if there is none at all. near: where it may be."""
@@ -200,12 +202,20 @@ class Ends:
                 yield {k: self.field.lowest_terms(x) for k, x in at.items()}
 
     def number(self, x: Ratio, draw: Draw) -> float | None:
-        numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
+        numbers = self._numbers_at(draw)
         try:
             value = float(self.field.evaluate(x, numbers))
             return 0.0 if self.field.vanishes_at(x, numbers, ROUND_OFF) else value
         except (KeyError, ValueError, ArithmeticError):
             return None
+
+    def _numbers_at(self, draw: Draw) -> dict[int, Any]:
+        """The values of all generators at a draw, made once as long as there are no more of them."""
+        n, known = len(self.field.generators), self._numbers.get(id(draw))
+        if known is None or known[1] != n:
+            numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
+            known = self._numbers[id(draw)] = draw, len(self.field.generators), numbers
+        return known[2]
 
     def holds(self, case: FailureCase, draw: Draw) -> bool:
         """Whether a case is the one at a draw, as far as its conditions are known."""
