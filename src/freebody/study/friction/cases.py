@@ -11,7 +11,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow
+from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.numeric.rest_problem import rest_problem
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.parameter_domain import above
@@ -286,14 +286,14 @@ class Ends:
                 reserve = eq.cone(at_end, rub, failure, at)
                 if reserve is None:
                     return extra, False
-                extra.append((reserve, ">=", Message("{contact} does not slip", contact=_label(rub.row))))
+                extra.append((reserve, ">=", _stays(rub)))
                 continue
             pressing, constant = eq.load(rub, failure)
             for d in (1, -1):
                 c = self.field.follow(eq.coefficient(rub, d), at)
                 line: Row = {eq.columns[name]: d * one, RHS: c * constant}
                 line |= {k: c * x for k, x in pressing.items()}
-                lines.append((self._put(line, at_end, at), Message("{contact} does not slip", contact=_label(rub.row))))
+                lines.append((self._put(line, at_end, at), _stays(rub)))
         found, is_complete = without_free(self.field, lines, lambda x: self.number(x, draw))
         return extra + found, is_complete
 
@@ -351,7 +351,9 @@ class Ends:
         found: list[Inequality] = []
         for name, _direction in failure.slips:
             if name != self.asked and (slip := eq.slip(failure, name, motion, at_end)) is not None:
-                what = Message("{contact} slips this way", contact=_label(eq.rows[name]))
+                is_tipping, contact = eq.dry_friction[name].is_tipping, _label(eq.rows[name])
+                told = Message("{contact} tips this way", contact=contact)
+                what = told if is_tipping else Message("{contact} slips this way", contact=contact)
                 found.append((self._at_value(slip, at), ">=", what))
         for name in sorted(failure.opens):
             opening = eq.rows[name].sign * rates[name]
@@ -398,6 +400,12 @@ def one_of_both(one: FailureCase, other: FailureCase) -> FailureCase | None:
         return None
     common = tuple(c for c in one.conditions if c is not only_one[0])
     return replace(one, conditions=common, is_complete=one.is_complete and other.is_complete)
+
+
+def _stays(rub: DryFriction) -> Message:
+    if rub.is_tipping:
+        return Message("{body} does not tip", body=rub.row.ends[0].partition(".")[0])
+    return Message("{contact} does not slip", contact=_label(rub.row))
 
 
 def _label(row: ConstraintRow) -> str:
