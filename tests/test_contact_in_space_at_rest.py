@@ -167,3 +167,18 @@ def test_when_a_coin_on_a_table_that_spins_up_slips_is_a_number_of_the_motion() 
     asked = TURNED.replace("NORMAL", "up").replace("LAW", "W*t^2/(2 s)").replace("QUESTION", "time when top slips")
     (answer,) = fb.solve(fb.System.from_text(asked)).answers
     assert answer.value == pytest.approx(((0.4 * 9.81 / 0.3) ** 2 / 16 - 0.25) ** 0.25, rel=1e-6)
+
+
+def test_corners_of_boxes_are_told_by_where_they_are() -> None:
+    """Pushed at half its height a crate tips about the edge ahead at P = m g a cos/b."""
+    crate = """
+space: true
+parameters: {m: 10 kg, a: 1 m, b: 3 m, mu: 0.5, P: 20 N, g: 9.81 m/s^2}
+ground: {planes: {floor: {normal: up}}}
+bodies: {crate: {box: {mass: m, size: [a, b, a]}}}
+connections: {it: {contact: {between: [crate, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}, push: {force: {at: crate, along: [0, 0, 1], magnitude: P}}}
+"""
+    answer = value(crate, "largest P so that it stays at rest")
+    assert answer.value == pytest.approx(98.1 / 3, rel=1e-9)
+    assert "upper limit: crate tips about its edge from (-a/2, -b/2, a/2) to (a/2, -b/2, a/2)" in answer.notes

@@ -388,9 +388,10 @@ class RestEquations:
         for free in found.free:
             v = {slot: found.pivots[k].get(free, self.field.zero) for slot, k in columns.items() if k in found.pivots}
             v[self.slots[free]] = self.field.one
-            # what moves no row, as the spin of a can about its axis, has no part in a failure
-            if any(not self.field.follow(self.rate(name, v), at).is_zero() for name in self.rows):
-                motions.append(v)
+            motions.append(v)
+        if len(motions) > 1:  # what moves no row, as the spin of a can about its axis, has no part in a failure
+            moves = [any(not self.field.follow(self.rate(n, v), at).is_zero() for n in self.rows) for v in motions]
+            motions = [v for v, is_moved in zip(motions, moves, strict=True) if is_moved]
         return motions[0] if len(motions) == 1 else None
 
     def _touching_planes(self, failure: Failure, at: Values) -> list[Row] | None:

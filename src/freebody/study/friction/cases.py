@@ -28,6 +28,7 @@ from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, solutions
 from freebody.symbolic.surplus import ReducedColumns
 from freebody.symbolic.zeros import reals
+from freebody.system.corners import in_words
 from freebody.tolerances import ROUND_OFF
 
 MOST_CASES = 6
@@ -271,7 +272,7 @@ class Ends:
         slips = dict(failure.slips)
         for row in sorted(eq.system.constraint_rows, key=lambda row: row.name):
             if row.unilateral and row.name not in failure.opens:
-                what = closed(_label(row), row.reaction if row.reaction == "tension" else "normal force")
+                what = closed(self._label(row), row.reaction if row.reaction == "tension" else "normal force")
                 lines.append((self._put({eq.columns[row.name]: row.sign * one}, at_end, at), what))
         extra: list[Inequality] = []
         for name in eq.sized:
@@ -286,14 +287,14 @@ class Ends:
                 reserve = eq.cone(at_end, rub, failure, at)
                 if reserve is None:
                     return extra, False
-                extra.append((reserve, ">=", _stays(rub)))
+                extra.append((reserve, ">=", self._stays(rub)))
                 continue
             pressing, constant = eq.load(rub, failure)
             for d in (1, -1):
                 c = self.field.follow(eq.coefficient(rub, d), at)
                 line: Row = {eq.columns[name]: d * one, RHS: c * constant}
                 line |= {k: c * x for k, x in pressing.items()}
-                lines.append((self._put(line, at_end, at), _stays(rub)))
+                lines.append((self._put(line, at_end, at), self._stays(rub)))
         found, is_complete = without_free(self.field, lines, lambda x: self.number(x, draw))
         return extra + found, is_complete
 
@@ -301,7 +302,7 @@ class Ends:
         """What friction that a force with two components loads demands: its load is positive where it slips, else the
         square of what it can carry is not less than that of what it does. None where these are not unique."""
         eq = self.equations
-        label = _label(eq.rows[name])
+        label = self._label(eq.rows[name])
         if direction is not None:
             size = eq.size(at_end, name)
             return None if size is None else (size, ">=", Message("{contact} slips this way", contact=label))
@@ -351,14 +352,14 @@ class Ends:
         found: list[Inequality] = []
         for name, _direction in failure.slips:
             if name != self.asked and (slip := eq.slip(failure, name, motion, at_end)) is not None:
-                is_tipping, contact = eq.dry_friction[name].is_tipping, _label(eq.rows[name])
+                is_tipping, contact = eq.dry_friction[name].is_tipping, self._label(eq.rows[name])
                 told = Message("{contact} tips this way", contact=contact)
                 what = told if is_tipping else Message("{contact} slips this way", contact=contact)
                 found.append((self._at_value(slip, at), ">=", what))
         for name in sorted(failure.opens):
             opening = eq.rows[name].sign * rates[name]
             own = [rub for rub in eq.dry_friction.values() if rub.load == (name,)]
-            what = Message("{contact} opens", contact=_label(eq.rows[name]))
+            what = Message("{contact} opens", contact=self._label(eq.rows[name]))
             for rub in [rub for rub in own if rub.across is not None]:
                 c = self.field.follow(eq.coefficient(rub, 1), at)
                 squares = sum((rates[row.name] ** 2 for row in rub.rows), self.field.zero)
@@ -389,6 +390,17 @@ class Ends:
     def _at_value(self, x: Ratio, at: Values) -> Ratio:
         return self.field.follow(x, at)
 
+    def _stays(self, rub: DryFriction) -> Message:
+        if rub.is_tipping:
+            return Message("{body} does not tip", body=rub.row.ends[0].partition(".")[0])
+        return Message("{contact} does not slip", contact=self._label(rub.row))
+
+    def _label(self, row: ConstraintRow) -> str:
+        """The corner that touches, else the connection."""
+        if row.ends and "." in row.ends[0]:
+            return in_words(self.touching.system, row.ends[0])
+        return row.connection
+
 
 def one_of_both(one: FailureCase, other: FailureCase) -> FailureCase | None:
     """Two cases of one formula that differ in the sign of one condition, without it; None if they are not such."""
@@ -400,16 +412,6 @@ def one_of_both(one: FailureCase, other: FailureCase) -> FailureCase | None:
         return None
     common = tuple(c for c in one.conditions if c is not only_one[0])
     return replace(one, conditions=common, is_complete=one.is_complete and other.is_complete)
-
-
-def _stays(rub: DryFriction) -> Message:
-    if rub.is_tipping:
-        return Message("{body} does not tip", body=rub.row.ends[0].partition(".")[0])
-    return Message("{contact} does not slip", contact=_label(rub.row))
-
-
-def _label(row: ConstraintRow) -> str:
-    return row.ends[0] if row.ends and "." in row.ends[0] else row.connection
 
 
 def _agree(a: float, b: float) -> bool:

@@ -18,6 +18,7 @@ from freebody.numeric.rest_problem import RestProblem
 from freebody.study.answering.draws import Draw
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.symbolic.active_set import Failure
+from freebody.system.corners import in_words, position_of
 
 _STILL = 1e-6  # a rate that is none, of the largest
 _TWISTED = 1e-6  # a moment about the normal that is none
@@ -129,7 +130,7 @@ def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
         bound = _bound(touching, name)
         if bound is None:
             continue
-        body = next((end for end in bound.row.ends if end in touching.held.bodies), "")
+        body = next((end for end in _owners(bound.row) if end in touching.held.bodies), "")
         about = _pivot(touching, failure, body)
         if body and about:
             tipping[body] = about
@@ -137,7 +138,7 @@ def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
         yield Message("{body} tips about {corner}", body=body, corner=about)
     for name in sorted(failure.opens):
         bound = _bound(touching, name)
-        if bound is not None and any(end in tipping for end in bound.row.ends):
+        if bound is not None and any(end in tipping for end in _owners(bound.row)):
             continue
         yield _opening(touching, name)
     yield from _slips(touching, problem, failure)
@@ -162,7 +163,7 @@ def _slips(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
         else:
             way = _heading(touching, problem, row, direction)
             body = row.ends[0].partition(".")[0]
-            place = body if rub.of in flat else row.ends[0]
+            place = body if rub.of in flat else in_words(touching.system, row.ends[0])
             groups.setdefault((body, "slips on", way, row.ends[1]), []).append(place)
     for (who, what, way, other), places in groups.items():
         yield _gives_way(places[0] if len(places) == 1 else who, what, way, other)
@@ -225,19 +226,27 @@ def _pivot(touching: TouchingAtRest, failure: Failure, body: str) -> str:
     if body not in touching.held.bodies or not touching.held.bodies[body].turns:
         return ""
     slipping = {rub.of for rub in touching.dry_friction if rub.name in dict(failure.slips)}
-    touched = [b for b in touching.bounds if body in b.row.ends]
+    touched = [b for b in touching.bounds if body in _owners(b.row)]
     stays = [b for b in touched if b.name not in failure.opens]
     opened = [b for b in touched if b.name in failure.opens]
-    if len(stays) != 1 or not opened or stays[0].name in slipping:
+    if not opened or any(b.name in slipping for b in stays):
         return ""
-    if stays[0].row.connection != opened[0].row.connection and len(touched) > 2:
+    if len({b.row.connection for b in (*stays, *opened)}) > 1 and len(touched) > 2:
         return ""
-    return _place(stays[0].row)
+    if len(stays) == 2 and touching.system.space and all(b.row.ends[0].startswith(f"{body}.") for b in stays):
+        one, other = (position_of(touching.system, b.row.ends[0]) for b in stays)
+        return Message("its edge from {one} to {other}", one=one, other=other)
+    return _place(touching, stays[0].row) if len(stays) == 1 else ""
 
 
-def _place(row: ConstraintRow) -> str:
+def _owners(row: ConstraintRow) -> tuple[str, ...]:
+    """The bodies that touch; on a plane the one whose corner does."""
+    return (*row.ends, *(end.partition(".")[0] for end in row.ends[:1]))
+
+
+def _place(touching: TouchingAtRest, row: ConstraintRow) -> str:
     """The corner that a row holds: `block.bottom_left` on the floor, a wheel on `ground.edge`."""
-    corner = next((end for end in row.ends if "." in end), None)
+    corner = next((in_words(touching.system, end) for end in row.ends if "." in end), None)
     return corner or (row.ends[0] if row.ends else row.connection)
 
 
@@ -246,7 +255,7 @@ def _opening(touching: TouchingAtRest, name: str) -> str:
     if row.reaction == "tension":
         return Message("{contact} goes slack", contact=row.connection)
     if len(row.ends) >= 2:
-        return Message("{body} leaves {other}", body=row.ends[0], other=row.ends[1])
+        return Message("{body} leaves {other}", body=in_words(touching.system, row.ends[0]), other=row.ends[1])
     return Message("{contact} lifts off", contact=row.connection)
 
 
