@@ -103,8 +103,9 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
 @cache
 def _place(component: str) -> str:
     """What touches in a row of a contact: its corner, without the body it belongs to; for others the component."""
-    short = component.removeprefix("slip of ").removeprefix("no slip ")
-    return re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
+    short = component.removeprefix("slip of ").removeprefix("tipping of ").removeprefix("no slip ")
+    flat = "flat_" if short.startswith("flat ") else ""  # beside the rim of the same end
+    return flat + re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
 
 
 def _face(component: str) -> str:

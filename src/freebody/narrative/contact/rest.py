@@ -15,7 +15,7 @@ from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, 
 from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_conditions import sides_of, told_purpose
 from freebody.narrative.contact.phase_event import solved_argument
-from freebody.narrative.contact.rest_cone import tell_cone, turning
+from freebody.narrative.contact.rest_cone import tell_cone, tell_feet, turning
 from freebody.narrative.contact.rest_forces import acting_at_rest
 from freebody.narrative.contact.rest_newton import RestNewton
 from freebody.narrative.contact.rest_worlds import RestGlossary
@@ -174,7 +174,10 @@ class _RestTelling:
         if not row and (rub := turning(equations, case.failure)) is not None:
             names = (*(r.name for r in rub.rows), *rub.load)
             symbols: dict[str, Expr] = {name: Symbol(self.symbols[name].name) for name in names}
-            line, rest = tell_cone(script, newton, equations, rub, symbols)
+            if len(equations.together(rub, case.failure)) > 1:
+                line, rest = tell_feet(script, newton, equations, rub, case.failure)
+            else:
+                line, rest = tell_cone(script, newton, equations, rub, symbols)
             with script.stage("stage.solution", "hint.solution", n=len(names)):
                 line = self._solved(case, symbol, line, is_root=_has_roots(rest, ends.index))
             self._conditions(case, newton, equations, line)
