@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -205,7 +205,7 @@ class Hybrid:
         self._violated(what, k, at, course, mode, y)
         return None
 
-    def _spread_out(self, closed: Sequence[int], t: float) -> Ended | None:
+    def _spread_out(self, closed: Iterable[int], t: float) -> Ended | None:
         """How a motion ends where a contact is not in a single place."""
         spread = self.bounded.spread_out(closed)
         if spread is None:
