@@ -38,6 +38,7 @@ from freebody.symbolic.active_set import Failure, RestEquations
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS
 from freebody.symbolic.tidy import tidy
+from freebody.system.corners import in_words
 
 _AT: dict[int, Relation] = {1: "≤", -1: "≥"}
 
@@ -100,10 +101,10 @@ class _RestTelling:
             if row.unilateral:
                 symbol = Symbol(symbols[row.name].name)
                 key = "rest.taut" if row.reaction == "tension" else "rest.touches"
-                found.append(Sentence(key, {"place": place_of(row), "force": symbol}))
+                found.append(Sentence(key, {"place": in_words(self.touching.system, place_of(row)), "force": symbol}))
         for rub in self.touching.dry_friction:
             symbol = Symbol(symbols[rub.name].name)
-            place = place_of(rub.row)
+            place = in_words(self.touching.system, place_of(rub.row))
             if rub.static_back is not None:
                 found.append(Sentence("rest.string", {"connection": rub.row.connection, "drum": rub.row.ends[0]}))
             elif len(rub.load) <= 1:
