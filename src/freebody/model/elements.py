@@ -311,6 +311,9 @@ class UnilateralConstraint:
         return self.row.reaction.startswith("stop ")
 
 
+TIPPING = "tipping moment"
+
+
 @dataclass(frozen=True)
 class DryFriction:
     """Dry friction along a measure. While it does not run its row is held, as long as its multiplier stays within
@@ -343,6 +346,11 @@ class DryFriction:
     def rows(self) -> tuple[ConstraintRow, ...]:
         """The row that it holds, or both."""
         return (self.row,) if self.across is None else (self.row, self.across)
+
+    @property
+    def is_tipping(self) -> bool:
+        """Whether it is the moment of a flat end about its middle, which tips about its rim where it gives way."""
+        return self.row.reaction.startswith(TIPPING)
 
     def coefficient(self, direction: int, *, at_rest: bool = False) -> Expr:
         """What multiplies the load: direction +1 where the measure grows (or would), -1 where it falls."""

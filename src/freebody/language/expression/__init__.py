@@ -10,7 +10,15 @@ from __future__ import annotations
 
 from freebody.language.expression.calculus import differentiate, substitute
 from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key, value_of_given
-from freebody.language.expression.inspection import depth, domain, free_symbols, has_jump, in_one_order, n_operations
+from freebody.language.expression.inspection import (
+    depth,
+    domain,
+    free_symbols,
+    has_jump,
+    in_one_order,
+    n_operations,
+    stands_in,
+)
 from freebody.language.expression.rates import replace_rates
 from freebody.language.expression.tree import (
     ELEMENTARY,
@@ -87,6 +95,7 @@ __all__ = [
     "power",
     "rate_key",
     "replace_rates",
+    "stands_in",
     "substitute",
     "symbol",
     "value_of_given",

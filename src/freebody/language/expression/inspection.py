@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from dataclasses import fields, is_dataclass
 
 from freebody.language.expression.tree import (
     ELLIPTIC,
@@ -34,6 +35,26 @@ def free_symbols(expr: Expr) -> frozenset[str]:
             names.add(part.name)
         waiting.extend(children(part))
     return frozenset(names - {"pi"})
+
+
+def stands_in(name: str, value: object) -> bool:
+    """Whether a symbol stands anywhere in what is described: in dataclasses, tuples and mappings of expressions."""
+    waiting, seen = [value], set[int]()
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, (str, bytes, int, float, type(None))) or id(part) in seen:
+            continue
+        seen.add(id(part))
+        if isinstance(part, Symbol):
+            if part.name == name:
+                return True
+        elif isinstance(part, Mapping):
+            waiting.extend(part.values())  # pyright: ignore[reportUnknownArgumentType, reportUnknownMemberType]
+        elif isinstance(part, (tuple, list, frozenset, set)):
+            waiting.extend(part)  # pyright: ignore[reportUnknownArgumentType]
+        elif is_dataclass(part):
+            waiting.extend(getattr(part, field.name) for field in fields(part))
+    return False
 
 
 def has_jump(expr: Expr, names: Collection[str]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import add, free_symbols
+from freebody.language.expression import add, free_symbols, stands_in
 from freebody.language.sentences import Message, in_turn
 from freebody.language.units import FORCE, TORQUE
 from freebody.numeric.friction_branches import spread
@@ -57,7 +57,17 @@ class ParameterEnds(Ends):
         is_friction = in_friction and not in_geometry and not in_loads
         parameter = self.touching.system.parameters[self.name]
         low = -math.inf if parameter.sign == "any" or parameter.dimension in (FORCE, TORQUE) else 0.0
-        return Parametric(self.name, is_linear, is_friction, parameter.is_angle, parameter.acute, low)
+        return Parametric(
+            self.name, is_linear, is_friction, parameter.is_angle, parameter.acute, low, self._is_in_pose()
+        )
+
+    def _is_in_pose(self) -> bool:
+        """Whether anything about places and directions is stated with it."""
+        system = self.touching.system
+        rows = [(row.measure, row.target) for row in self.touching.held.constraint_rows]
+        gaps = [(b.row.measure, b.row.target, b.within, b.lost) for b in system.bounds]
+        placed = [(body.start, body.chain) for body in system.bodies.values()]
+        return stands_in(self.name, (rows, gaps, placed))
 
     def _open(self) -> str:
         """That the friction of which it is a coefficient does not act, where nothing touches; empty where it would."""
