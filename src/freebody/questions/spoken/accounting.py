@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
+from freebody.language.units import LENGTH
 from freebody.questions.spoken import given, joining
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.in_the_impact import is_of_impact
@@ -27,6 +28,7 @@ _PUSHES = frozenset(
     }
 )
 _TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
+PLACED = ("high", "far")  # how high, how far, something acts: where
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
@@ -71,6 +73,9 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
 
 def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     """Whether a parameter that nobody names is of a kind that is named before what is to be so."""
+    is_placed = any(word.kind == "ask" and word.what in PLACED for word in words) and Word("verb", "exert") in words
+    if is_placed and parameter in names.parameters and names.parameters[parameter].dimension != LENGTH:
+        return any(word.kind == "name" and word.what == parameter for word in words)
     if parameter not in names.parameters or any(word.kind == "name" and word.what == parameter for word in words):
         return True
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]

@@ -78,7 +78,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
-    if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):
+    is_range = main.has("ask", "up_to") and set(main.all("quantity")) <= {"angle", "height"} and not main.has("not")
+    asks = ("when", "soon", "long", "for", "from", *(() if is_range and main.has("quantity") else ("up_to",)))
+    if main.has("ask", *asks) or main.has("quantity", *COUNTED):
         return
     if (
         main.has("ask", "high")
@@ -104,7 +106,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
     if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
         main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
-    if others and main.has("quantity") and not joining.strikes(names):  # with what speed does it arrive after 3 m
+    is_so_far = any(mark == "after" and clause.has("value") for mark, clause in others)
+    if others and main.has("quantity") and (is_so_far or not joining.strikes(names)):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
     accelerates = accelerates and not joining.is_still(names)
@@ -126,7 +129,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
-        struck = {GROUND, *names.bodies[GROUND].lines}
+        struck = {GROUND, *names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
         landing = Clause([*(w for w in main.words if w.kind == "name" and w.what in struck), *_LANDS])
         main = Clause([w for w in main.words if w not in landing.words])
         tails = tails or (
@@ -209,7 +212,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in lookup.moving(names) or name in names.measures), "")
             main = _without_owner(names, main, instant)
-            if (instant == "at the top" and poses.begins_uppermost(names, of)) or (
+            if (instant in ("at the top", "at the top of the loop") and poses.begins_uppermost(names, of)) or (
                 instant == "at the bottom" and not lookup.rests(names) and poses.begins_at(names, of, lowest=True)
             ):
                 tails.append([" at start"])

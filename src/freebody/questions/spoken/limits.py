@@ -11,7 +11,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, of_forces
+from freebody.questions.spoken.accounting import PLACED
 from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -114,6 +116,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if state.has("quantity") and set(state.all("quantity")) != {"equilibrium"}:
         return None
     bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
+    bodies = [] if n_freedoms(names) == 1 and "slide" not in verbs else bodies  # where one moves, all do
     joints = [
         name for _, name in state.names if "." in name or (name in names.connections and name not in names.bodies)
     ]
@@ -141,6 +144,8 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         return _REST if modal and is_bounded and not state.words and joining.is_rough(names) else None
     if not ends:
         return None
+    if {"tip", "slide"} <= ends <= _ENDS_REST:  # it neither slips nor tips
+        return _REST if is_denied and all(joining.is_all_that_slips(names, body) for body in bodies) else None
     if "tip" in ends:
         return _NO_TIP if ends <= {"tip", "start", "move"} and len(lookup.massive(names)) == 1 else None
     if "slide" in ends:
@@ -173,6 +178,8 @@ def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> 
         return named[0]
     by_asking = [given.ASKED_BY[ask] for ask in head.all("ask") if ask in given.ASKED_BY]
     kinds = [given.KIND_OF[word] for word in asked] or by_asking
+    if by_asking and head.has("ask", *PLACED) and head.has("verb", "exert", "act"):  # at which height may it act
+        kinds = by_asking
     loads = [name for name in others if name in names.loads]
     if not kinds and (head.has("verb", "exert") or loads):
         kinds = [given.KIND_OF["force"]]
@@ -211,7 +218,7 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
         return "least"
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"
-    if starts and _is_push(head) and (state.has("mark", "to") or ends_rest == {"fall"}):  # needed to lower the load
+    if starts and _is_push(head) and (state.has("mark", "to") or ends_rest - {"start"} == {"fall"}):  # needed to lower the load
         return "least"
     return "range"
 

@@ -63,6 +63,7 @@ def _leaving_at_top(names: Names, clause: Clause) -> Groups:
     """At what speed does the car leave the road at the top: with which nothing presses there. With which it does not
     leave it is one end of the speeds with which something presses."""
     is_speed = clause.all("quantity") in (["speed"], ["velocity"]) or clause.has("ask", "fast")
+    clause = clause.without("part", "only")  # at which it only just leaves
     known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", "not", *SILENT)
     doing = {"leave" if verb == "fall" else verb for verb in clause.all("verb") if verb != "move"}
     if not (is_speed and known and doing in ({"leave"}, {"stay_on"}) and clause.all("instant") == ["at the top"]):

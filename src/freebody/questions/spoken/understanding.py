@@ -315,7 +315,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
         told = paired(elements, in_english_nouns(text, language, elements.taken), language)
         for way in linked(elements, told):
             try:
-                words = words_of(way.text, language, guess=guess)
+                words = words_of(way.text, language, guess=guess, parameters=names.parameters.keys())
             except Unknown:
                 continue
             found.append(Meaning(meanings(names, words), way.distance, tuple(words)))
@@ -335,7 +335,7 @@ def _known(names: Names, text: str) -> Iterator[tuple[int, list[Word]]]:
     for language in languages():
         for way in islice(linked(elements, in_english_nouns(text, language, elements.taken)), MOST):
             try:
-                found.append((0, words_of(way.text, language)))
+                found.append((0, words_of(way.text, language, parameters=names.parameters.keys())))
             except Unknown as error:
                 found.append((len(error.words), list(error.known)))
     yield from sorted(found, key=lambda one: one[0])
