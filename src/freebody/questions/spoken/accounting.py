@@ -74,8 +74,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
 def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     """Whether a parameter that nobody names is of a kind that is named before what is to be so."""
     is_placed = any(word.kind == "ask" and word.what in PLACED for word in words) and Word("verb", "exert") in words
-    if is_placed and parameter in names.parameters and names.parameters[parameter].dimension != LENGTH:
-        return any(word.kind == "name" and word.what == parameter for word in words)
+    if is_placed and parameter in names.parameters:
+        return names.parameters[parameter].dimension == LENGTH or any(word.kind == "name" and word.what == parameter for word in words)
     if parameter not in names.parameters or any(word.kind == "name" and word.what == parameter for word in words):
         return True
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]

@@ -50,7 +50,8 @@ def clutches(names: Names) -> list[str]:
 
 def engaged(names: Names, _body: str = "") -> list[str]:
     """The condition that what a clutch joins turns alike: it no longer slips."""
-    return [f"slipping of {name} ends" for name in clutches(names)]
+    ends = [f"slipping of {name} ends" for name in clutches(names)]
+    return ends or (["slipping ends"] if comes_to_roll(names) else [])
 
 
 def in_balance(names: Names, of: str) -> list[str]:

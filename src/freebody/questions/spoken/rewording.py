@@ -141,7 +141,7 @@ def _as_driven(names: Names, words: list[Word]) -> list[Word]:
         return words
     head, tail = Clause(words[: marks[0]]), Clause(words[marks[0] + 1 :])
     drivers = [name for _, name in head.names if "driver" in names.called.get(name, ())]
-    goes = tail.only("verb", "name", "not", *SILENT) and set(tail.all("verb")) <= {*GOES_ON, "hold"}
+    goes = tail.only("verb", "name", "not", *SILENT) and set(tail.all("verb")) <= {*GOES_ON, "hold", "no_accel"}
     steady = not tail.has("not") or tail.has("verb", "accelerate")
     is_push = bool(set(head.all("quantity")) & {*_PUSHES}) and not head.has("degree")
     return head.words if drivers and goes and steady and is_push and tail.has("verb") else words
