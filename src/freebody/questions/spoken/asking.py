@@ -109,7 +109,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     if clause.has("quantity", "position", "distance", "angle", "deflection") and len(of) <= 1:
         found = lookup.angles if clause.has("quantity", "angle") else lookup.places
         found = lookup.deflections if clause.has("quantity", "deflection") else found
-        yield [f"{degree} {measure}{whole}" for measure in found(names, next(iter(of), ""))]
+        who = next(iter(of), "")
+        hung = lookup.hung(names, who) if clause.has("quantity", "angle") else []
+        yield [f"{degree} {measure}{whole}" for measure in found(names, who) or hung]
         return
     if clause.has("quantity", "horizontal range"):  # over what can be chosen: the angle
         angles = given.of_kind(names, "angle")

@@ -12,6 +12,7 @@ from functools import cache
 
 from freebody.questions.spoken.lexicon import (
     endings,
+    is_verb_of,
     no_nouns,
     phrases_at,
     quantity_words,
@@ -38,6 +39,8 @@ def in_english_nouns(text: str, language: str, taken: Container[str] = ()) -> st
         word = found[0]
         if word.lower() in taken:
             return word
+        if word[0].islower() and is_verb_of(word.lower().replace("ß", "ss"), language):
+            return word  # to swing, which is no rocker
         if (stem := _bare(word, language)) in taken:
             return stem
         return _noun(word, language, taken) or _apart(word, language, taken) or word

@@ -94,6 +94,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if farthest.is_settled(main) and not others:
         yield from farthest.where_it_settles(names, main)
         return
+    if main.has("ask", "high") and main.all("degree") == ["greatest"] and not main.has("quantity"):
+        main = main.without("degree") if set(main.all("verb")) & {*GOES_ON, "reach"} else main  # how high at most
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from farthest.how_high(names, main)
         return
@@ -109,6 +111,11 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     is_so_far = any(mark == "after" and clause.has("value") for mark, clause in others)
     if others and main.has("quantity") and (is_so_far or not joining.strikes(names)):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
+    if main.has("instant", "after the impact") and main.has("ask", "fast"):
+        main = main.without("verb", "leave")  # how fast does it leave
+    begins = {"start"} < set(main.all("verb")) <= {"start", *GOES_ON}
+    if begins and main.all("instant") == ["after the impact"] and main.has("quantity") and not others:
+        main = main.without("verb")  # with what speed does it begin to swing
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
     accelerates = accelerates and not joining.is_still(names)
     if (
@@ -348,11 +355,16 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
     event = Clause(
         [w for w in main.words if w.kind in ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")]
     )
+    goes = [w for w in main.words if w.kind == "verb" and w.what in GOES_ON and set(verbs) & set(HAPPENS)]
     found = list(conditions(names, event.without("degree")))
+    if not found and goes:  # how fast does it turn as it leaves: turning is of the question
+        found = list(conditions(names, Clause([w for w in event.words if w not in goes and w.kind != "degree"])))
+    else:
+        goes = []
     if not found:
         return None
     who = next((name for _, name in event.names if name in lookup.moving(names) or name in names.measures), None)
-    head = [w for w in main.words if w.kind in ("ask", "quantity", "part")]
+    head = [w for w in main.words if w.kind in ("ask", "quantity", "part") or w in goes]
     if who is None:
         who = next((name for _, name in main.names if name in lookup.moving(names)), None)
     if who is None and len(lookup.massive(names)) == 1:

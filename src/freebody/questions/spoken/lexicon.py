@@ -170,6 +170,13 @@ def is_verb(token: str) -> bool:
 
 
 @cache
+def is_verb_of(token: str, language: str) -> bool:
+    """Whether a word alone is an infinitive, or a third person, of another language."""
+    ends = token.endswith(("en", "et", "t"))
+    return ends and any(word.kind == "verb" for word, _ in phrases_at(token, 0, language))
+
+
+@cache
 def stands_for_all(token: str) -> bool:
     """Whether a word alone, in any language, stands for the whole system: the machine."""
     return any(word == Word("pronoun", "system") for own in languages() for word, _ in phrases_at(token, 0, own))

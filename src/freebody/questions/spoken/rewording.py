@@ -23,6 +23,9 @@ _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 def for_what(names: Names, words: list[Word]) -> list[Word]:
     """The least k for stability is that with which it is stable; the angle for the farthest throw is that for which
     the range is largest."""
+    throw = [Word("degree", "greatest"), Word("verb", "exert")]
+    if words[-2:] == throw and _SO_THAT in words:  # the angle that gives the farthest throw
+        words = [*words[:-1], Word("quantity", "horizontal range")]
     k = next((k for k, word in enumerate(words) if word == _FOR and k > 0), 0)
     head, tail = Clause(words[:k]), Clause(words[k + 1 :])
     if k and tail.words == [Word("degree", "greatest"), Word("verb", "exert")]:  # for the farthest throw
@@ -41,8 +44,11 @@ def for_what(names: Names, words: list[Word]) -> list[Word]:
 
 def in_turns(words: list[Word]) -> list[Word]:
     """While it turns once is over a turn."""
-    one = [Word("mark", "while"), Word("turns", "1")]
-    k = next((k for k in range(len(words)) if words[k : k + 2] == one), None)
+    leads = [Word("mark", "while"), *(Word("preposition", what) for what in ("of", "in", "over"))]
+    ones = [[lead, Word("turns", "1")] for lead in leads]
+    is_counted = Word("ask", "many") in words or Word("quantity", "turns") in words
+    ones = ones if is_counted else ones[:1]
+    k = next((k for k in range(1, len(words)) if words[k : k + 2] in ones), None)
     return words if k is None else [*words[:k], Word("instant", "over a turn"), *words[k + 2 :]]
 
 
@@ -50,9 +56,12 @@ def kept_steady(names: Names, words: list[Word]) -> list[Word]:
     """What a controller holds, or does not let tip, has a stable motion."""
     chosen = any(word.kind == "degree" or (word.kind == "name" and word.what in names.parameters) for word in words)
     is_asked = chosen or words[:1] == [Word("filler", "does")] or (words and words[0].kind == "verb")
-    if not is_asked or not lookup.is_controlled(names) or joining.is_rough(names):
+    rubs = any("contact" in names.called.get(name, ()) for name in joining.rough(names, ""))
+    if not is_asked or rubs or not lookup.is_controlled(names):
         return words
     meant = {"hold": "stable", "tip": "unstable"}
+    if Word("not", "not") in words and Word("verb", "tip") in words:
+        words = [Word("verb", "hold") if w == Word("verb", "tip") else w for w in words if w != Word("not", "not")]
     return [Word("verb", meant[w.what]) if w.kind == "verb" and w.what in meant else w for w in words]
 
 
