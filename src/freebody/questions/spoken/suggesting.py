@@ -187,10 +187,14 @@ def _advantages(names: Names, text: str) -> Iterator[str]:
 
 
 def _efficiencies(names: Names, text: str) -> Iterator[str]:
-    """The power of one load over that of another, if an efficiency is what a text is about."""
+    """The power of one load over that of another, and the efficiency of a planetary train, if an efficiency is what a
+    text is about."""
     if _EFFICIENCY.search(text) is not None:
         pairs = permutations(names.loads, 2)
         yield from (f"ratio of power of {load} to power of {other}" for load, other in pairs)
+        members = [name for name, body in names.bodies.items() if name != GROUND and body.turns]
+        for driving, driven, held in permutations(members, 3) if joining.planets(names) else ():
+            yield f"efficiency from {driving} to {driven} with {held} held and basic efficiency 0.97"
 
 
 def _time_ratios(names: Names, text: str) -> Iterator[str]:
