@@ -13,7 +13,7 @@ from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from freebody.language.units import LENGTH
-from freebody.questions.spoken import given, joining
+from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.in_the_impact import is_of_impact
 from freebody.questions.spoken.lexicon import Word
@@ -29,11 +29,21 @@ _PUSHES = frozenset(
 )
 _TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
 PLACED = ("high", "far")  # how high, how far, something acts: where
+_BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
 _OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
 _MOVED = re.compile(_OF_MOTION.pattern + r"(?P<body>\w+)(?! relative)")
+# kinds of quantities, and how words of the grammar ask for one of them, or say when something is so of it
+_SAID = (
+    (_PUSHES, re.compile(r"\b(?:force|tension|reaction|impulse|moment|torque|opens|leaves|slack|contact is lost|phase lag)\b")),
+    (
+        frozenset({"energy", "kinetic energy", "potential energy", "total energy", "spring energy", "power"}),
+        re.compile(r"\b(?:energy|power|work)\b|\^2 / \(2"),
+    ),
+    (frozenset({"acceleration", "angular acceleration"}), re.compile(r"\b(?:acceleration|deceleration|rate)\b")),
+)
 _TORQUE = re.compile(r"\b(?:torque|moment) (?:of|on) ")
 _OF_TORQUE = re.compile(r"\b(?:torque|moment|impulse|power)\b|\bforce in |/|\*")
 _COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while|tension)\b")
@@ -58,10 +68,14 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     moved = _MOVED.match(text)
     if moved and moved["body"] in names.bodies and names.bodies[moved["body"]].fixed:
         return False
+    if any(asked & kinds and not said.search(text) for kinds, said in _SAID):
+        return False
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):
         return False
     if is_turn and not is_push and not _OF_TORQUE.search(text):
+        return False
+    if is_push and not _is_between_all(names, words, text):
         return False
     main = [*takewhile(lambda word: word.kind != "mark", words)]
     goes = any(word.kind in ("part", "updown") and word.what in _WAYS for word in main)
@@ -69,6 +83,17 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     is_place = Word("ask", "where") in words and not asked
     return not (is_place and text.startswith(("greatest ", "least ")))
+
+
+def _is_between_all(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether a force that is said to be between both bodies is of what joins them."""
+    said = [word for word in words if word.kind != "filler"]
+    both = any(said[k : k + 2] == [_BETWEEN, _ALL] for k in range(len(said)))
+    bodies = lookup.massive(names)
+    if not both or len(bodies) != 2:
+        return True
+    joints = [name for name in names.connections if re.search(rf"\b{re.escape(name)}\b", text)]
+    return all(joining.touches(names, joint, body) for joint in joints for body in bodies)
 
 
 def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:

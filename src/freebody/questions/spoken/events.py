@@ -150,7 +150,8 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
     for quantity in clause.all("quantity")[-1:]:
         if quantity == "angle":
             found = lookup.angles(names, of) or lookup.hung(names, of)
-            led = [] if of else [angle for angle in found if angle in joining.driven(names)]  # that of the motor
+            is_joint = of in names.connections and not found  # the cam angle
+            led = [] if of and not is_joint else [angle for angle in found if angle in joining.driven(names)]  # that of the motor
             yield [f"{angle} = {value}" for angle in led or found]
         elif quantity == "height":
             yield lookup.lifted(names, of, value)

@@ -293,6 +293,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if not growing and whole.has("verb", "grow") and all(lookup.is_all_that_moves(names, name) for name in bodies):
         growing = given.growing(names, [name for _, name in whole.names])
     doing = set(whole.all("verb")) - {"start", "move"}
+    if {"tip", "slide", "rise"} == doing:  # when the ramp is raised
+        doing, growing = {"tip", "slide", "grow"}, growing or given.growing(names, [])
+        bodies = []
     if joining.is_still(names) and whole.has("degree", "first"):  # whether wheels spin, or others lift off first
         spin = {"turn"} if whole.has("quantity", "angular velocity") else set[str]()
         doing = {_FAILS.get(verb, verb) for verb in doing | spin}

@@ -161,6 +161,8 @@ def _is_title(found: Sequence[str | Word], k: int, language: str, parameters: Co
     """Whether an unknown word only says what the parameter behind it is: the delay tau, but not the double force F."""
     token, after = found[k], found[k + 1] if k + 1 < len(found) else ""
     is_parameter = isinstance(after, Word) and after.kind == "name" and after.what in parameters
+    is_beside = isinstance(after, _Said) and goes_beside(after, "before", language)  # the integral gain k_i
+    is_parameter |= is_beside and _is_title(found, k + 1, language, parameters)
     return isinstance(token, _Said) and len(token) > 2 and is_parameter and not changes_value(token, language)
 
 
