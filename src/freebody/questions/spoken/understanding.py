@@ -22,7 +22,7 @@ from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.several import each_of, paired, parts
-from freebody.questions.spoken.suggesting import MOST, absent, suggestions
+from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
 if TYPE_CHECKING:
@@ -132,6 +132,13 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
                 "cannot read '{text}': there is no {thing} in this model. One can ask for\n    {askable}",
                 text=text,
                 thing=thing,
+                askable=askable,
+            )
+        elif strange := not_understood(names.parameters, elements_of(names), text):
+            none = Message(
+                "cannot read '{text}' (not understood: {words}). One can ask for\n    {askable}",
+                text=text,
+                words=", ".join(strange),
                 askable=askable,
             )
         names.unknown(text, none, "find")
