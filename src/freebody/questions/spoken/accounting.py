@@ -106,4 +106,6 @@ def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]
     if not kinds or any(kind.written for kind in kinds):
         return True
+    if parameter in joining.drive_parameters(names):  # the speed of what turns
+        kinds += [given.KIND_OF["angular velocity"]] if given.KIND_OF["speed"] in kinds else []
     return any(kind.has(names.parameters[parameter]) for kind in kinds)

@@ -105,6 +105,8 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     named = [name for _, name in clause.names if name in names.parameters]
     things = [name for _, name in clause.names if name not in named]
     chosen = named or given.of_kind(names, asked[0])
+    if not chosen and asked[0] in ("speed", "velocity"):  # that of the drive
+        chosen = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
     if len(chosen) != 1 or not 1 <= len(things) <= 2:
         return
     if is_before and doing != {"slide"}:
