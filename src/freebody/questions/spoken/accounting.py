@@ -37,7 +37,12 @@ _OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocit
 _MOVED = re.compile(_OF_MOTION.pattern + r"(?P<body>\w+)(?! relative)")
 # kinds of quantities, and how words of the grammar ask for one of them, or say when something is so of it
 _SAID = (
-    (_PUSHES, re.compile(r"\b(?:force|tension|reaction|impulse|moment|torque|opens|leaves|slack|contact is lost|phase lag)\b")),
+    (
+        _PUSHES,
+        re.compile(
+            r"\b(?:force|tension|reaction|impulse|moment|torque|opens|leaves|slack|contact is lost|phase lag)\b"
+        ),
+    ),
     (
         frozenset({"energy", "kinetic energy", "potential energy", "total energy", "spring energy", "power"}),
         re.compile(r"\b(?:energy|power|work)\b|\^2 / \(2"),
@@ -100,7 +105,9 @@ def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     """Whether a parameter that nobody names is of a kind that is named before what is to be so."""
     is_placed = any(word.kind == "ask" and word.what in PLACED for word in words) and Word("verb", "exert") in words
     if is_placed and parameter in names.parameters:
-        return names.parameters[parameter].dimension == LENGTH or any(word.kind == "name" and word.what == parameter for word in words)
+        return names.parameters[parameter].dimension == LENGTH or any(
+            word.kind == "name" and word.what == parameter for word in words
+        )
     if parameter not in names.parameters or any(word.kind == "name" and word.what == parameter for word in words):
         return True
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]

@@ -7,7 +7,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining, lookup, losing, of_forces, of_motion, of_systems, poses
+from freebody.questions.spoken import given, joining, lookup, losing, of_forces, of_motion, of_systems, poses, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
 from freebody.questions.spoken.frames import MOTION, framed
 from freebody.questions.spoken.lexicon import Word
@@ -124,11 +124,12 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         for group in _plain(names, clause) if len(angles) == 1 else ():
             yield [f"{end} {text} over {angles[0]}" for text in group]
         return
-    torques = clause.all("quantity") in (["torque"], ["moment"], ["driving torque"])
-    if degree == "greatest" and torques and clause.without("verb", "carry").only("quantity", "name", "ask", *SILENT):
-        if belts := of_forces.greatest_torques(names, of):
-            yield [JOINT.join(belts)]
-            return
+    belts = of_forces.having(names, "greatest belt force") if degree == "greatest" else []
+    is_torque = clause.all("quantity") in (["torque"], ["moment"], ["driving torque"])
+    is_torque = is_torque and clause.without("verb", "carry").only("quantity", "name", "ask", *SILENT)
+    if is_torque and (torques := strings.greatest_torques(names, belts, of)):
+        yield [JOINT.join(torques)]
+        return
     if degree == "greatest" and clause.has("quantity", "power") and not clause.names:
         yield [f"greatest power of {belt}" for belt in of_forces.having(names, "greatest power")]
     for group in _plain(names, clause):

@@ -151,7 +151,9 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
         if quantity == "angle":
             found = lookup.angles(names, of) or lookup.hung(names, of)
             is_joint = of in names.connections and not found  # the cam angle
-            led = [] if of and not is_joint else [angle for angle in found if angle in joining.driven(names)]  # that of the motor
+            led = (
+                [] if of and not is_joint else [angle for angle in found if angle in joining.driven(names)]
+            )  # that of the motor
             yield [f"{angle} = {value}" for angle in led or found]
         elif quantity == "height":
             yield lookup.lifted(names, of, value)

@@ -109,7 +109,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
         main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
     is_so_far = any(mark == "after" and clause.has("value") for mark, clause in others)
-    if others and main.has("quantity") and (is_so_far or not joining.strikes(names)):  # with what speed does it arrive after 3 m
+    if (
+        others and main.has("quantity") and (is_so_far or not joining.strikes(names))
+    ):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
     if main.has("instant", "after the impact") and main.has("ask", "fast"):
         main = main.without("verb", "leave")  # how fast does it leave
@@ -339,7 +341,7 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         return None
     if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None
-    if main.has("ask", "with", "where") and (found_at := _where_it_is(names, main)) is not None:
+    if main.has("ask", "with", "where") and (found_at := within.where_it_is(names, main)) is not None:
         return found_at
     if not set(verbs) & set(HAPPENS) and not (main.has("ask", "with") and set(verbs) & {"slide", "roll"}):
         return None
@@ -385,22 +387,6 @@ def _is_of_drive(names: Names, main: Clause) -> bool:
     rates = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
     turned = [name for _, name in main.names if joining.axle_of(names, name)]
     return main.has("quantity", "angular velocity") and bool(rates) and not turned
-
-
-def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
-    """At what angle is the speed 4 m/s? The angle, when that is so."""
-    places = [
-        k
-        for k, word in enumerate(main.words)
-        if word.kind == "quantity" and word.what in ("angle", "position", "height")
-    ]
-    if len(main.all("quantity")) != 2 or not places or not (main.has("value") or main.has("verb", "vanish")):
-        return None
-    k = places[0]
-    named = k + 1 < len(main.words) and main.words[k + 1].kind == "name" and main.words[k + 1].what in names.measures
-    head = [main.words[k], *main.words[k + 1 : k + 1 + named]]
-    found = list(conditions(names, Clause([w for w in main.words[k + 1 + named :] if w.kind != "ask"])))
-    return (Clause(head), found) if found else None
 
 
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:

@@ -228,7 +228,9 @@ def _end(names: Names, head: Clause, state: Clause, modal: set[str]) -> str:
         return "least"
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"
-    if starts and _is_push(head) and (state.has("mark", "to") or ends_rest - {"start"} == {"fall"}):  # needed to lower the load
+    if (
+        starts and _is_push(head) and (state.has("mark", "to") or ends_rest - {"start"} == {"fall"})
+    ):  # needed to lower the load
         return "least"
     return "range"
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.language.notation import to_python
 from freebody.language.units import TORQUE
-from freebody.measures.geometry import GROUND, ZERO
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
@@ -370,23 +369,6 @@ def _of_runs(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
         yield [f"{quantity} of {name}" for name in of or having(names, quantity)]
-
-
-def greatest_torques(names: Names, of: list[str]) -> list[str]:
-    """The greatest torque that a belt can transmit, on each of its pulleys, or on that which is named."""
-    belts = having(names, "greatest belt force")
-    named = [name for name in of if name not in belts]
-    belts = [belt for belt in belts if belt in of or (not set(of) & {*belts} and named)]
-    found: list[str] = []
-    for belt in belts:
-        pulleys = [body for body in joining.joined_by(names, belt) if names.bodies[body].radius is not None]
-        pulleys = [body for body in pulleys if body in named] if named else pulleys
-        if not set(named) <= {*pulleys}:
-            return []
-        sizes = dict.fromkeys(to_python(names.bodies[body].radius or ZERO).replace("**", "^") for body in pulleys)
-        found += [f"greatest belt force of {belt} * ({size})" if not size.isidentifier() else
-                  f"greatest belt force of {belt} * {size}" for size in sizes]
-    return found
 
 
 def having(names: Names, quantity: str) -> list[str]:

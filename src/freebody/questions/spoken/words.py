@@ -19,6 +19,7 @@ from freebody.questions.spoken.lexicon import (
     is_adverb,
     phrases_at,
     spelt,
+    translated,
     vocabulary,
 )
 from freebody.questions.spoken.naming import plain_names
@@ -106,9 +107,7 @@ class Clause:
         return self.placed("value")
 
 
-def words_of(
-    text: str, language: str, *, guess: bool = False, parameters: Container[str] = frozenset()
-) -> list[Word]:
+def words_of(text: str, language: str, *, guess: bool = False, parameters: Container[str] = frozenset()) -> list[Word]:
     """The words of a text in which names are marked. Raises Unknown for those that the language does not have, unless
     one alone is to be taken for a name (guess). parameters: names before which a word only says what they are."""
     found = _without_parentheses(list(_tokens(spelt(text, language))), language)
@@ -281,7 +280,7 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
 
     def right(found: re.Match[str]) -> str:
         word = found[0].lower()
-        if word in words or word in taken or len(word) < _SHORTEST:
+        if word in words or word in taken or word in translated(language) or len(word) < _SHORTEST:
             return found[0]
         near = difflib.get_close_matches(word, words, n=3, cutoff=_LEAST_LIKE)
         right = [other for other in near if (other[0], other[-1]) == (word[0], word[-1]) and _is_slip(word, other)]
