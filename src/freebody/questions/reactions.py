@@ -273,11 +273,12 @@ def read_moment(names: Names, found: Found, path: Path, kind: type[Wrench] = Wre
 
 def acts_on(names: Names, name: str, on: str | None, path: Path) -> bool:
     """Whether a connection acts on a body, where one is named: what it joins, or what is led over it."""
-    if on is None or on not in names.bodies or on in names.broken:
+    if on is None or on == GROUND or on not in names.bodies or on in names.broken:
         return True  # what there is not is told elsewhere
     rows = [row for row in names.constraint_rows if row.connection == name]
-    touched = {*names.connections[name].mentions(names)} & names.bodies.keys() - {GROUND}
-    touched |= {body for row in rows for body in (*row.measure.bodies(), *row.ends) if body in names.bodies}
+    named = {*names.connections[name].mentions(names)}
+    named |= {body for row in rows for body in (*row.measure.bodies(), *row.ends)}
+    touched = (named & names.bodies.keys()) - {GROUND}
     if on in touched or not touched:
         return True
     joined = ", ".join(body for body in names.bodies if body in touched)
