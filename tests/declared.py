@@ -14,7 +14,8 @@ from freebody.language.parser import parse
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _FUNCTIONS = {"rate", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "sign", "pi"}
 _FUNCTIONS |= {"sinh", "cosh", "tanh", "coth", "acosh", "asinh", "atanh", "max", "min", "True", "False", "none"}
-_FUNCTIONS |= {"lift", "lift_d", "lift_dd", "lift_ddd"}  # of a cam through points: what the model gives as a table
+GIVEN = {f"{name}{order}" for name in ("f", "lift") for order in ("", "_d", "_dd", "_ddd")}  # in numbers, by points
+_FUNCTIONS |= GIVEN
 
 
 def symbols_of(formula: Any) -> set[str]:

@@ -127,3 +127,16 @@ def test_a_point_of_the_ground_has_its_place_as_a_list_or_as_numbers() -> None:
     for model in (one, other):
         model.body("ball", fb.Particle("1 kg"))
     assert one.system().to_yaml() == other.system().to_yaml()
+
+
+def test_a_start_with_value_and_rate_in_braces_is_told_how_both_are_written() -> None:
+    text = """
+freebody: 1
+bodies: {ball: {particle: {mass: 1 kg}}}
+connections: {line: {slider: {body: ball, along: up}}}
+measures: {y: height of ball}
+start: {y: {value: 0, rate: 2 m/s}}
+"""
+    with pytest.raises(fb.ModelError) as found:
+        fb.System.from_text(text)
+    assert "start has values: y: ..., and the rate beside it as rate(y): ..." in str(found.value)

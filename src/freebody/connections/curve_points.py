@@ -37,6 +37,13 @@ def curve_through(names: Names, points: PointList, curve: str) -> tuple[Expr, tu
     if found is None or not _is_sound(names, found):
         return None
     xs, ys = ([pair[k] for pair in found.pairs] for k in (0, 1))
+    told = (
+        Message("f(x) is the smooth curve through the given points, a natural cubic spline")
+        if curve == "cubic"
+        else Message("f(x) is the monotone curve through the given points, a cubic spline")
+    )
+    if told not in names.assumptions:
+        names.assumptions.append(told)
     return GivenCall("f", _X, None, *_forms(xs, ys, curve), LENGTH), (xs[0], xs[-1])
 
 

@@ -52,6 +52,10 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
             told = Message("{key} is no named measure or rate of one.{hint}", key=key, hint=hint)
             names.unknown(name, told, "start", key)
             continue
+        if isinstance(value, Mapping):
+            told = Message("start has values: {name}: ..., and the rate beside it as rate({name}): ...", name=name)
+            names.problem(told, "start", key)
+            continue
         dimension = measures[name].dimension
         if name == key and measures[name].is_angle:
             start[name] = names.angle(value, "start", key)
