@@ -60,7 +60,7 @@ class PhaseSnapshot:
     looks: tuple[Snapshot, ...] = ()  # on the way
 
     def snapshot(self) -> Snapshot:
-        return self.mode.snapshot(self.q, self.v, self.time)
+        return self.mode.snapshot(self.q, self.v, self.time, (self.begin, *self.looks)[-1])
 
 
 @dataclass(frozen=True)
