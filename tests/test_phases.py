@@ -939,3 +939,37 @@ def test_a_ball_that_is_let_go_in_a_bowl_rolls_if_it_does_so_at_first() -> None:
     lowest = BOWL.replace(", a: 30 deg", "").replace("sin(a)", "0").replace("cos(a)", "1")
     [period] = fb.System.from_text(lowest).solve("period of small oscillations").answers
     assert period.value == pytest.approx(math.tau * math.sqrt(7 * 0.5 / (5 * 9.81)))
+
+
+LOOP = """
+freebody: 1
+parameters: {m: 1 kg, R: 0.5 m, h: 2 m, g: 9.81 m/s^2}
+bodies:
+  rail: {ring: {radius: R}, fixed: true, at: [0, R]}
+  car: {particle: {mass: m}, at: [0, 0], velocity: [sqrt(2*g*h), 0]}
+connections: {c: {contact: {between: [car, inside rail]}}}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of line from rail to car from down}
+"""
+
+
+def test_angles_along_phases_count_on_beyond_half_a_turn() -> None:
+    """At psi on a loop v^2 = 2 g (h - R (1 - cos psi)), N = m v^2/R + m g cos psi, also after one and a half turns."""
+    system = fb.System.from_text(LOOP)
+    for psi, height in (("180 deg", 2.0), ("240 deg", 1.5), ("540 deg", 2.0)):
+        speed, force = system.solve([f"speed of car when psi = {psi}", f"normal force of c when psi = {psi}"]).answers
+        v2 = 2 * 9.81 * (2.0 - 0.5 * height)
+        assert speed.value == pytest.approx(math.sqrt(v2))
+        assert force.value == pytest.approx(v2 / 0.5 + 9.81 * (1.0 - height))
+
+
+def test_the_lowest_point_of_a_bowl_is_reached_where_the_height_turns() -> None:
+    """The height is not less before and after: v^2 = 2 g R (1 - cos a), N = m g (3 - 2 cos a)."""
+    text = LOOP.replace("h: 2 m", "a: 60 deg").replace(", velocity: [sqrt(2*g*h), 0]", "")
+    text = text.replace("at: [0, 0]", "at: [-R*sin(a), R - R*cos(a)]")
+    text = text.replace("psi: angle of line from rail to car from down", "y: height of car above rail")
+    speed, force = (
+        fb.System.from_text(text).solve(["speed of car when y = -R", "normal force of c when y = -R"]).answers
+    )
+    assert speed.value == pytest.approx(math.sqrt(9.81 * 0.5))
+    assert force.value == pytest.approx(2 * 9.81)

@@ -108,6 +108,18 @@ class Frame:
             self._seen[id(measure)] = known
         return known[1]
 
+    def counted(self, branches: Mapping[Branch, float], other: Frame) -> Mapping[Branch, float]:
+        """The angles of an instant that were met in another frame of the same bodies, by the numbers of this one."""
+        if other is self:
+            return branches
+        measures = {number: measure for measure, number in other._numbers.items()}
+        return {(self.number(measures[number]), k): angle for (number, k), angle in branches.items()}
+
+    def measures(self, branches: Iterable[Branch]) -> list[Measure]:
+        """The measures in whose statements these angles stand."""
+        numbers = {number for number, _k in branches}
+        return [cast("Measure", measure) for measure, number in self._numbers.items() if number in numbers]
+
 
 def entries_of(columns: Sequence[int], values: Array, n: int) -> Gradient:
     """A gradient of n entries with those of some coordinates."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from functools import cached_property
 from typing import Any
 
@@ -41,6 +42,13 @@ class Snapshot:
     def branches(self) -> Mapping[Branch, float]:
         """The angles of lines met so far, by which later ones are counted on."""
         return self.geometry.angles
+
+    def counted_on(self) -> Snapshot:
+        """The same instant, when the angles of all lines met before it have been looked at here."""
+        for measure in self.geometry.frame.measures(tuple(self.branches)):
+            with suppress(CannotAnswer):  # of a line that is a point here
+                self.value(measure)
+        return self
 
     @cached_property
     def _dynamics(self) -> Dynamics:
@@ -137,4 +145,5 @@ def snapshot_of(system: NumericSystem, q: Array, v: Array, t: float = 0.0, near:
     lines are counted on from those of `near`, or of the start."""
     if not (np.isfinite(q).all() and np.isfinite(v).all() and math.isfinite(t)):
         raise CannotAnswer(Message("the state at t = {t:.6g} s is not finite", t=t))
-    return Snapshot(system, system.geometry(q, v, t, near.branches if near else None), q, v, t)
+    counted = None if near is None else system.frame.counted(near.branches, near.geometry.frame)
+    return Snapshot(system, system.geometry(q, v, t, counted), q, v, t)

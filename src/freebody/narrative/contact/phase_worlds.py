@@ -147,7 +147,7 @@ class CourseGlossary(Glossary):
         if key not in kept:
             begin, (q, v) = run.begin(self.place), self._state(run)
             found: list[Snapshot] = []
-            time = begin
+            time, seen.mode.near = begin, seen.begin
             for share in TIMES:
                 later = begin + share * (seen.time - begin)
                 there = seen.mode.run(q, v, time, later)
@@ -173,7 +173,8 @@ class CourseGlossary(Glossary):
 
     def _begin(self, run: WorldRun) -> Snapshot:
         q, v = self._state(run)
-        return self._mode(run).snapshot(q, v, run.begin(self.place))
+        near = run.seen[self.place].begin if self.place < len(run.seen) else run.seen[-1].mode.near
+        return self._mode(run).snapshot(q, v, run.begin(self.place), near)
 
     def _world(self, run: WorldRun, snapshot: Snapshot) -> World:
         mode = self._mode(run)

@@ -218,6 +218,7 @@ def _just_after_blow(
         q, v, time = last.q, last.v, last.time
         just_before, system = last.snapshot(), last.mode.system
     mode = NumericMode(tree.system, following, values)
+    mode.near = None if last is None else last.mode.near
     after = mode.snapshot(q, changed(tree.system, following, values, q, v, time), time)
 
     def beside(quantity: Quantity, side: str) -> Any:
@@ -308,6 +309,7 @@ def _number(tree: PhaseTree, quantity: Quantity, piece: AnswerBranch, seen: list
     if piece.after is not None and piece.after.impact is not None:  # the value just after an impact
         following = stage(tree, piece.after)
         mode = NumericMode(tree.system, following, values)
+        mode.near = last.mode.near
         now = mode.snapshot(last.q, changed(tree.system, following, values, last.q, last.v, last.time), last.time)
     begin = seen[0].begin
     if first.impact is not None:
@@ -335,7 +337,7 @@ def _passage(
         return sum(_heat(s, of) for s in seen) + struck
 
     def instants(one: PhaseSnapshot) -> Sequence[Snapshot]:
-        return [one.begin, *(one.mode.references[0].snapshot(*at) for at in one.looks), one.snapshot()]
+        return [one.begin, *one.looks, one.snapshot()]
 
     at_end = partial(_value_there, tree, mode, now)
     return NumericPassage(tree.system, begin, now, at_end, lost, ways=lambda: map(instants, seen))
@@ -358,7 +360,7 @@ def _taken_by_impacts(seen: Sequence[PhaseSnapshot], begin: Any, now: Any, count
 def _heat(seen: PhaseSnapshot, of: str) -> float:
     """What friction turns into heat in one phase, in one connection or in all: its force by the way that it slips.
     Raises CannotAnswer where the force changes on the way."""
-    begin, end = seen.mode.snapshot(seen.begin.q, seen.begin.v, seen.begin.t), seen.snapshot()
+    begin, end = seen.mode.snapshot(seen.begin.q, seen.begin.v, seen.begin.t, seen.begin), seen.snapshot()
     total = 0.0
     for push in frictions(seen.mode.system):
         if of and connection_of(push) != of:

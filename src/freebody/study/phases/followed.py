@@ -93,7 +93,8 @@ def follow(
     mode, q, v = begun(base, stages[0], values)
     for k, (stage, end) in enumerate(zip(stages, until, strict=True)):
         if k:
-            mode = NumericMode(base, stage, values)
+            near, mode = mode.near, NumericMode(base, stage, values)
+            mode.near = near
             v = changed(base, stage, values, q, v, time)
         seen = mode.run(q, v, time, end, asked)
         found.append(seen)

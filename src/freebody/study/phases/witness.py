@@ -10,10 +10,9 @@ It knows the order of the modes, and finds by itself when each ends and by which
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -23,12 +22,13 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate
 from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction, NonholonomicForm
-from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.clock import Clock
 from freebody.questions.event import Peak
 from freebody.questions.reading import AskedEvent
+from freebody.study.answering.witness import TOUCH
+from freebody.study.phases.looks import Watched, Watcher, looked_at, zero_in
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.slopes import slope_of
@@ -38,15 +38,8 @@ from freebody.system.modes import ContactMode, across_the_way, ideal_bounds, in_
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
-Watcher = Callable[[Array, Array, float], float]
-
-_RTOL, _ATOL = 1e-12, 1e-13  # of the integrated motions, relative and [SI]
 _STILL = 1e-9  # [SI] of what is watched: rounding and the steps before leave this of a zero
 _STRAIGHT = 1e-7  # of a slip: what it may have aside of its direction
-_OF_TIMES = 1e-14  # of roots, relative and [s]
-_OF_DIPS = 1e-5  # [s] of the time at which something is least
-_N_LOOKS = 6  # places in a step at which events are looked for
-_SLOPE = 1e-4  # of the time between two looks: over that slopes are taken
 _PLACES = (
     "touches",
     "is reached",
@@ -66,10 +59,10 @@ class PhaseSnapshot:
     v: Array
     begin: Snapshot  # the start of the phase
     together: tuple[tuple[str, str, int], ...] = ()  # all events at that instant
-    looks: tuple[tuple[Array, Array, float], ...] = ()  # places, velocities and times on the way
+    looks: tuple[Snapshot, ...] = ()  # on the way
 
     def snapshot(self) -> Snapshot:
-        return self.mode.snapshot(self.q, self.v, self.time)
+        return self.mode.snapshot(self.q, self.v, self.time, (self.begin, *self.looks)[-1])
 
 
 @dataclass(frozen=True)
@@ -102,6 +95,7 @@ class NumericMode:
         units = [dict.fromkeys(self.loads, 0.0) | ({} if one is None else {one: 1.0}) for one in (None, *self.loads)]
         self.references = [self._reference(u) for u in units]
         self._last: tuple[Any, list[Snapshot]] | None = None
+        self.near: Snapshot | None = None  # an instant from which angles of lines are counted on; None: from the start
         self.bounds = {b.name: b for b in base.bounds}
         self.at_gap = {**base.borders, **{b.name: b.row for b in base.bounds}}
         self.dry_friction = {r.name: r for r in base.dry_friction}
@@ -156,7 +150,7 @@ class NumericMode:
         """One instant without loads and with each unit load; the last one is kept, since everything asks for it."""
         key = (t, q.tobytes(), v.tobytes())
         if self._last is None or self._last[0] != key:
-            first = self.references[0].snapshot(q, v, t)
+            first = self.looked(q, v, t)
             more = [Snapshot(r, first.geometry, q, v, t) for r in self.references[1:]]  # loads move nothing
             self._last = key, [first, *more]
         return self._last[1]
@@ -179,11 +173,20 @@ class NumericMode:
             total += value * (one - found[0])
         return total
 
-    def snapshot(self, q: Array, v: Array, t: float) -> Snapshot:
-        """The instant with the loads put in."""
+    def snapshot(self, q: Array, v: Array, t: float, near: Snapshot | None = None) -> Snapshot:
+        """The instant with the loads put in. near: an instant from which angles count on, otherwise the last one."""
         if not self.loads:
-            return self.references[0].snapshot(q, v, t)
-        return self._reference(self.solved(q, v, t)).snapshot(q, v, t)
+            return self.looked(q, v, t, near)
+        return self._reference(self.solved(q, v, t)).snapshot(q, v, t, near or self.near)
+
+    def looked(self, q: Array, v: Array, t: float, near: Snapshot | None = None) -> Snapshot:
+        """The instant without the loads."""
+        return self.references[0].snapshot(q, v, t, near or self.near)
+
+    def goes_on(self, q: Array, v: Array, t: float) -> Snapshot:
+        """An instant of a motion, half a turn of any line from the last at most: angles count on from it."""
+        self.near = self.looked(q, v, t).counted_on()
+        return self.near
 
     # -- what ends it -----------------------------------------------------------------------------
     def watches(self) -> list[tuple[tuple[str, str, int], Watcher]]:
@@ -218,7 +221,7 @@ class NumericMode:
             target = self.lengths[name]
         else:
             target = 0.0 if row.target is None else reference.number(row.target, t)
-        return row.sign * (reference.snapshot(q, v, t).value(row.measure) - target)  # type: ignore[arg-type]
+        return row.sign * (self.looked(q, v, t).value(row.measure) - target)  # type: ignore[arg-type]
 
     def base_target(self, name: str) -> Expr | None:
         """What an ideal connection is held at; None for the length that it has at the start of the motion."""
@@ -236,7 +239,7 @@ class NumericMode:
 
     def on_edge(self, name: str, q: Array, v: Array, t: float) -> float:
         """How far the place of a bound is from the nearer end of its edge; spans that are none count as long."""
-        now, reference = self.references[0].snapshot(q, v, t), self.references[0]
+        now, reference = self.looked(q, v, t), self.references[0]
         if name not in self.bounds:
             return np.inf
         found = [np.inf]
@@ -277,22 +280,27 @@ class NumericMode:
             values[name], values[f"rate({name})"] = now.value(measure), now.rate(measure)
         return float(evaluate(rub.coefficient(way, at_rest=True), values))
 
-    def _distance(self, asked: AskedEvent, begin: Snapshot) -> Watcher:
+    def _distance(self, asked: AskedEvent, begin: Snapshot) -> Watched:
         """How far a measure is from its value, or the clock from an instant, positive at the beginning."""
+        reference = self.references[0]
         if isinstance(asked, Clock):
-            end = math.inf if asked.time is None else self.references[0].number(asked.time)
-            return lambda _q, _v, t: end - t
+            end = math.inf if asked.time is None else reference.number(asked.time)
+            return Watched(lambda _q, _v, t: end - t)
+        target = reference.number(asked.value)
 
         if isinstance(asked, Peak):
             return slope_of(self, asked.quantity, begin)
 
         def gap(s: Snapshot) -> float:
-            found = s.rate(asked.measure) if asked.order else s.value(asked.measure)
-            return found - self.references[0].number(asked.value)
+            return (s.rate(asked.measure) if asked.order else s.value(asked.measure)) - target
 
         rate = begin.acceleration(asked.measure) if asked.order else begin.rate(asked.measure)
         sign = -1.0 if (gap(begin) < 0 if abs(gap(begin)) > _STILL else rate < 0) else 1.0
-        return lambda q, v, t: sign * gap(self.references[0].snapshot(q, v, t, begin))
+        distance: Watcher = lambda q, v, t: sign * gap(self.looked(q, v, t))  # noqa: E731
+        if asked.order:
+            return Watched(distance)
+        size = max(abs(target), reference.sizes.length ** float(asked.measure.dimension.length))
+        return Watched(distance, True, lambda q, v, t: sign * self.looked(q, v, t).rate(asked.measure), TOUCH * size)
 
     # -- motion -----------------------------------------------------------------------------------
     @cached_property
@@ -311,86 +319,43 @@ class NumericMode:
         """To the first event, or until a time. asked: a measure that reaches a value, as a further event."""
         n, along = len(q), self._along
         turns = along.at_first()
-        begin = self.references[0].snapshot(q, v, start)
-        watches = self.watches()
+        begin = self.goes_on(q, v, start)
+        events = [(event, Watched(watch, may_pass=event[0] in _PLACES)) for event, watch in self.watches()]
         for blow in self.base.blows:
             if blow.name not in self.mode.past:
-                watches.append(((STRIKES, blow.name, 0), self._distance(blow.event, begin)))
+                events.append(((STRIKES, blow.name, 0), self._distance(blow.event, begin)))
         if asked is not None:
-            watches.append((("is reached", asked.text, 0), self._distance(asked, begin)))
+            events.append((("is reached", asked.text, 0), self._distance(asked, begin)))
 
         def derivative(t: float, y: Array) -> Array:
             slope = along.without(self.references[0].frame.slope(y[:n], y[n:]))
             return np.concatenate([slope, self.accelerations(y[:n], y[n:], t)])
 
-        roots: list[tuple[float, int]] = []
-        looks: list[tuple[Array, Array, float]] = []
-        armed = np.array([watch(q, v, start) for _event, watch in watches]) > _STILL
-        for a, b, state in _looks(derivative, np.concatenate([q, v]), start, until):
+        looks: list[Snapshot] = []
+        armed = np.array([watched(q, v, start) for _event, watched in events]) > _STILL
+        for a, b, state in looked_at(derivative, np.concatenate([q, v]), start, until):
             y = state(b)
-            now = np.array([watch(y[:n], y[n:], b) for _event, watch in watches])
-            ends = {int(k): b for k in np.flatnonzero(armed & (now < 0.0))}
-            for k in map(int, np.flatnonzero(armed & (now >= 0.0))):
-                if watches[k][0][0] in _PLACES and (low := _dip(watches[k][1], state, n, a, b)) is not None:
-                    ends[k] = low
-            fallen = sorted(ends)
-            if fallen:
-                armed[fallen] = False
-                roots = [(_root(watches[k][1], state, n, a, ends[k]), k) for k in fallen]
-                found = [(t, k, state(t)) for t, k in roots]
-                roots = [(t, k) for t, k, y in found if self._exists(watches[k][0], y[:n], y[n:], t)]
-            if fallen and roots:
+            now = np.array([watched(y[:n], y[n:], b) for _event, watched in events])
+            roots: list[tuple[float, int]] = []
+            for k in map(int, np.flatnonzero(armed)):
+                event, watched = events[k]
+                if (root := zero_in(watched, state, n, a, b, is_below=bool(now[k] < 0.0))) is None:
+                    continue
+                armed[k] = False
+                there = state(root)
+                roots += [(root, k)] if self._exists(event, there[:n], there[n:], root) else []
+            if roots:
                 first = min(root for root, _k in roots)
                 at_once = [r for r in roots if r[0] <= first + ROUND_OFF * abs(first)]
                 time, k = max(at_once, key=lambda r: r[1])
                 q, v = self._turned(state(time), time, along.on(turns, state, a, time))
-                together = tuple(watches[other][0] for _time, other in at_once)
-                return PhaseSnapshot(watches[k][0], time, self, q, v, begin, together, tuple(looks))
+                together = tuple(events[other][0] for _time, other in at_once)
+                return PhaseSnapshot(events[k][0], time, self, q, v, begin, together, tuple(looks))
             armed |= now > _STILL
             turns = along.on(turns, state, a, b)
             q, v = self._turned(y, b, turns)
-            looks.append((q, v, b))
+            looks.append(self.goes_on(q, v, b))
         return PhaseSnapshot(None, until, self, q, v, begin, (), tuple(looks))
-
-
-def _looks(
-    derivative: Callable[[float, Array], Array], y: Array, start: float, until: float
-) -> Iterator[tuple[float, float, Callable[[float], Array]]]:
-    """Short pieces of a motion, each with its state as a function of time."""
-    from scipy.integrate import DOP853
-
-    solver: Any = DOP853(derivative, start, y, until, rtol=_RTOL, atol=_ATOL)
-    while solver.status == "running":
-        solver.step()
-        state: Callable[[float], Array] = solver.dense_output()
-        looks = [float(t) for t in np.linspace(float(solver.t_old), float(solver.t), _N_LOOKS)]
-        for a, b in pairwise(looks):
-            yield a, b, state
-
-
-def _root(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: float) -> float:
-    """The time at which a watched function falls through zero."""
-
-    def value(t: float) -> float:
-        y = state(t)
-        return watch(y[:n], y[n:], t)
-
-    return zero_between(value, a, b, xtol=_OF_TIMES, rtol=_OF_TIMES)
-
-
-def _dip(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: float) -> float | None:
-    """Where what is positive at both ends has fallen below zero between them: what moves freely passes through another
-    body in one look."""
-
-    def value(t: float) -> float:
-        y = state(t)
-        return watch(y[:n], y[n:], t)
-
-    h = _SLOPE * (b - a)
-    if value(a + h) >= value(a) or value(b - h) >= value(b):
-        return None
-    place, least = least_between(value, a, b, xtol=_OF_DIPS)
-    return place if least < 0.0 else None
 
 
 def _signs(first: Array, is_guide: NDArray[np.bool_]) -> Sequence[Array]:
