@@ -8,11 +8,13 @@ Mechanics: Statics, 14th ed. 2016, sec. 8.2; Drucker, J. Appl. Mech. 21 (1954) 7
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
 import freebody as fb
 
+EXAMPLES = Path(__file__).parents[1] / "examples"
 PUCK = """
 space: true
 parameters: {m: 4 kg, P: 12 N, Q: 5 N, mu: 0.6, g: 9.81 m/s^2}
@@ -238,3 +240,15 @@ def test_limit_of_a_table_on_three_legs_is_derived_from_the_sums_of_their_forces
     words = "alle 3 Füße" if language == "de" else "all 3 feet slip the same way"
     assert words in " ".join(told.split())
     assert "F_fA_1 + F_fB_1 + F_fC_1 = -P" in told
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [("en", "The forces can be shared such that the corner"), ("de", "Die Kräfte lassen sich nur dann so verteilen")],
+)
+def test_condition_on_two_corners_together_says_so(language: str, words: str) -> None:
+    """Of four corners two are left on the verge of tipping: L >= H bounds no single normal force."""
+    told = " ".join(str(fb.explain(fb.System.load(EXAMPLES / "crate_on_a_wedge.yaml"), language=language)).split())
+    assert words in told
+    assert "tried before" not in told
+    assert "vorher versucht" not in told

@@ -755,3 +755,13 @@ bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {l: {contact: {between: [rod.start, left]}}, r: {contact: {between: [rod.end, right]}}}
 """
         ).simulate(1.0)
+
+
+def test_where_nothing_touches_there_are_no_ranges() -> None:
+    ball = """
+bodies: {ball: {disk: {mass: 1 kg, radius: 0.1 m}, at: [0, 1 m], angle: 0}}
+ground: {lines: {floor: {through: [0, 0], angle: 0 deg}}}
+connections: {it: {contact: {between: [ball, ground.floor], friction: 0.3}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+    assert fb.System.from_text(ball).simulate(0.1).reaction_ranges() == {}

@@ -186,3 +186,29 @@ def test_a_pipe_stands_on_a_box_as_a_can_does_and_says_that_its_bore_is_left_out
     [answer] = system.solve("largest P so that it stays at rest").answers
     assert answer.value == pytest.approx(2 * G * 0.1 / 0.25, rel=1e-9)
     assert "can is not convex: in contacts its convex hull touches" in map(str, system.assumptions)
+
+
+def test_rough_end_that_spins_is_refused_unless_its_resistance_is_given() -> None:
+    """Even pressure: the integral of mu p s dA = 2/3 mu N r, so that omega falls by 4 mu g/(3 r)."""
+    spun = ", angular_velocity: [0, 10, 0]"
+    refused = moved(0.15, 0.3, spun)
+    assert refused.course.status is Status.INCONSISTENT
+    assert "can.start spins on floor at t = 0 s" in refused.course.message
+    even = FLOOR.replace("friction: MU", "friction: 0.3, spinning_resistance: 0.02 m")
+    found = fb.System.from_text(even.replace("HEIGHT", "0.15").replace("MORE", spun)).simulate(0.5)
+    assert found.course.status is Status.FINISHED, found.course.message
+    assert [e.time for e in found.course.events] == [pytest.approx(10 * 3 * 0.1 / (4 * 0.3 * G), rel=1e-9)]
+
+
+def test_moment_about_the_normal_sets_it_spinning_and_without_friction_nothing_resists() -> None:
+    """Of a moment C t, J omega = C t^2/2 and the work J omega^2/2."""
+    twisted = "parameters: {C: 0.1 N m/s}" + FLOOR.replace("HEIGHT", "0.15").replace("MORE", "").replace(
+        "weight: {", "twist: {torque: {on: can, about: y, magnitude: C*t}}, weight: {"
+    )
+    rough = fb.System.from_text(twisted.replace("MU", "0.3")).simulate(0.5)
+    assert rough.course.status is Status.INCONSISTENT
+    assert "can.start spins on floor at t = " in rough.course.message
+    assert rough.course.t_end < 0.001
+    smooth = fb.System.from_text(twisted.replace("MU", "0")).simulate(0.5)
+    assert smooth.course.status is Status.FINISHED, smooth.course.message
+    assert smooth.course.work[-1].sum() == pytest.approx((0.05 * 0.5**2) ** 2 / (2 * 0.5 * 2 * 0.1**2), rel=1e-8)

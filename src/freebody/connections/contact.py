@@ -64,8 +64,9 @@ class Contact(Connection, kind="contact"):
     coefficient, or {static: 0.5, kinetic: 0.4}; restitution between 0 (default) and 1; rolling_resistance: the arm of
     the normal force [m]. A contact whose bodies have no place (`at`) starts touching, and `touching: true` moves the
     bodies there, or out of each other, by the least; `touching: false` leaves them where they are. Of two bodies
-    with plane faces only `touching: true` does. A cylinder may stand flat on a plane or a face: it tips about its rim,
-    and resists spinning by its spinning_resistance alone."""
+    with plane faces only `touching: true` does. A cylinder may stand flat on a plane or a face: it tips about its rim.
+    Where it spins with friction there, a motion needs its spinning_resistance (2/3 of the coefficient of friction
+    times the radius where the pressure is even and it only spins); else it ends, saying so."""
 
     between: list[str] | None = None
     among: list[str] | str | None = None

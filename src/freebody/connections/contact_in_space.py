@@ -107,10 +107,16 @@ class PairInSpace:
                     place.is_crossing,
                     place.is_separating,
                     place.lost,
+                    place.spinning() if self._is_spread(place) else None,
                 )
             )
             rubs += self._rubs(place, component, row)
         return bounds, rubs
+
+    def _is_spread(self, place: ContactPlace) -> bool:
+        """Whether friction under a flat end resists its spinning by pressure that is spread in a way not known."""
+        s = self.surface
+        return place.reach is not None and not s.friction.is_none and s.spinning_resistance == ZERO
 
     def _tell_hulls(self, names: Names) -> None:
         for name in (self.first, self.second):

@@ -300,6 +300,7 @@ class UnilateralConstraint:
     is_crossing: bool = False  # of two edges in space, which it parts along their common normal
     is_separating: bool = False  # of polyhedra in space: of its normal and those of the others one parts them
     lost: Measure | None = None  # in `within`, not positive where more than a place touches: the pitfall says how
+    spinning: Measure | NonholonomicForm | None = None  # of a rough flat end: how its friction resists it is not known
 
     @property
     def name(self) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from freebody.language.sentences import in_turn, turns
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import RHS, Row
@@ -74,5 +75,5 @@ def without_free(
                     if not (x := field.lowest_terms(low.get(k, field.zero) * b + high.get(k, field.zero) * a)).is_zero()
                 }
                 if not set(line) <= {RHS} or sign_of(line.get(RHS, field.zero)) not in _HELD:
-                    kept.append((line, why_low if why_low == why_high else f"{why_low}, {why_high}"))
+                    kept.append((line, in_turn([*dict.fromkeys([*turns(why_low), *turns(why_high)])])))
         work = kept

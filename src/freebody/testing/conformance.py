@@ -185,20 +185,23 @@ def gradient_is_the_finite_difference_of_the_measure(kind: str) -> None:
     """Coordinate by coordinate; of what only has a rate, the rate at a unit speed."""
     s = somewhere(closed(kind))
     for row in own_rows(s.reference.system):
-        exact = _row_of(s, row.measure)
-        for k in range(len(s.q)):
-            unit = np.eye(len(s.q))[k]
-            if hasattr(row.measure, "terms") and not hasattr(row.measure, "value"):
-                difference = snapshot_of(s.reference, s.q, unit, s.t, near=s).rate(row.measure)
-            else:
-                ahead, behind = (
-                    snapshot_of(s.reference, s.reference.frame.moved(s.q, h * unit), s.v, s.t, near=s).value(
-                        row.measure
-                    )
-                    for h in (STEP, -STEP)
-                )
-                difference = (ahead - behind) / (2 * STEP)
-            equal(exact[k], difference, f"slope of {row.name} along {k}", relative=1e-7, absolute=1e-8)
+        check_gradient(s, row)
+
+
+def check_gradient(s: Snapshot, row: Any) -> None:
+    """Of one row, in a pose."""
+    exact = _row_of(s, row.measure)
+    for k in range(len(s.q)):
+        unit = np.eye(len(s.q))[k]
+        if hasattr(row.measure, "terms") and not hasattr(row.measure, "value"):
+            difference = snapshot_of(s.reference, s.q, unit, s.t, near=s).rate(row.measure)
+        else:
+            ahead, behind = (
+                snapshot_of(s.reference, s.reference.frame.moved(s.q, h * unit), s.v, s.t, near=s).value(row.measure)
+                for h in (STEP, -STEP)
+            )
+            difference = (ahead - behind) / (2 * STEP)
+        equal(exact[k], difference, f"slope of {row.name} along {k}", relative=1e-7, absolute=1e-8)
 
 
 @_of_connections
@@ -228,16 +231,21 @@ def action_equals_reaction(kind: str) -> None:
     if set(type(described(kind).connections["it"]).model_fields) & {"measure", "expression"}:
         return  # what these hold is written in the user's own measures
     s = somewhere(closed(kind))
+    for row in own_rows(s.reference.system):
+        check_reaction(s, row)
+
+
+def check_reaction(s: Snapshot, row: Any) -> None:
+    """Of one row, in a pose."""
     n = 3 if s.reference.system.space else 2
     places = {b.name: s.reference.pose(s.q, b.name)[:n] for b in s.reference.system.moving} | {"ground": (0.0,) * n}
-    for row in own_rows(s.reference.system):
-        total = np.zeros(6 if n == 3 else 3)
-        for body, place in places.items():
-            push = np.array(s.gradient(row.measure, body))
-            arm, force = (np.pad(np.array(v), (0, 3 - n)) for v in (place, push[:n]))
-            moment = np.cross(arm, force)[-(len(push) - n) :]
-            total += np.concatenate((push[:n], moment + push[n:]))
-        assert float(np.abs(total).max()) <= 1e-9, f"{row.name}: forces and moments on all bodies add up to {total}"
+    total = np.zeros(6 if n == 3 else 3)
+    for body, place in places.items():
+        push = np.array(s.gradient(row.measure, body))
+        arm, force = (np.pad(np.array(v), (0, 3 - n)) for v in (place, push[:n]))
+        moment = np.cross(arm, force)[-(len(push) - n) :]
+        total += np.concatenate((push[:n], moment + push[n:]))
+    assert float(np.abs(total).max()) <= 1e-9, f"{row.name}: forces and moments on all bodies add up to {total}"
 
 
 @_of_connections

@@ -8,7 +8,7 @@ from freebody.language.expression import Call, Expr, Symbol, add, negate, number
 from freebody.language.sentences import Message, turns
 from freebody.model.elements import DryFriction
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
-from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.lines.script import Argument, Script, ready
 from freebody.narrative.principles.sides import ZERO, parted
 from freebody.present.report.blocks import Relation as Sign
 from freebody.study.phases.result import relations
@@ -173,7 +173,10 @@ def _purpose(r: SolvedRelation) -> tuple[str, dict[str, Argument]]:
 
 def told_purpose(purpose: str) -> tuple[str, dict[str, Argument]]:
     """What an inequality is for, as a key of the catalogue."""
-    first = next(iter(turns(purpose)), "")
+    parts = turns(purpose)
+    if len(parts) > 1 and all(isinstance(part, Message) for part in parts):
+        return "condition.together", {"purposes": ready(purpose)}
+    first = next(iter(parts), "")
     if not isinstance(first, Message) or first.template not in _PURPOSES:
         return "condition.other", {}
     named = first.arguments.get("contact", first.arguments.get("string", ""))

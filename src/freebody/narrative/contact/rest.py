@@ -235,7 +235,8 @@ class _RestTelling:
         self, case: FailureCase, newton: RestNewton, eq: RestEquations, place: str, sticks: bool
     ) -> tuple[int, ...]:
         """The lines of what a contact transmits at the limit. Raises CannotAnswer where that is not unique."""
-        row = next((r for r in newton.acting.rows.values() if r.unilateral and place_of(r) == place), None)
+        bounds = (r for r in newton.acting.rows.values() if r.unilateral)
+        row = next((r for r in bounds if in_words(self.touching.system, place_of(r)) == place), None)
         rub = next(
             (r for r in self.touching.dry_friction if r.load and row is not None and r.load[0] == row.name), None
         )

@@ -31,6 +31,8 @@ def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[s
     slips = {int(i): int(s) for i, s in enumerate(course.contact.slips[k]) if s != ABSENT}
     problem = bounded.problem(now, closed, slips, of_rates=False)
     matrices = problem.matrices
+    if not matrices.n:
+        return {}
     mode = [RowState.HELD] * matrices.n
     for i in closed:
         mode[problem.row_of_barrier(i)] = RowState.CLOSED

@@ -43,6 +43,8 @@ from freebody.system.description import SystemDescription
 
 LENT = 1e-6  # part of the mass lent to massless bodies that they keep in contact problems
 _SAME_SLIP = 1e-11  # relative, of gradients: drags along one line slip together
+_SPIN = "@spin of "
+SPINS = 1e-6  # [rad/s] a flat end that turns faster about the normal spins
 TOUCHING = 1e-10  # gaps below this part of the system's size are none; so far a foot may be beyond the end of its edge
 
 
@@ -186,6 +188,7 @@ class Bounded:
             grips,
             number(row.target) if kind == "contact" and isinstance(row.measure, Distance) and row.target else np.nan,
             -1 if bound.lost is None else self.written.rows[bound.lost],
+            -1 if bound.spinning is None else self.written.rows[bound.spinning],
         )
 
     @property
@@ -254,7 +257,8 @@ class Bounded:
             sliding = tuple((drag.packed, state) for drag, state in zip(self.drags, mode.drags, strict=True) if state)
             rows = EngineRows(self.written, self.held_in(mode), sliding, tuple(guards))
             to_come = [b.watch for k, b in enumerate(self.blows) if k not in mode.past and b.watch is not None]
-            engine = Engine(self.numbers, (*self.watches, *to_come), self.tracked, rows)
+            spins = [watch for k in sorted(mode.closed) for watch in _spin_watches(k, self.barriers[k].bound)]
+            engine = Engine(self.numbers, (*self.watches, *to_come, *spins), self.tracked, rows)
             self._engines[mode] = engine, tuple(guards), about
         return self._engines[mode]
 
@@ -352,6 +356,14 @@ class Bounded:
         lost = (b for k in closed if (b := self.barriers[k]).lost >= 0 and rows[b.lost, kinematics.VALUE] <= TOUCHING)
         return next((barrier.bound for barrier in lost), None)
 
+    def spinning(self, closed: Iterable[int], *, by: str = "") -> UnilateralConstraint | None:
+        """Of closed contacts at the same instant a rough flat end that spins, or the one whose watch is named."""
+        if by:
+            return next((b.bound for k, b in enumerate(self.barriers) if by == f"{_SPIN}{k}"), None)
+        rows = self.free.room.rows
+        spins = (b for k in closed if (b := self.barriers[k]).spinning >= 0)
+        return next((b.bound for b in spins if abs(rows[b.spinning, kinematics.RATE]) > SPINS), None)
+
     def tipping(self, drags: Sequence[int | None]) -> FrictionRow | None:
         """A flat end that tips about its rim."""
         tips = (drag for drag, state in zip(self.drags, drags, strict=True) if drag.rub.is_tipping and state)
@@ -435,6 +447,13 @@ class Bounded:
         self.written.keep(d.packed, float(rows[d.row, kinematics.VALUE]))
         if d.across >= 0:
             self.written.keep_across(d.packed, float(rows[d.across, kinematics.VALUE]))
+
+
+def _spin_watches(k: int, bound: UnilateralConstraint) -> list[EngineWatch]:
+    """What ends a motion where a rough flat end begins to spin, either way."""
+    if bound.spinning is None:
+        return []
+    return [EngineWatch(f"{_SPIN}{k}", bound.spinning, 1, limit, is_terminal=True) for limit in (SPINS, -SPINS)]
 
 
 def _grips(system: SystemDescription, bound: UnilateralConstraint) -> tuple[int, ...]:

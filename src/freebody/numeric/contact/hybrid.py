@@ -30,7 +30,7 @@ from freebody.numeric.contact.sharing import SharedReactions
 from freebody.numeric.contact.stillness import STILL
 from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.contact.transition import InstantTransition
-from freebody.numeric.contact.trouble import advised, contradiction, jammed
+from freebody.numeric.contact.trouble import advised, contradiction, jammed, unresisted_spin
 from freebody.numeric.contact.words import events_between
 from freebody.numeric.engine.course import BlowRecord, Collision, Event, Status, Trajectory
 from freebody.numeric.engine.engine import Engine
@@ -122,6 +122,10 @@ class Hybrid:
                 end=tips.rub.row.ends[0],
                 face=tips.rub.row.ends[1],
             )
+        if (spins := self._spins(at)) is not None:
+            if not self.phases:
+                self.phases.append(self._no_phase(at.result.y, t))
+            return spins
         if t >= until:
             return Status.FINISHED, ""
         left, steps_left = self._left(began)
@@ -213,9 +217,23 @@ class Hybrid:
         what = Message("{what} at t = {t:.9g} s", what=spread.pitfall or spread.name, t=t)
         return Status.INCONSISTENT, without_direction(what, spread)
 
+    def _spins(self, at: _Between) -> Ended | None:
+        """How a motion ends where a rough flat end spins as a phase begins."""
+        b, closed = self.bounded, () if at.result.mode is None else sorted(at.result.mode.closed)
+        if all(b.barriers[k].spinning < 0 for k in closed):
+            return None
+        b.instant(at.result.y, at.t, at.near)
+        spins = b.spinning(closed)
+        return None if spins is None else (Status.INCONSISTENT, unresisted_spin(spins, at.t))
+
     def _stopped(self, course: Trajectory, mode: ModeOf) -> Ended:
         """How a motion ends with a phase that no guard ended."""
         jam = ""
+        last = course.events[-1] if course.events else None
+        if last is not None and last.is_terminal:
+            spins = self.bounded.spinning(mode.closed, by=last.name)
+            if spins is not None:
+                return Status.INCONSISTENT, unresisted_spin(spins, course.t_end)
         if course.status in (Status.STEP_TOO_SMALL, Status.NOT_FINITE):
             jam = jammed(self.bounded, mode, course.t_end)
         return (Status.INCONSISTENT, jam) if jam else (course.status, course.message)

@@ -38,6 +38,7 @@ class UnilateralRow:
     grips: tuple[int, ...] = ()  # places of rows that are held with it
     radius: float = np.nan  # of a gap that is a distance without it
     lost: int = -1  # the row that is not positive where more than a place touches
+    spinning: int = -1  # the row of a spin that friction would resist in a way that is not known
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from freebody.language.sentences import Message, further, in_turn
+from freebody.model.elements import UnilateralConstraint
 from freebody.numeric.contact.after import HELD_ALONE, After
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.problem import OutcomeCount
@@ -45,4 +46,16 @@ def jammed(bounded: Bounded, mode: ModeOf, t: float) -> str:
         "lower the friction",
         t=t,
         names=in_turn([d.name for d in sliding]),
+    )
+
+
+def unresisted_spin(end: UnilateralConstraint, t: float) -> Message:
+    """A rough flat end spins, or begins to, and nothing is said of how its pressure is spread."""
+    return Message(
+        "{end} spins on {face} at t = {t:.9g} s. Friction resists that by how the pressure is spread over the flat "
+        "end, which is not known: give the contact a spinning_resistance. Where the pressure is even and the end only "
+        "spins it is 2/3 of the coefficient of friction times the radius",
+        end=end.row.ends[0],
+        face=end.row.ends[1],
+        t=t,
     )

@@ -250,6 +250,8 @@ class Packing:
         self.watched.append(self.held[place].where)
         for span in bound.within:
             self.watch(span.measure)
+        if bound.spinning is not None:
+            self.watch(bound.spinning)
         return place
 
     def friction(self, friction: DryFriction, loads: tuple[int, ...], sign: int) -> int:
