@@ -290,7 +290,8 @@ class NumericMode:
             found = s.rate(asked.measure) if asked.order else s.value(asked.measure)
             return found - self.references[0].number(asked.value)
 
-        rate = begin.acceleration(asked.measure) if asked.order else begin.rate(asked.measure)
+        driven = self.snapshot(begin.q, begin.v, begin.t)  # by friction as well
+        rate = driven.acceleration(asked.measure) if asked.order else begin.rate(asked.measure)
         sign = -1.0 if (gap(begin) < 0 if abs(gap(begin)) > _STILL else rate < 0) else 1.0
         return lambda q, v, t: sign * gap(self.references[0].snapshot(q, v, t, begin))
 
