@@ -73,3 +73,11 @@ def test_motorcycle_lifts_its_rear_wheel_from_a_grip_on() -> None:
     system = fb.System.load(EXAMPLES / "motorcycle_brakes.yaml")
     (grip,) = system.solve("value of mu for which normal force of rear = 0").answers
     assert grip.value == pytest.approx(0.7 / 0.65, rel=1e-12)
+
+
+def test_derivation_of_the_grip_goes_up_to_the_wheel_that_lifts_off() -> None:
+    """N_r (a + b - mu h) = m g (a - mu h). Behind a/h the wheel is in the air, where the force rests at zero."""
+    system = fb.System.load(EXAMPLES / "motorcycle_brakes.yaml")
+    told = str(system.explain("value of mu for which normal force of rear = 0"))
+    assert "defect" not in told
+    assert "Solving (5)" in told

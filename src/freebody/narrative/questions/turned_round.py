@@ -208,10 +208,12 @@ class _Refined:
         if self.question.transition is not None or self.quantity.of.scope == "steady motion":
             return x
         step = _STEP * (abs(x) or 1.0)
-        there, near = self._excess(world, x), self._excess(world, x + step)
-        if near == there:
+        there = self._excess(world, x)
+        # behind a contact that opens there the quantity rests: the slope is that of the side where it changes
+        change, step = max(((self._excess(world, x + s) - there, s) for s in (step, -step)), key=lambda at: abs(at[0]))
+        if change == 0.0:
             raise CannotAnswer(Message("that does not depend on {name}", name=self.quantity.parameter))
-        return x - there * step / (near - there)
+        return x - there * step / change
 
     def _excess(self, world: World, x: float) -> float:
         target = substitute(self.quantity.target, {self.quantity.parameter: number(Fraction(x))})

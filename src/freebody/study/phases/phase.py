@@ -136,20 +136,8 @@ class Phase:
 
     @cached_property
     def course(self) -> ClosedFormMotion:
-        return course_of(self.model, self.start, self._one_way)
-
-    @property
-    def _one_way(self) -> set[int]:
-        """The speeds to which a slip is proportional: they keep their sense until it ends."""
-        f, found = self.model.field, set[int]()
-        for name, state in self.mode.states.items():
-            slip = self.model.in_independent_speeds(self.state.rate(self.dry_friction[name].row.measure))
-            found |= {
-                c.speed
-                for c in self.model.coordinates
-                if state and f.lowest_terms(slip / f.variable(c.speed)).is_constant()
-            }
-        return found
+        rubbing = [self.dry_friction[name].row.measure for name, state in self.mode.states.items() if state]
+        return course_of(self.model, self.start, [self.state.rate(measure) for measure in rubbing])
 
     @property
     def sides(self) -> tuple[Ratio, ...]:

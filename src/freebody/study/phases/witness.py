@@ -294,7 +294,8 @@ class NumericMode:
         def gap(s: Snapshot) -> float:
             return (s.rate(asked.measure) if asked.order else s.value(asked.measure)) - target
 
-        rate = begin.acceleration(asked.measure) if asked.order else begin.rate(asked.measure)
+        driven = self.snapshot(begin.q, begin.v, begin.t)  # by friction as well
+        rate = driven.acceleration(asked.measure) if asked.order else begin.rate(asked.measure)
         sign = -1.0 if (gap(begin) < 0 if abs(gap(begin)) > _STILL else rate < 0) else 1.0
         distance: Watcher = lambda q, v, t: sign * gap(self.looked(q, v, t))  # noqa: E731
         if asked.order:

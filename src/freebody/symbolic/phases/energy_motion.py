@@ -7,7 +7,7 @@ What is even in u is a function of q; speeds of other coordinates follow by thei
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Sequence, Set
 from contextlib import suppress
 from functools import cached_property
 
@@ -63,6 +63,12 @@ class EnergyMotion(ClosedFormMotion):
         """Whether a function of the state changes its sign with the direction of the motion."""
         parts = self.reduced(x).numerator().coefficients(self.coordinate.speed)
         return all(part.is_zero() for part in parts[::2])
+
+    def is_even_or_odd(self, x: Ratio) -> bool:
+        """Whether the direction of the motion changes nothing of a function of the state but its sign: then the energy
+        tells where it vanishes."""
+        parts = self.reduced(x).numerator().coefficients(self.coordinate.speed)
+        return any(all(part.is_zero() for part in parts[k::2]) for k in (0, 1))
 
     def as_function(self, x: Ratio) -> Ratio:
         """A function of the state as one of the coordinate; one that is odd in the speed times the speed. Raises
@@ -153,9 +159,9 @@ def _followed(model: SymbolicModel, start: StartState) -> SmoothMotion:
     return motion
 
 
-def course_of(model: SymbolicModel, start: StartState, one_way: Set[int] = frozenset()) -> ClosedFormMotion:
-    """The motion of a model in closed form. one_way: the speeds that keep their sense as long as it is followed. Raises
-    CannotAnswer where there is none."""
+def course_of(model: SymbolicModel, start: StartState, slips: Sequence[Ratio] = ()) -> ClosedFormMotion:
+    """The motion of a model in closed form, followed until one of the slips ends. Raises CannotAnswer where there is
+    none."""
     f = model.field
     bound = [c for c in model.dependent if c.index not in model.unfollowed]  # nothing depends on the others' places
     resting = [c for c in bound if model.samples.vanishes(model.dependent_speed(c))]
@@ -180,16 +186,18 @@ def course_of(model: SymbolicModel, start: StartState, one_way: Set[int] = froze
     # what is driven goes on by the time since the start of the model, not of the phase
     is_timed = is_driven(model) and any(f.index(f.time) in f.ingredients(a) for a in accelerations)
     free = not model.dependent and not is_timed
-    laws, sides = _laws(smooth, one_way) if free else ([], ())
+    laws, sides = _laws(smooth, _one_way(model, slips)) if free else ([], ())
+    in_time = LawMotion(model, start, laws, smooth.integrals.resting, sides)
     has_laws = len(laws) == len(model.coordinates)
     if len(model.coordinates) == 1:
         try:
-            return EnergyMotion(model, start, model.coordinates[0])
+            by_energy = EnergyMotion(model, start, model.coordinates[0])
+            return by_energy if not has_laws or all(map(by_energy.is_even_or_odd, slips)) else in_time
         except CannotAnswer:
             if not has_laws:
                 raise
     if has_laws:
-        return LawMotion(model, start, laws, smooth.integrals.resting, sides)
+        return in_time
     for c in model.coordinates:
         with suppress(CannotAnswer):
             return EnergyMotion(model, start, c)
@@ -199,6 +207,14 @@ def course_of(model: SymbolicModel, start: StartState, one_way: Set[int] = froze
             "the accelerations of {names} are not constant, and energy alone gives the speed of one only", names=names
         )
     )
+
+
+def _one_way(model: SymbolicModel, slips: Sequence[Ratio]) -> set[int]:
+    """The speeds to which a slip is proportional: they keep their sense until it ends."""
+    f, found = model.field, set[int]()
+    for slip in map(model.in_independent_speeds, slips):
+        found |= {c.speed for c in model.coordinates if f.lowest_terms(slip / f.variable(c.speed)).is_constant()}
+    return found
 
 
 def _laws(motion: SmoothMotion, one_way: Set[int]) -> tuple[list[MotionLaw], tuple[Ratio, ...]]:
