@@ -689,3 +689,16 @@ assert "matplotlib.figure" in sys.modules
 assert "matplotlib.pyplot" not in sys.modules
 """
     subprocess.run([sys.executable, "-c", code, str(tmp_path / "a.gif")], check=True)
+
+
+def test_a_cam_is_a_filled_body_as_large_as_its_edge_with_a_hub_about_its_pin() -> None:
+    """Its edge is r = 40 mm from the pin where it does not lift, and r + h = 60 mm where it lifts most."""
+    drawn = fb.System.load(EXAMPLES / "cam_with_roller.yaml").picture()
+    own = [s for s in drawn.shapes if s.fill is not None and s.fill.body == 0 and s.is_closed]
+    (edge,) = [s for s in own if float(np.ptp(s.points[:, 0])) > 100.0]
+    hub = [s for s in drawn.shapes if s.stroke is not None and s.stroke.body == 0 and s.fill is None and s.is_closed]
+    assert len(hub) == 1
+    pin = hub[0].points[:-1].mean(axis=0)
+    away = np.hypot(*(edge.points - pin).T)
+    assert away.max() / away.min() == pytest.approx(60.0 / 40.0, rel=1e-2)
+    assert np.hypot(*(hub[0].points - pin).T).max() < 0.5 * away.min()

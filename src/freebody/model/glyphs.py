@@ -254,9 +254,10 @@ class Shoe(Generic[P]):
 @dataclass(frozen=True)
 class Relation(Generic[P]):
     """Something joins bodies that has no sign of its own: a thin line through points of theirs; through points of one
-    body, a line that is fixed in it."""
+    body, a line that is fixed in it, or the edge of that body, round it once."""
 
     points: tuple[P, ...]
+    is_edge: bool = False
 
 
 @dataclass(frozen=True)
