@@ -693,7 +693,7 @@ assert "matplotlib.pyplot" not in sys.modules
 
 def test_a_cam_is_a_filled_body_as_large_as_its_edge_with_a_hub_about_its_pin() -> None:
     """Its edge is r = 40 mm from the pin where it does not lift, and r + h = 60 mm where it lifts most."""
-    drawn = fb.System.load(EXAMPLES / "cam_with_roller.yaml").picture()
+    drawn = fb.System.load(Path(__file__).parents[1] / "examples" / "cam_with_roller.yaml").picture()
     own = [s for s in drawn.shapes if s.fill is not None and s.fill.body == 0 and s.is_closed]
     (edge,) = [s for s in own if float(np.ptp(s.points[:, 0])) > 100.0]
     hub = [s for s in drawn.shapes if s.stroke is not None and s.stroke.body == 0 and s.fill is None and s.is_closed]
