@@ -702,3 +702,35 @@ def test_a_cam_is_a_filled_body_as_large_as_its_edge_with_a_hub_about_its_pin() 
     away = np.hypot(*(edge.points - pin).T)
     assert away.max() / away.min() == pytest.approx(60.0 / 40.0, rel=1e-2)
     assert np.hypot(*(hub[0].points - pin).T).max() < 0.5 * away.min()
+
+
+VEHICLE = """
+parameters: {{m: 1 kg, a: 1 m, b: 2 m, h: 0.5 m, g: 9.81 m/s^2}}
+bodies: {{car: {{rectangle: {{mass: m, width: 4 m, height: 0.8 m}}, points: {{rear: [-b, {at}], front: [a, {at}]}}}}}}
+connections:
+  rear: {{slot: {{pin: car.rear, along: {along}}}}}
+  front: {{slot: {{pin: car.front, along: {along}}}}}
+loads: {{weight: {{gravity: g}}}}
+"""
+
+
+@pytest.mark.parametrize("along", ["right", "left"])
+def test_axles_on_one_line_below_a_body_are_wheels_that_touch_the_road_at_the_pins(along: str) -> None:
+    system = fb.System.from_text(VEHICLE.format(at="-h", along=along))
+    scene = Scene.of(system, Reference(system).number)
+    assert not scene.rails
+    for roller, (x, y) in zip(scene.rollers, ((-2.0, -0.5), (1.0, -0.5)), strict=True):
+        assert (roller.center.x, roller.center.y - roller.radius) == pytest.approx((x, y))
+    for track in scene.tracks:  # the road is straight below: the wheel on the left of its direction, or on its right
+        assert track.radius * track.along.x == pytest.approx(0.36)
+    looks = [stroke.style for stroke in Drawing.of(scene, np.zeros((1, 1, 3))).strokes]
+    assert looks.count("roller") == 2
+    assert "slot" not in looks
+
+
+def test_slots_from_which_a_body_hangs_or_along_which_it_falls_stay_slots() -> None:
+    for at, along in (("h", "right"), ("-h", "up")):
+        system = fb.System.from_text(VEHICLE.format(at=at, along=along))
+        scene = Scene.of(system, Reference(system).number)
+        assert len(scene.rails) == 2
+        assert not scene.rollers

@@ -37,6 +37,7 @@ from freebody.model.glyphs import (
     in_numbers,
 )
 from freebody.present import figures
+from freebody.present.carriages import on_wheels
 from freebody.present.figures import GROUND, Array, Drawn, Figure, Heading, Pair, Place, ShownGlyph, Wall
 from freebody.present.places import Places
 from freebody.system.system import System
@@ -203,7 +204,7 @@ class _Reader:
     def __init__(self, system: System, number: Callable[[Expr], float]) -> None:
         self.system, self.number = system, number
         self.places = Places(system, number)
-        self.shown = tuple(self._shown())
+        self.shown = tuple(self._shown() if system.space else on_wheels(self._shown()))
         self.signs = [shown.sign for shown in self.shown]
         edges = [sign for sign in self.signs if isinstance(sign, Relation) and sign.is_edge]
         self.edges = {edge.points[0].body: Edge(edge.points, "area") for edge in edges}
