@@ -734,3 +734,24 @@ def test_slots_from_which_a_body_hangs_or_along_which_it_falls_stay_slots() -> N
         scene = Scene.of(system, Reference(system).number)
         assert len(scene.rails) == 2
         assert not scene.rollers
+
+
+def test_an_elastic_string_that_is_slack_is_drawn_in_waves_and_a_taut_one_straight() -> None:
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "bungee_jump.yaml")
+    relaxed = system.parameters["L"].value
+    scene = Scene.of(system, Reference(system).number)
+    assert relaxed is not None
+    for share, is_slack in ((0.5, True), (0.99, True), (1.0, False), (1.2, False)):
+        drawn = Drawing.of(scene, np.array([[[0.0, -share * relaxed, 0.0]]]))
+        (string,) = (stroke for stroke in drawn.strokes if isinstance(stroke, Strand))
+        points = drawn.points(string, 0)
+        assert (float(np.abs(points[:, 0]).max()) > 1e-6) is is_slack
+        assert np.allclose(points[[0, -1]], ((0.0, 0.0), (0.0, -share * relaxed)), atol=1e-9)
+        if share == 0.99:  # its waves are as long as the string
+            assert float(np.hypot(*np.diff(points, axis=0).T).sum()) == pytest.approx(relaxed, rel=1e-3)
+
+
+def test_the_motion_at_the_start_is_drawn_at_the_start_only() -> None:
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "block_on_an_elastic_string.yaml")
+    said = [{word.label.text for word in system.picture(at=at).words} for at in (None, 0.0, 0.3)]
+    assert ["v_0" in words for words in said] == [True, True, False]

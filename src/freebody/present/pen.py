@@ -47,6 +47,7 @@ from freebody.present.symbols import (
 _END = 0.16  # the end of a rope, in sizes of symbols
 
 
+_WAVE = 0.6  # height of the waves of a slack string, in sizes of symbols
 _HUB = 1.8  # radius of a hub, in sizes of symbols
 _STEEP = 0.3  # sine of the angle of two surfaces between which something is drawn higher along one of them
 
@@ -85,7 +86,7 @@ class Pen:
                     yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
         lead, edges = 0, Edges(self.scene, self.poses, self.u)
         for rope in self.ropes:
-            yield Strand(rope, lead)
+            yield Strand(rope, lead, wave=_WAVE * self.u)
             yield from edges.strokes(rope)
             lead += len(rope.leads)
         for figure in bodies:

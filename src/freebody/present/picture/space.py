@@ -210,7 +210,8 @@ class WholeInSpace(Whole):
         dimensions = SpaceDimensions(self.system, self.sketch, self.places, self.scene, self.poses, self.shells)
         dimensions.shown |= {formula(Symbol(hidden)).text for hidden in self.system.looks.hide}
         n_before = len(self.sketch.shapes)
-        SpaceStartMotion(self.system, self.sketch, self.drawn_in_space, self.places).draw()
+        if self.is_start:
+            SpaceStartMotion(self.system, self.sketch, self.drawn_in_space, self.places).draw()
         dimensions.draw()
         self.in_space.make_room(n_before)
 

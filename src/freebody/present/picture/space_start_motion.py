@@ -96,7 +96,7 @@ class SpaceStartMotion:
         if vector.is_spin:
             self.sketch.add(head(tip - 0.85 * HEAD * way, way, INK))
         spots = ((tip - back * way, side) for back in (4.0, 14.0) for side in (across(way), -across(way)))
-        self.sketch.wish(Wish(vector.label, (*spots, (tip, way)), 10.5, INK, weight=4.2))
+        self.sketch.wish(Wish(vector.label, (*spots, (tip, way)), 10.5, INK, weight=4.2, gap=3.5))
 
     def _head_on(self, at: Array, towards: float, vector: _Vector) -> None:
         """A vector along the view: a circle with a dot where it comes, with a cross where it goes."""

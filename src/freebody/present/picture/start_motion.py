@@ -136,7 +136,7 @@ class StartMotion:
         tip = foot + max(_LENGTH, rim + 0.6 * _LENGTH) * way if rim else foot + _LENGTH * way
         self.sketch.add(arrow(foot, tip, INK, 1.5))
         places = tuple((tip - back * way, side) for back in (4.0, 12.0) for side in (across(way), -across(way), way))
-        self.sketch.wish(Wish(label, places, 10.5, INK, weight=4.2))
+        self.sketch.wish(Wish(label, places, 10.5, INK, weight=4.2, gap=3.5))
 
     def _spin(self, body: str, rate: Expr, sense: int = 1, called: str = "") -> None:
         """Round the middle of a body; sense: -1 for a rate that is counted clockwise."""
