@@ -179,8 +179,8 @@ class Lead(Generic[D]):
 @dataclass(frozen=True)
 class Rope(Generic[P, D, N]):
     """A string on its way, with one lead less than nodes. hanging: bodies that hang on it, whose place aside nothing
-    else states. With a free first end it comes to the first node along `comes`, as long as is left of the `whole`. An elastic
-    one is slack where it is shorter than `relaxed`."""
+    else states. With a free first end it comes to the first node along `comes`, as long as is left of the `whole`. An
+    elastic one is slack where it is shorter than `relaxed`."""
 
     nodes: tuple[Node[P, N], ...]
     leads: tuple[Lead[D], ...]
