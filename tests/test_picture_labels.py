@@ -11,6 +11,9 @@ import pytest
 import freebody as fb
 from freebody.language.expression import evaluate
 from freebody.language.parser import parse
+from freebody.present.picture.label import words
+from freebody.present.picture.placer import Wish, placed
+from freebody.present.picture.shapes import Ink, Shape
 from freebody.study.pictures.load_symbols import shorter
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -116,3 +119,28 @@ def test_the_dimension_of_a_coordinate_is_as_long_as_the_length() -> None:
 def test_only_points_of_bodies_that_there_are_have_names(name: str) -> None:
     """A carrier of a place beside a curve is no body."""
     assert load(name).picture().words
+
+
+@pytest.mark.parametrize("name", ["cam_with_roller", "telescopic_boom", "bead_on_a_rough_wire", "sled_on_a_run_out"])
+def test_no_label_stands_over_an_arrow_a_bead_or_a_pin(name: str) -> None:
+    drawn = load(name).picture()
+    arrows = ("measure", "force", "velocity")
+    for shape in drawn.shapes:
+        ink, fill = shape.stroke, shape.fill
+        is_dot = fill is not None and fill.alpha == 1.0 and float(np.ptp(shape.points, axis=0).max()) < 18.0
+        if not is_dot and (ink is None or ink.color not in arrows):
+            continue
+        ends = np.concatenate((shape.points, shape.points[:1])) if shape.is_closed else shape.points
+        along = np.linspace(0.0, 1.0, 200)[:, None, None]
+        points = (ends[:-1] + along * (ends[1:] - ends[:-1])).reshape(-1, 2)
+        points = np.concatenate((points, ends.mean(axis=0)[None])) if is_dot else points
+        for word in drawn.words:
+            assert not (np.abs(points - word.at) < word.half).all(axis=1).any(), word.label.text
+
+
+def test_a_label_that_is_needed_goes_round_its_place_where_both_sides_are_taken() -> None:
+    """Beside a long upright arrow, with places above and below on the arrow itself."""
+    label, up = words("word"), np.array((0.0, 1.0))
+    upright = Shape(np.array(((0.0, -200.0), (0.0, 200.0))), Ink("measure"))
+    (word,) = placed([Wish(label, ((np.zeros(2), up), (np.zeros(2), -up)))], [upright])
+    assert abs(word.at[0]) > word.half[0]

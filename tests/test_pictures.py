@@ -689,3 +689,69 @@ assert "matplotlib.figure" in sys.modules
 assert "matplotlib.pyplot" not in sys.modules
 """
     subprocess.run([sys.executable, "-c", code, str(tmp_path / "a.gif")], check=True)
+
+
+def test_a_cam_is_a_filled_body_as_large_as_its_edge_with_a_hub_about_its_pin() -> None:
+    """Its edge is r = 40 mm from the pin where it does not lift, and r + h = 60 mm where it lifts most."""
+    drawn = fb.System.load(Path(__file__).parents[1] / "examples" / "cam_with_roller.yaml").picture()
+    own = [s for s in drawn.shapes if s.fill is not None and s.fill.body == 0 and s.is_closed]
+    (edge,) = [s for s in own if float(np.ptp(s.points[:, 0])) > 100.0]
+    hub = [s for s in drawn.shapes if s.stroke is not None and s.stroke.body == 0 and s.fill is None and s.is_closed]
+    assert len(hub) == 1
+    pin = hub[0].points[:-1].mean(axis=0)
+    away = np.hypot(*(edge.points - pin).T)
+    assert away.max() / away.min() == pytest.approx(60.0 / 40.0, rel=1e-2)
+    assert np.hypot(*(hub[0].points - pin).T).max() < 0.5 * away.min()
+
+
+VEHICLE = """
+parameters: {{m: 1 kg, a: 1 m, b: 2 m, h: 0.5 m, g: 9.81 m/s^2}}
+bodies: {{car: {{rectangle: {{mass: m, width: 4 m, height: 0.8 m}}, points: {{rear: [-b, {at}], front: [a, {at}]}}}}}}
+connections:
+  rear: {{slot: {{pin: car.rear, along: {along}}}}}
+  front: {{slot: {{pin: car.front, along: {along}}}}}
+loads: {{weight: {{gravity: g}}}}
+"""
+
+
+@pytest.mark.parametrize("along", ["right", "left"])
+def test_axles_on_one_line_below_a_body_are_wheels_that_touch_the_road_at_the_pins(along: str) -> None:
+    system = fb.System.from_text(VEHICLE.format(at="-h", along=along))
+    scene = Scene.of(system, Reference(system).number)
+    assert not scene.rails
+    for roller, (x, y) in zip(scene.rollers, ((-2.0, -0.5), (1.0, -0.5)), strict=True):
+        assert (roller.center.x, roller.center.y - roller.radius) == pytest.approx((x, y))
+    for track in scene.tracks:  # the road is straight below: the wheel on the left of its direction, or on its right
+        assert track.radius * track.along.x == pytest.approx(0.36)
+    looks = [stroke.style for stroke in Drawing.of(scene, np.zeros((1, 1, 3))).strokes]
+    assert looks.count("roller") == 2
+    assert "slot" not in looks
+
+
+def test_slots_from_which_a_body_hangs_or_along_which_it_falls_stay_slots() -> None:
+    for at, along in (("h", "right"), ("-h", "up")):
+        system = fb.System.from_text(VEHICLE.format(at=at, along=along))
+        scene = Scene.of(system, Reference(system).number)
+        assert len(scene.rails) == 2
+        assert not scene.rollers
+
+
+def test_an_elastic_string_that_is_slack_is_drawn_in_waves_and_a_taut_one_straight() -> None:
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "bungee_jump.yaml")
+    relaxed = system.parameters["L"].value
+    scene = Scene.of(system, Reference(system).number)
+    assert relaxed is not None
+    for share, is_slack in ((0.5, True), (0.99, True), (1.0, False), (1.2, False)):
+        drawn = Drawing.of(scene, np.array([[[0.0, -share * relaxed, 0.0]]]))
+        (string,) = (stroke for stroke in drawn.strokes if isinstance(stroke, Strand))
+        points = drawn.points(string, 0)
+        assert (float(np.abs(points[:, 0]).max()) > 1e-6) is is_slack
+        assert np.allclose(points[[0, -1]], ((0.0, 0.0), (0.0, -share * relaxed)), atol=1e-9)
+        if share == 0.99:  # its waves are as long as the string
+            assert float(np.hypot(*np.diff(points, axis=0).T).sum()) == pytest.approx(relaxed, rel=1e-3)
+
+
+def test_the_motion_at_the_start_is_drawn_at_the_start_only() -> None:
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "block_on_an_elastic_string.yaml")
+    said = [{word.label.text for word in system.picture(at=at).words} for at in (None, 0.0, 0.3)]
+    assert ["v_0" in words for words in said] == [True, True, False]

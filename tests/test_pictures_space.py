@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import freebody as fb
 from freebody.connections.base import Connection
 from freebody.errors import InputError, ModelError
 from freebody.numeric.reference import Reference
@@ -697,3 +698,30 @@ loads: {weight: {gravity: 9.81 m/s^2}, pull: {force: {at: block, along: [0, 0, 1
     for found in (picture(system), free_body(system, "block")):
         dot = next(shape for shape in found.shapes if shape.is_area and len(shape.points) > 20)
         assert 6.0 < float(np.ptp(dot.points[:, 0])) < 30.0  # points of some 300 on paper
+
+
+THROWN = """
+space: true
+parameters: {m: 1 kg, R: 0.1 m, v: 2 m/s, w: 60 rad/s}
+bodies:
+  ball: {sphere: {mass: m, radius: R}, at: [0, 0, 0], velocity: [-v, 0, 0], angular_velocity: [0, w, -w]}
+  other: {sphere: {mass: m, radius: R}, at: [1 m, 0, 0]}
+"""
+
+
+def test_velocities_and_spins_at_the_start_are_arrows_from_the_edges_of_their_bodies() -> None:
+    drawn = fb.System.from_text(THROWN).picture(view=(0.0, 0.0))
+    green = [s for s in drawn.shapes if "velocity" in {ink.color for ink in (s.stroke, s.fill) if ink is not None}]
+    shafts, heads = [s.points for s in green if len(s.points) == 2], [s for s in green if s.fill is not None]
+    assert len(shafts) == 2
+    assert len(heads) == 3  # an angular velocity has two
+    ways = [(shaft[1] - shaft[0]) / float(np.hypot(*(shaft[1] - shaft[0]))) for shaft in shafts]
+    # seen along -z: x to the right and y up, so that the spin (0, w, -w) is seen as an arrow upwards
+    assert np.allclose(ways, ((-1.0, 0.0), (0.0, 1.0)), atol=1e-9)
+    starts = [shaft[0] for shaft in shafts]
+    rims = [s.points for s in drawn.shapes if s.stroke is not None and s.stroke.body == 0 and len(s.points) > 40]
+    low, high = np.concatenate(rims).min(axis=0), np.concatenate(rims).max(axis=0)
+    assert starts[0][0] < low[0]
+    assert starts[1][1] > high[1]
+    # its size sqrt(2) w is no parameter and has a symbol of its own
+    assert {"v", "ω_ball"} <= {word.label.text for word in drawn.words}

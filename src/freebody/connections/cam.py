@@ -296,7 +296,7 @@ connections:
             size = Call("sqrt", r * r + slope * slope)
             x = r * cos - roller * (r * cos + slope * sin) / size
             y = r * sin - roller * (r * sin - slope * cos) / size
-        angles = [divide(2 * k * PI, number(_N_DRAWN)) for k in range(_N_DRAWN + 1)]
+        angles = [divide(2 * k * PI, number(_N_DRAWN)) for k in range(_N_DRAWN)]
         at: Callable[[Any, Any], Expr] = lambda e, psi: substitute(e, {"@psi": psi})  # noqa: E731
         return [(at(x, psi), at(y, psi)) for psi in angles]
 
@@ -304,6 +304,6 @@ connections:
         cam, point = names.body(self.cam), names.point(self.follower)
         center = cam.center.offset
         places = (tuple(a + b for a, b in zip(center, at, strict=False)) for at in self._edge(names))
-        yield glyphs.Relation(tuple(Point(cam.name, (*at, *center[2:])) for at in places))
+        yield glyphs.Relation(tuple(Point(cam.name, (*at, *center[2:])) for at in places), is_edge=True)
         if self.form == "roller":
             yield glyphs.Roller(point, self._roller(names))

@@ -54,7 +54,11 @@ class _OverPoints(Load):
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         nodes = tuple(glyphs.Node(point, ZERO) for point in self._points(names))
-        yield glyphs.Rope(nodes, tuple(glyphs.Lead(None) for _ in nodes[1:]))
+        yield glyphs.Rope(nodes, tuple(glyphs.Lead(None) for _ in nodes[1:]), relaxed=self._relaxed(names))
+
+    def _relaxed(self, names: Names) -> Expr | None:
+        """The length below which it is slack, where that is stated."""
+        return None
 
 
 class ElasticString(_OverPoints, kind="elastic_string"):
@@ -73,6 +77,9 @@ class ElasticString(_OverPoints, kind="elastic_string"):
 bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
 loads: {it: {elastic_string: {from: ground.A, to: ball, stiffness: 5 N/m, length: 1 m}}}
 """
+
+    def _relaxed(self, names: Names) -> Expr | None:
+        return names.length_or(self, "length")
 
     def valid_where(self, names: Names) -> list[Validity]:
         natural = names.length_or(self, "length")

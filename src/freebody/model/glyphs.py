@@ -179,7 +179,8 @@ class Lead(Generic[D]):
 @dataclass(frozen=True)
 class Rope(Generic[P, D, N]):
     """A string on its way, with one lead less than nodes. hanging: bodies that hang on it, whose place aside nothing
-    else states. With a free first end it comes to the first node along `comes`, as long as is left of the `whole`."""
+    else states. With a free first end it comes to the first node along `comes`, as long as is left of the `whole`. An
+    elastic one is slack where it is shorter than `relaxed`."""
 
     nodes: tuple[Node[P, N], ...]
     leads: tuple[Lead[D], ...]
@@ -187,6 +188,7 @@ class Rope(Generic[P, D, N]):
     is_closed: bool = False
     comes: D | None = None
     whole: N | None = None
+    relaxed: N | None = None
 
 
 # -- contact ------------------------------------------------------------------------------------
@@ -254,9 +256,10 @@ class Shoe(Generic[P]):
 @dataclass(frozen=True)
 class Relation(Generic[P]):
     """Something joins bodies that has no sign of its own: a thin line through points of theirs; through points of one
-    body, a line that is fixed in it."""
+    body, a line that is fixed in it, or the edge of that body, round it once."""
 
     points: tuple[P, ...]
+    is_edge: bool = False
 
 
 @dataclass(frozen=True)

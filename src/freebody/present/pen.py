@@ -47,6 +47,8 @@ from freebody.present.symbols import (
 _END = 0.16  # the end of a rope, in sizes of symbols
 
 
+_WAVE = 0.6  # height of the waves of a slack string, in sizes of symbols
+_HUB = 1.8  # radius of a hub, in sizes of symbols
 _STEEP = 0.3  # sine of the angle of two surfaces between which something is drawn higher along one of them
 
 
@@ -76,7 +78,7 @@ class Pen:
             if isinstance(sign, glyphs.Relation) and len({place.body for place in sign.points}) == 1 < len(sign.points):
                 first = sign.points[0]  # a line fixed in a body
                 line = np.array([place.xy for place in sign.points]) - np.array(first.xy)
-                yield Path(first, first.body, line, "surface")
+                yield Path(first, first.body, line, "surface", sign.is_edge)
             elif isinstance(sign, glyphs.Center):
                 yield Path(sign.at, sign.at.body, circle(0.5 * self.u), "center", is_closed=True)
             elif isinstance(sign, glyphs.Relation):
@@ -84,7 +86,7 @@ class Pen:
                     yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
         lead, edges = 0, Edges(self.scene, self.poses, self.u)
         for rope in self.ropes:
-            yield Strand(rope, lead)
+            yield Strand(rope, lead, wave=_WAVE * self.u)
             yield from edges.strokes(rope)
             lead += len(rope.leads)
         for figure in bodies:
@@ -175,6 +177,7 @@ class Pen:
         elif figure.edges:
             yield from self._edges(figure, rest, fill)
             yield from self._arms(figure)
+            yield from self._hub(figure)
         else:
             yield Path(rest, turn, outline, fill, True, color)
             yield from self._arms(figure)
@@ -193,6 +196,16 @@ class Pen:
                 yield Path(rest, turn, points, "dot" if turn != GROUND else fill, True, color)
             else:
                 yield Path(rest, turn, points, looks[edge.look], edge.look != "wire", color)
+
+    def _hub(self, figure: Figure) -> Iterator[Path]:
+        """A circle round the pin of a body with an edge all round it."""
+        around = [np.array([place.xy for place in edge.places]) for edge in figure.edges if edge.look == "area"]
+        if len(figure.edges) != 1 or not around:
+            return
+        for place in (a for pin in self.scene.pins for a in pin if a.body == figure.index != GROUND):
+            least = float(np.hypot(*(around[0] - place.xy).T).min())
+            if least > _HUB * self.u:
+                yield Path(place, place.body, circle(min(_HUB * self.u, 0.4 * least), 24), "rim", True, figure.number)
 
     def _arms(self, figure: Figure) -> Iterator[Path]:
         """A line from the mass centre to what is joined to a body outside its edges."""

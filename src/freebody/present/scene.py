@@ -22,6 +22,7 @@ from freebody.model.glyphs import (
     Halt,
     Pin,
     Rail,
+    Relation,
     Rod,
     Roller,
     Rope,
@@ -36,6 +37,7 @@ from freebody.model.glyphs import (
     in_numbers,
 )
 from freebody.present import figures
+from freebody.present.carriages import on_wheels
 from freebody.present.figures import GROUND, Array, Drawn, Figure, Heading, Pair, Place, ShownGlyph, Wall
 from freebody.present.places import Places
 from freebody.system.system import System
@@ -202,8 +204,10 @@ class _Reader:
     def __init__(self, system: System, number: Callable[[Expr], float]) -> None:
         self.system, self.number = system, number
         self.places = Places(system, number)
-        self.shown = tuple(self._shown())
+        self.shown = tuple(self._shown() if system.space else on_wheels(self._shown()))
         self.signs = [shown.sign for shown in self.shown]
+        edges = [sign for sign in self.signs if isinstance(sign, Relation) and sign.is_edge]
+        self.edges = {edge.points[0].body: Edge(edge.points, "area") for edge in edges}
 
     def scene(self) -> Scene:
         bodies = (body for body in self.system.material.values() if body.name != GROUND_NAME)
@@ -212,7 +216,9 @@ class _Reader:
         planes = [plane for body in self.system.material.values() for plane in body.planes.values()]
         sheets = tuple((self.places.place(plane.through), self.places.heading(plane.normal)) for plane in planes)
         up = np.array(self.places.vector(self.system.up))
-        return Scene(self.system.title, names, found, self.shown, sheets, up, self.places.fixed)
+        formed = {figure.index for figure in found if any(edge in self.edges.values() for edge in figure.edges)}
+        shown = tuple(s for s in self.shown if not (_is_edge(s.sign) and figures.owners(s.sign) <= formed))
+        return Scene(self.system.title, names, found, shown, sheets, up, self.places.fixed)
 
     def _shown(self) -> Iterator[ShownGlyph]:
         """Without strings that are slack in the mode of the system, and with rails that a particle cannot turn on."""
@@ -254,7 +260,10 @@ class _Reader:
         )
         if self.system.space:
             return self._solid(plain, body)
-        return plain if body.radius is None or body.edges else self._wheel(plain, body, self.number(body.radius))
+        if body.radius is not None and not body.edges:
+            return self._wheel(plain, body, self.number(body.radius))
+        edge = self.edges.get(plain.index)  # of a body without a form of its own, as a cam
+        return plain if edge is None or body.edges or body.corners else replace(plain, edges=(edge,))
 
     def _solid(self, plain: Figure, body: RigidBody) -> Figure:
         """The form of a body of space, and whether it is a gear wheel."""
@@ -295,6 +304,10 @@ class _Reader:
                     yield radius
                 case _:
                     pass
+
+
+def _is_edge(sign: Drawn) -> bool:
+    return isinstance(sign, Relation) and sign.is_edge
 
 
 def _is_near(a: Place, b: Place) -> bool:

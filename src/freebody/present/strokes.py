@@ -13,7 +13,8 @@ import numpy as np
 from freebody.present.figures import Array, Place, Rope, positions, turned, with_ground
 from freebody.present.layout import sweep
 
-_FINE = 12  # points of a quarter of an arc
+_FINE = 12  # points of a quarter of an arc, or of a wave
+_FLAT = 8.0  # length of a wave of a slack string, by its height
 
 
 @dataclass(frozen=True)
@@ -41,11 +42,13 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Strand:
-    """A string; `lead` is the column of its first lead in the headings."""
+    """A string; `lead` is the column of its first lead in the headings. wave: [m] how far a slack one is drawn from its
+    straight way at most."""
 
     rope: Rope
     lead: int
     style: str = "string"
+    wave: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -103,7 +106,28 @@ def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:
         center = positions(pose, node.place)[0]
         points.append(center - node.arm * turned(course + np.pi / 2, 1.0, 0.0))
     found = np.concatenate(points)
+    if rope.relaxed is not None and strand.wave:
+        found = _slack(found, rope.relaxed, strand.wave)
     if rope.comes is None or rope.whole is None:
         return found
     left = rope.whole - float(np.hypot(*np.diff(found, axis=0).T).sum())
     return np.concatenate([found[:1] - max(left, 0.0) * turned(rope.comes.angle, 1.0, 0.0), found])
+
+
+def _slack(points: Array, relaxed: float, most: float) -> Array:
+    """(m, 2) [m] a string in waves along its way (n, 2), as long as it is relaxed, if these are not higher than `most`.
+
+    A wave a sin(2 pi s/l) is longer than l by the factor 1 + (pi a/l)^2, for small a."""
+    arms = np.diff(points, axis=0)
+    lengths = np.hypot(*arms.T)
+    whole = float(lengths.sum())
+    if relaxed <= whole * (1.0 + 1e-9) or whole < _FLAT * most:
+        return points
+    found: list[Array] = []
+    for start, arm, length in zip(points[:-1], arms, lengths, strict=True):
+        n = max(1, round(float(length) / (_FLAT * most)))
+        share = np.linspace(0.0, 1.0, _FINE * n + 1)[:, None]
+        height = min(most, length / n / np.pi * np.sqrt(relaxed / whole - 1.0))
+        across = np.array((-arm[1], arm[0])) / (length or 1.0)
+        found.append(start + share * arm + height * np.sin(2.0 * np.pi * n * share) * across)
+    return np.concatenate(found)

@@ -1,5 +1,6 @@
 """Where words find room: each tries a few places and takes the one that covers least; what finds none is left out,
-unless it is needed, and then it goes farther away."""
+unless it is needed, and then it goes farther away, or round its place. Lines of bodies may run below a word, which has
+a halo; arrows, dots and pins may not."""
 
 from __future__ import annotations
 
@@ -16,6 +17,9 @@ _STEP = 2.0  # [points] between the points by which lines are known
 _ROOM = 1.5  # [points] between words
 _BELOW, _LATER = 1.0, 0.35  # cost of a point of a line below a word, and of a later place
 _TOO_MUCH = 6.0  # the cost at which a word that is not needed is left out
+_OVER_A_SIGN = 4.0  # cost of a point of an arrow, a dot or a pin below a word
+_SIGNS = frozenset(("measure", "force", "reaction", "velocity", "acceleration"))  # colours of arrows
+_DOT = 18.0  # [points] the largest one
 _FARTHER = (2.5, 9.0, 18.0, 30.0, 45.0, 62.0, 80.0)  # [points] from the anchor
 
 
@@ -42,31 +46,46 @@ def around(anchor: Array, first: Sequence[float] = (1.0, 1.0)) -> tuple[tuple[Ar
 
 def placed(wishes: Sequence[Wish], shapes: Sequence[Shape], taken: Sequence[Word] = ()) -> list[Word]:
     """The words that find room among shapes, and words that have their places."""
-    points = dense(shapes)
+    points, signs = dense(shapes), sign_points(shapes)
     found = list(taken)
     for wish in sorted(wishes, key=lambda wish: -wish.weight):
-        word = _best(wish, points, found)
+        word = _best(wish, points, signs, found)
         if word is not None:
             found.append(word)
     return found
 
 
-def _best(wish: Wish, points: Array, taken: Sequence[Word]) -> Word | None:
+def _best(wish: Wish, points: Array, signs: Array, taken: Sequence[Word]) -> Word | None:
+    """The place that costs least: of those wished for, and of all round these where each of them is over something."""
+    best = _cheapest(wish, wish.places, points, signs, taken)
+    if wish.is_needed and (best is None or best[0] > _TOO_MUCH):
+        anchor, first = wish.places[0]
+        late = _cheapest(wish, around(anchor, (float(first[0]), float(first[1]))), points, signs, taken)
+        if late is not None and (best is None or late[0] + _LATER * len(wish.places) < best[0]):
+            best = late
+    return None if best is None else best[1]
+
+
+def _cheapest(
+    wish: Wish, places: Sequence[tuple[Array, Array]], points: Array, signs: Array, taken: Sequence[Word]
+) -> tuple[float, Word] | None:
+    """The cost of the best of some places, with the word there. One that is not needed hides no long lines."""
     best: tuple[float, Word] | None = None
     for k, farther in enumerate(_FARTHER if wish.is_needed else _FARTHER[:2]):
-        for j, (anchor, way) in enumerate(wish.places):
+        for j, (anchor, way) in enumerate(places):
             word = Word(wish.label, anchor, wish.size, wish.ink)
             word = Word(wish.label, anchor + beside(way, word.half, wish.gap - 2.5 + farther), wish.size, wish.ink)
             if any(word.overlaps(other, _ROOM) for other in taken):
                 continue
-            cost = _LATER * j + 2.5 * k + _BELOW * float(_below(word, points))
+            cost = _LATER * j + 2.5 * k + _BELOW * _below(word, points)
+            if not wish.is_needed and cost > _TOO_MUCH:
+                continue
+            cost += _OVER_A_SIGN * _below(word, signs)
             if best is None or cost < best[0]:
                 best = cost, word
         if best is not None and best[0] < 2.5 * (k + 1):
             break
-    if best is None or (not wish.is_needed and best[0] > _TOO_MUCH):
-        return None
-    return best[1]
+    return best
 
 
 def beside(way: Array, half: Array, gap: float) -> Array:
@@ -95,11 +114,34 @@ def points_along(way: Array, step: float, most: int) -> Array:
 
 def dense(shapes: Sequence[Shape]) -> Array:
     """(n, 2) points along all lines and edges."""
+    return np.unique(np.round(_along(shapes) / _STEP), axis=0) * _STEP
+
+
+def _along(shapes: Sequence[Shape]) -> Array:
+    """(n, 2) points along lines and edges, as they lie."""
     found = [np.zeros((0, 2))]
     for shape in shapes:
         if shape.scheme == "dark" or (shape.stroke is None and shape.fill is None):
             continue
         way = np.concatenate((shape.points, shape.points[:1])) if shape.is_closed else shape.points
         found.append(points_along(way, _STEP, 400))
-    every = np.concatenate(found)
-    return np.unique(np.round(every / _STEP), axis=0) * _STEP
+    return np.concatenate(found)
+
+
+def sign_points(shapes: Sequence[Shape]) -> Array:
+    """(n, 2) points of what no word may hide: arrows, and small full areas as dots, pins and heads."""
+    signs = [shape for shape in shapes if _is_sign(shape)]
+    found = [_along(signs)]
+    for shape in signs:
+        if shape.fill is not None:  # a word may lie within a dot
+            middle = shape.points.mean(axis=0)
+            found.extend(middle + share * (shape.points - middle) for share in (0.0, 0.5))
+    return np.concatenate(found)
+
+
+def _is_sign(shape: Shape) -> bool:
+    inks = [ink for ink in (shape.stroke, shape.fill) if ink is not None]
+    if any(ink.color in _SIGNS for ink in inks):
+        return True
+    is_full = shape.fill is not None and shape.fill.alpha == 1.0
+    return is_full and float(np.ptp(shape.points, axis=0).max()) < _DOT

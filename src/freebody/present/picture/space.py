@@ -28,6 +28,7 @@ from freebody.present.picture.signs import across
 from freebody.present.picture.signs import arrow as flat_arrow
 from freebody.present.picture.sketch import Sketch
 from freebody.present.picture.space_dimensions import SpaceDimensions
+from freebody.present.picture.space_start_motion import SpaceStartMotion
 from freebody.present.picture.whole import Whole
 from freebody.present.places import Places
 from freebody.present.scene import Scene
@@ -209,6 +210,8 @@ class WholeInSpace(Whole):
         dimensions = SpaceDimensions(self.system, self.sketch, self.places, self.scene, self.poses, self.shells)
         dimensions.shown |= {formula(Symbol(hidden)).text for hidden in self.system.looks.hide}
         n_before = len(self.sketch.shapes)
+        if self.is_start:
+            SpaceStartMotion(self.system, self.sketch, self.drawn_in_space, self.places).draw()
         dimensions.draw()
         self.in_space.make_room(n_before)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -101,7 +101,7 @@ class StartMotion:
         """Along one line, against it where the rate is negative."""
         value = self._number(rate)
         if value is not None:
-            self._straight(place, way if value >= 0.0 else -way, _label(rate, is_back=value < 0.0))
+            self._straight(place, way if value >= 0.0 else -way, size_label(rate, is_back=value < 0.0))
 
     def _arrow(self, velocity: Velocity) -> None:
         """In the plane, with the size and the angle by their symbols where the components say them."""
@@ -113,9 +113,10 @@ class StartMotion:
             self._along(velocity.of, way, rate)
             return
         way = np.array((x, y)) / math.hypot(x, y)
-        size = self._symbol(velocity, math.hypot, is_angle=False)
+        parts = velocity.x, velocity.y
+        size = symbol_of(self.system, parts, math.hypot, is_angle=False)
         self._straight(velocity.of, way, name("v") if size is None else formula(Symbol(size)))
-        angle = self._symbol(velocity, lambda vx, vy: math.atan2(abs(vy), abs(vx)), is_angle=True)
+        angle = symbol_of(self.system, parts, lambda vx, vy: math.atan2(abs(vy), abs(vx)), is_angle=True)
         if angle is not None:
             at, level = self._at(velocity.of), np.array((math.copysign(1.0, x), 0.0))
             begin = math.atan2(0.0, level[0])
@@ -135,7 +136,7 @@ class StartMotion:
         tip = foot + max(_LENGTH, rim + 0.6 * _LENGTH) * way if rim else foot + _LENGTH * way
         self.sketch.add(arrow(foot, tip, INK, 1.5))
         places = tuple((tip - back * way, side) for back in (4.0, 12.0) for side in (across(way), -across(way), way))
-        self.sketch.wish(Wish(label, places, 10.5, INK, weight=4.2))
+        self.sketch.wish(Wish(label, places, 10.5, INK, weight=4.2, gap=3.5))
 
     def _spin(self, body: str, rate: Expr, sense: int = 1, called: str = "") -> None:
         """Round the middle of a body; sense: -1 for a rate that is counted clockwise."""
@@ -159,7 +160,7 @@ class StartMotion:
             way, radius = ways[k % len(ways)], radii[k // len(ways)]
             spot = middle + radius * way
             self.sketch.wish(
-                Wish(_label(rate, called, is_back=value < 0.0), ((spot, way), (spot, -way)), 10.5, INK, weight=4.2)
+                Wish(size_label(rate, called, is_back=value < 0.0), ((spot, way), (spot, -way)), 10.5, INK, weight=4.2)
             )
 
     def _swing(self, measure: Bearing, rate: Expr, sense: int, called: str) -> None:
@@ -174,24 +175,7 @@ class StartMotion:
         self.sketch.add(curved_arrow(foot, radius, begin + 0.3 * sweep, sweep, INK, 1.5))
         end = unit(begin + 0.9 * sweep)
         places = ((foot + radius * end, end), (foot + radius * end, -end))
-        self.sketch.wish(Wish(_label(rate, called, is_back=value < 0.0), places, 10.5, INK, weight=4.2))
-
-    # -- symbols ------------------------------------------------------------------------------
-    def _symbol(self, velocity: Velocity, of: Callable[[float, float], float], *, is_angle: bool) -> str | None:
-        """The parameter that a size or an angle of a velocity is, whatever its value."""
-        names = sorted(free_symbols(velocity.x) | free_symbols(velocity.y))
-        samples = [{called: share[k % len(share)] for k, called in enumerate(names)} for share in _SAMPLES]
-        try:
-            seen = [of(float(evaluate(velocity.x, s)), float(evaluate(velocity.y, s))) for s in samples]
-        except (ArithmeticError, ValueError, FreebodyError):
-            return None
-        for called in names:
-            parameter = self.system.parameters.get(called)
-            if parameter is None or (parameter.dimension == DIMENSIONLESS) is not is_angle:
-                continue
-            if all(abs(value - sample[called]) < 1e-9 for value, sample in zip(seen, samples, strict=True)):
-                return called
-        return None
+        self.sketch.wish(Wish(size_label(rate, called, is_back=value < 0.0), places, 10.5, INK, weight=4.2))
 
     def _number(self, expr: Expr) -> float | None:
         try:
@@ -219,10 +203,27 @@ def _plain(measure: Measure | None) -> tuple[Measure | None, int]:
             return measure, 1
 
 
-def _label(rate: Expr, called: str = "", *, is_back: bool) -> Label:
+def size_label(rate: Expr, called: str = "", *, is_back: bool) -> Label:
     """The size of a rate: without its sign where the arrow points back. called: an angle, whose rate is named where it
     is a formula, which by itself might be anything."""
     if not is_back:
         is_plain = not called or isinstance(rate, Number | Symbol)
         return formula(rate) if is_plain else beside(formula(Call("rate", Symbol(called))), formula(rate), " = ")
     return formula(Number(-rate.value) if isinstance(rate, Number) else -rate)
+
+
+def symbol_of(system: System, parts: Sequence[Expr], of: Callable[..., float], *, is_angle: bool) -> str | None:
+    """The parameter that a function of components is, such as their size or an angle, whatever its value."""
+    names = sorted(frozenset[str]().union(*map(free_symbols, parts)))
+    samples = [{called: share[k % len(share)] for k, called in enumerate(names)} for share in _SAMPLES]
+    try:
+        seen = [of(*(float(evaluate(part, sample)) for part in parts)) for sample in samples]
+    except (ArithmeticError, ValueError, FreebodyError):
+        return None
+    for called in names:
+        parameter = system.parameters.get(called)
+        if parameter is None or (parameter.dimension == DIMENSIONLESS) is not is_angle:
+            continue
+        if all(abs(value - sample[called]) < 1e-9 for value, sample in zip(seen, samples, strict=True)):
+            return called
+    return None

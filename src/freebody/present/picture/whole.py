@@ -44,6 +44,7 @@ class Whole(ABC):
     as arrows, with their lengths [points]."""
 
     moved: tuple[str, ...] = ()  # bodies that are drawn aside of their places
+    is_start = True  # whether it is the instant of which the model states the motion
 
     def __init__(
         self, system: System, places: Places, scene: Scene, sketch: Sketch, centers: Mapping[str, Array]
@@ -153,7 +154,8 @@ class WholeInPlane(Whole):
         dimensions.shown |= {formula(Symbol(hidden)).text for hidden in self.system.looks.hide}
         dimensions.draw_inclines()
         dimensions.draw_tilts()
-        StartMotion(self.system, self.sketch, self.drawing, self.places).draw()
+        if self.is_start:
+            StartMotion(self.system, self.sketch, self.drawing, self.places).draw()
         self._draw_coordinates()
         dimensions.draw()
         GivenPlaces(dimensions).draw()

@@ -68,6 +68,7 @@ def picture(
         whole = whole_in_space(found, acting, view, perspective=perspective, turning=turning)
     else:
         whole = _in_the_plane(found, acting)
+    whole.is_start = not at
     if show:
         from freebody.study.pictures.shown import add_shown
 
