@@ -618,6 +618,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "reaction": [f"-mu*m*g*(v + R*back)/{_SLIP}", "m*g", f"mu*m*g*R*side/{_SLIP}"],
     },
     "ball_off_a_dome": {"freedom": "6"},
+    # Routh, Advanced Part, sec. 224: the length of the pendulum is 7/5 (R - r)
+    "ball_in_a_spherical_bowl": {"freedom": "3", "period": "2*pi*sqrt(7*(R - r)/(5*g))"},
     "spinning_balls_collide": {"freedom": "12"},
     "dominoes": {"freedom": "4"},
     "rattleback": {"freedom": "3"},

@@ -15,7 +15,7 @@ from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.connections.places_on_bodies import INSIDE
 from freebody.connections.polyhedra import is_polyhedron
 from freebody.connections.sites import sites
-from freebody.connections.standing import is_parallel, number_of, place_of
+from freebody.connections.standing import is_parallel, moves_out_of_plane, number_of, place_of
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -140,12 +140,11 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         """In space: the bodies, points and insides that may touch each other, unless all that move stay in a plane."""
         if not names.space or (texts := self._texts()) is None:
             return []
-        flat = {body for c in names.connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
         solids = [text for text in texts if names.plane(text) is None and names.line(text) is None]
         owners = {_owner(text) for text in solids}
         if len(solids) < 2 or not owners <= names.bodies.keys():
             return []
-        return solids if any(not names.bodies[b].fixed and b not in flat for b in owners) else []
+        return solids if moves_out_of_plane(names, owners) else []
 
     def _texts(self) -> list[str] | None:
         """What may touch, with `inside` written in one way."""

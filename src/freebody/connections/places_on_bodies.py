@@ -54,6 +54,7 @@ F: tuple[Components, Components] = (
     tuple(number(Fraction(k, 209)) for k in (-168, 79, 96)),
     tuple(number(Fraction(k, 209)) for k in (56, -96, 177)),
 )
+Frame = tuple[Components, tuple[Components, Components]]
 INSIDE = "inside "
 
 
@@ -117,10 +118,11 @@ def cores_of(names: Names, text: str, ball: Ball) -> list[Core]:
     return [] if solid is None else _cores_of_polyhedron(solid, ball)
 
 
-def places_on_body(names: Names, text: str, other: str) -> list[ContactPlace]:
-    """The places at which a ball, or a point, can touch another body; none where the pair has none."""
+def places_on_body(names: Names, text: str, other: str, frame: Frame = (Q, F)) -> list[ContactPlace]:
+    """The places at which a ball, or a point, can touch another body; none where the pair has none. frame: q, f_1 and
+    f_2 in axes of the other body."""
     ball = ball_of(names, text)
-    return [] if ball is None else [_Touching(ball, core).place() for core in cores_of(names, other, ball)]
+    return [] if ball is None else [_Touching(ball, core, frame).place() for core in cores_of(names, other, ball)]
 
 
 # -- cores ---------------------------------------------------------------------------------------
@@ -210,14 +212,15 @@ def _cores_of_polyhedron(solid: Polyhedron, ball: Ball) -> list[Core]:
 class _Touching:
     """Gap, slip and turning of a ball and a core."""
 
-    def __init__(self, ball: Ball, core: Core) -> None:
+    def __init__(self, ball: Ball, core: Core, frame: Frame) -> None:
         self.ball, self.core = ball, core
         turns = ball.turns or core.body.turns
         self.frame = ContactFrame.of(ball.center, core.middle, core.axes, D, turns=turns)
         n = self.n = tuple(c / core.reach for c in core.v)
-        leaning = [dot(n, f) / (ONE + dot(n, Q)) for f in F]
+        q, across = frame
+        leaning = [dot(n, f) / (ONE + dot(n, q)) for f in across]
         self.across = [
-            tuple(f[k] - share * (n[k] + Q[k]) for k in range(3)) for f, share in zip(F, leaning, strict=True)
+            tuple(f[k] - share * (n[k] + q[k]) for k in range(3)) for f, share in zip(across, leaning, strict=True)
         ]
 
     def place(self) -> ContactPlace:

@@ -1,4 +1,4 @@
-"""Rolling without slip of a circle on a line, on a circle, or inside a ring; in space on a plane."""
+"""Rolling without slip of a circle on a line, on a circle, or inside a ring; in space on a plane or a sphere."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import look_at_fit, touching
-from freebody.connections.rolling_in_space import rolling_rows
-from freebody.connections.standing import is_parallel, same_way, stands_at
+from freebody.connections.rolling_in_space import rolling_rows, rows_on_sphere
+from freebody.connections.standing import is_parallel, moves_out_of_plane, same_way, stands_at
 from freebody.language.expression import Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
@@ -35,7 +35,8 @@ class Rolling(Connection, kind="rolling"):
 
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
-    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5)."""
+    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
+    `on` or `inside` another one, fixed or moving (3 rows)."""
 
     body: str
     on: str | None = None
@@ -55,9 +56,38 @@ ground: {lines: {floor: {along: right}}}
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 connections: {it: {rolling: {body: wheel, on: floor}}}
 """
+    more_examples: ClassVar[Mapping[str, str]] = {
+        name: f"""
+space: true
+bodies:
+  hub: {{rod: {{mass: 1 kg, length: 0.1 m}}, at: [0, 0, 0]}}
+  slide: {{box: {{mass: 2 kg, size: [0.1 m, 0.2 m, 0.3 m]}}, at: [{at}, 0, 0]}}
+  ball: {{sphere: {{mass: 3 kg, radius: 0.1 m}}, at: [{at}, 0, 0]}}
+  other: {{{other}, at: [0, 0, 0]}}
+connections:
+  axle: {{revolute: {{first: ground.origin, second: hub.center, about: y}}}}
+  pivot: {{revolute: {{first: ground.origin, second: other.center, about: y}}}}
+  guide: {{prismatic: {{first: hub.center, second: slide.center, along: x}}}}
+  cross: {{universal: {{first: slide.center, second: ball.center, arm: y, second_arm: z}}}}
+  it: {{rolling: {{body: ball, {where}: other}}}}
+"""
+        for name, where, at, other in (
+            ("on a ball in space", "on", "0.3 m", "sphere: {mass: 2 kg, radius: 0.2 m}"),
+            ("in a bowl in space", "inside", "0.4 m", "spherical_shell: {mass: 2 kg, radius: 0.5 m}"),
+        )
+    }
 
     def is_in_plane(self, names: Names) -> bool:
-        return self.on is None or self.on in names.bodies or names.line(self.on) is not None
+        if self.on is None or self.on in names.bodies:
+            return self._sphere_in_space(names) is None
+        return names.line(self.on) is not None
+
+    def _sphere_in_space(self, names: Names) -> RigidBody | None:
+        """The sphere on or in which it rolls, unless all that moves stays in the plane of x and y."""
+        bodies = [names.bodies.get(name) for name in (self.body, str(self.on or self.inside))]
+        spheres = [body for body in bodies if body is not None and body.round == "sphere"]
+        out_of_plane = names.space and len(spheres) == 2 and moves_out_of_plane(names, [b.name for b in spheres])
+        return spheres[1] if out_of_plane else None
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         body = names.body(self.body, "body")
@@ -65,6 +95,9 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         plane = names.plane(self.on, "on") if names.space else None
         if plane is not None:
             return rolling_rows(names, body, body.radius if own is None else own, plane)
+        sphere = self._sphere_in_space(names)
+        if sphere is not None:
+            return self._on_sphere(names, body, sphere)
         radius = names.radius(body.name, "body") if own is None else own
         if body.is_part_of_a_circle and own is None:
             told = Message(
@@ -94,6 +127,19 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             ConstraintRow("contact", "normal force", distance, total, sign=-1 if self.inside else 1, unilateral=True),
             ConstraintRow("no slip", "friction force", rolled, sign=-1, needs="contact"),
         ]
+
+    def _on_sphere(self, names: Names, body: RigidBody, sphere: RigidBody) -> list[ConstraintRow]:
+        if sphere.name == body.name:
+            names.problem(Message("{body} cannot roll on itself", body=body.name))
+            return []
+        if self.radius is not None:
+            names.problem(Message("a sphere rolls on another one on its own radius"), "radius")
+            return []
+        inside = self.inside is not None
+        if inside:
+            radii = names.radius(body.name, "body"), names.radius(sphere.name, inside=True)
+            look_at_fit(names, body.name, radii[0], sphere.name, radii[1], "inside")
+        return rows_on_sphere(names, body, sphere, inside=inside)
 
     def _nothing_there(self, names: Names) -> list[ConstraintRow]:
         known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]
@@ -152,6 +198,10 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         plane = names.plane(self.on) if names.space else None
         if plane is not None:
             yield glyphs.Face(plane.through, body.center, plane.normal, "rolls")
+            return
+        sphere = self._sphere_in_space(names)
+        if sphere is not None:
+            yield glyphs.Touch(sphere.name, body.name, within=self.inside is not None)
             return
         radius = names.radius(body.name) if own is None else own
         line = None if self.on is None else names.line(self.on)

@@ -9,7 +9,7 @@ With n the normal of the plane and C the centre, what touches the plane is lowes
 Its material point has no velocity in the plane (2 nonholonomic rows); for a rim along the way it rolls, t = n x a/|n x
 a|, and across it, n x t. A cone touches along a line from its apex: the apex keeps its place, the axis its angle to the
 plane, and the angular velocity has no part along n, so that it lies along that line. Source: Neimark & Fufaev, Dynamics
-of Nonholonomic Systems, 1972, ch. I sec. 2.
+of Nonholonomic Systems, 1972, ch. I sec. 2. A sphere on or inside another one: see `places_on_bodies`.
 """
 
 from __future__ import annotations
@@ -17,14 +17,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.connections.joints import across_names
+from freebody.connections.places_on_bodies import INSIDE, places_on_body
 from freebody.connections.places_on_planes import Arm, along_plane, ellipsoid_on_plane, sphere_arm
-from freebody.language.expression import Call, Expr, Symbol
+from freebody.connections.standing import number_of
+from freebody.language.expression import ZERO, Call, Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import ONE, Direction
+from freebody.measures.geometry import ONE, Components, Direction
 from freebody.measures.turn import Alignment
 from freebody.model.elements import BodyPlane, ConstraintRow, NonholonomicForm, RigidBody
 from freebody.model.rotations import perpendiculars
@@ -51,6 +53,32 @@ def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: Body
         names.problem(told, "body")
         return []
     return _sphere(body, radius, plane) if body.round == "sphere" else _rim(body, radius, plane)
+
+
+def rows_on_sphere(names: Names, body: RigidBody, sphere: RigidBody, *, inside: bool) -> list[ConstraintRow]:
+    """The rows of a sphere that rolls on or inside another one. The directions of its slip are turned from those at the
+    pole: the top of what it rolls on, the bottom of what it rolls in, or the other one if it starts nearer to that."""
+    up = names.up if len(names.up) == 3 else (*names.up, ZERO)
+    pole = tuple(-c for c in up) if inside else up
+    if _starts_beyond(names, body, sphere, pole):
+        pole = tuple(-c for c in pole)
+    text = f"{INSIDE}{sphere.name}" if inside else sphere.name
+    (place,) = places_on_body(names, body.name, text, (pole, perpendiculars(pole)))
+    return [
+        ConstraintRow("contact", "normal force", place.measure, place.target, place.sign, unilateral=True),
+        *(
+            ConstraintRow(f"no slip {name}", f"friction force {name}", slip, needs="contact")
+            for name, slip in zip(place.across, place.slip, strict=True)
+        ),
+    ]
+
+
+def _starts_beyond(names: Names, body: RigidBody, sphere: RigidBody, pole: Components) -> bool:
+    """Whether it starts in the other half of the sphere, as far as the places given say."""
+    if body.start.at is None:
+        return False
+    at, origin = body.start.at[1], (ZERO, ZERO, ZERO) if sphere.start.at is None else sphere.start.at[1]
+    return sum(number_of(names, c * (x - o)) for c, x, o in zip(pole, at, origin, strict=True)) < 0.0
 
 
 def _along(plane: BodyPlane) -> list[tuple[str, Direction]]:

@@ -8,6 +8,7 @@ read from the model alone, in its parameters.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, add, evaluate, multiply
@@ -67,6 +68,12 @@ def place_of(names: Names, point: Point) -> tuple[float, float] | None:
         return number_of(names, place[0]), number_of(names, place[1])
     x, y = stands_at(names, point, RIGHT), stands_at(names, point, UP)
     return None if x is None or y is None else (number_of(names, x), number_of(names, y))
+
+
+def moves_out_of_plane(names: Names, bodies: Iterable[str]) -> bool:
+    """In space: whether one of the bodies moves, and nothing keeps it in the plane of x and y."""
+    flat = {body for c in names.connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
+    return any(not names.bodies[b].fixed and b not in flat for b in bodies)
 
 
 def distance_between(names: Names, first: Point, second: Point) -> float | None:

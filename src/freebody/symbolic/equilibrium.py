@@ -16,11 +16,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.model.elements import ConstraintRow
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.decide import decide, sign_given
@@ -58,6 +59,20 @@ class ClosedFormRest:
     stable: tuple[Condition, ...] = ()
     is_stable: bool | None = True
     neutral: tuple[str, ...] = ()
+
+
+class StateOfRest(SymbolicState):
+    """A system in an equilibrium: what holds it there has short formulas even where its motion has none."""
+
+    def __init__(self, model: SymbolicModel, at: dict[int, Ratio]) -> None:
+        still = {c.speed: model.field.zero for c in (*model.coordinates, *model.dependent)}
+        super().__init__(model, {**at, **still})
+
+    def multiplier(self, row: ConstraintRow) -> Ratio:
+        try:
+            return super().multiplier(row)
+        except FormulaTooLong:
+            return self.model.reactions.at_rest(row, self.here)
 
 
 def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: bool = True) -> ClosedFormRest:
@@ -158,7 +173,7 @@ def _judged(model: SymbolicModel, at: dict[int, Ratio], sides: Sequence[Ratio] =
         if not possible:
             return None
         conditions += [] if condition is None else [condition]
-    state = SymbolicState(model, at | {c.speed: model.field.zero for c in model.coordinates})
+    state = StateOfRest(model, at)
     if not _is_on_branch(model, state):
         return None
     for row in model.system.constraint_rows:

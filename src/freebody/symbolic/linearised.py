@@ -118,8 +118,9 @@ class Linearised:
         return f.lowest_terms(f.substitute(x, taken))
 
     def slope(self, x: Ratio, c: Coordinate) -> Ratio:
-        """Along a coordinate, what follows it through loops following it; at rest."""
+        """Along a coordinate, what follows it through loops following it; at rest, where elements are shorter."""
         m, f = self.model, self.model.field
+        x = f.follow(x, dict.fromkeys((d.speed for d in (*m.coordinates, *m.dependent)), f.zero))
         total = f.derivative(x, c.index)
         for d in m.dependent:
             if d.index in f.ingredients(x):
@@ -128,7 +129,13 @@ class Linearised:
 
     def speed_slope(self, x: Ratio, c: Coordinate) -> Ratio:
         """Along the speed of a coordinate, at rest."""
-        return self.here(self.model.field.partial(self.model.in_independent_speeds(x), c.speed))
+        m, f = self.model, self.model.field
+        pose = stand_still(m) | self.at
+        try:  # in the pose, where it is short
+            following = {d.speed: f.follow(m.dependent_speed(d), pose) for d in m.dependent}
+            return self.here(f.partial(f.substitute(f.follow(x, pose), following), c.speed))
+        except ZeroDivisionError:  # of parts that have no value there
+            return self.here(f.partial(m.in_independent_speeds(x), c.speed))
 
     # -- the matrices -------------------------------------------------------------------------
     @cached_property

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cached_property
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message, further
 from freebody.model.elements import ConstraintRow
 from freebody.symbolic.bodies import Bodies, Parts
@@ -41,12 +41,17 @@ class Reactions:
         self._columns = {row.name: k for k, row in enumerate(system.constraint_rows)}
 
     @cached_property
-    def _solved(self) -> Solved:
+    def _made(self) -> Solved | FormulaTooLong:
+        """What they come to, or that it is too long, which takes as long to find out."""
+
         def rest(body: str) -> Parts:
             changing, wrench = self._changing(body), self._loads.wrenches[body]
             return tuple(p - w for p, w in zip(changing, wrench, strict=True))
 
-        return self._balanced(rest, lambda slope: slope)
+        try:
+            return self._balanced(rest, lambda slope: slope)
+        except FormulaTooLong as error:
+            return error
 
     def impulses(self, rest: Callable[[str], Parts], here: Callable[[Ratio], Ratio]) -> dict[str, Ratio | CannotAnswer]:
         """By row the impulse of a blow, or why it is not unique. rest: what the held rows must give to a body, along
@@ -59,6 +64,15 @@ class Reactions:
             except CannotAnswer as error:
                 found[row.name] = error
         return found
+
+    def at_rest(self, row: ConstraintRow, here: Callable[[Ratio], Ratio]) -> Ratio:
+        """The multiplier of a row where nothing moves or accelerates, made in that pose alone: J^T lambda = -loads.
+        here: an element in the pose, at rest. Raises as `multiplier`."""
+
+        def rest(body: str) -> Parts:
+            return tuple(-here(w) for w in self._loads.wrenches[body])
+
+        return self._unique(self._balanced(rest, here), row)
 
     def _balanced(self, rest: Callable[[str], Parts], here: Callable[[Ratio], Ratio]) -> Solved:
         """J^T lambda = rest, body by body."""
@@ -91,7 +105,9 @@ class Reactions:
 
     def multiplier(self, row: ConstraintRow) -> Ratio:
         """The multiplier of a row. Raises CannotAnswer naming the connections where it is not unique."""
-        return self._unique(self._solved, row)
+        if isinstance(self._made, FormulaTooLong):
+            raise self._made
+        return self._unique(self._made, row)
 
     def _unique(self, solved: Solved, row: ConstraintRow) -> Ratio:
         column = self._columns[row.name]

@@ -15,7 +15,7 @@ from freebody.study.answering.finding import Elements, Finding
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.decide import decide
-from freebody.symbolic.equilibrium import ClosedFormRest, equilibria, lies_in_family
+from freebody.symbolic.equilibrium import ClosedFormRest, StateOfRest, equilibria, lies_in_family
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import free_oscillations
@@ -118,9 +118,7 @@ def needs_of_rest(setup: Setup, rest: ClosedFormRest, clear: str = ">=") -> list
     """What an equilibrium needs: that it exists, and that what the formulas take to be positive is so there, what
     is to pull pulls, what is to touch presses, what is open does not reach beyond its limit; about an equilibrium
     that is to swing it has room (clear: >)."""
-    f, model = setup.model.field, setup.model
-    still = {c.speed: f.zero for c in (*model.coordinates, *model.dependent)}
-    state = SymbolicState(model, {**rest.values, **still})
+    state = StateOfRest(setup.model, rest.values)
     holding = setup.holding(state, with_contacts=bool(setup.system.applied_loads))
     return [*rest.exists, *holding, *setup.clearances(state, clear)]
 

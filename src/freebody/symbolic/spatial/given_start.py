@@ -47,16 +47,18 @@ class SpatialGivenStart(GivenStart):
         return self.bodies.geometry(poses, tangent, None, self.samples.is_negative)
 
     def _pose(self, name: str) -> SpatialPose[Ratio] | None:
-        """Where a body is at the start, if its rotation is known; a place that is not given is one of its own."""
+        """Where a body is at the start, if its place or its rotation is known; what is not given is its own."""
         body, scalar = self.system.bodies[name], self._scalar
         known = self.bodies.poses[name]
         assert isinstance(known, SpatialPose)
         if body.fixed:
             return known
-        if not self._is_turned(body):
+        axes = known.axes
+        if self._is_turned(body):
+            x, y, z = self._known_rotation(body.start.turned or (), scalar)
+            axes = Vector(*x), Vector(*y), Vector(*z)
+        elif body.start.at is None:
             return None
-        x, y, z = self._known_rotation(body.start.turned or (), scalar)
-        axes = Vector(*x), Vector(*y), Vector(*z)
         if body.start.at is None:
             return SpatialPose(known.center, axes)
         point, place = body.start.at
