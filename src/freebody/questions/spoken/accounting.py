@@ -59,6 +59,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     asked = {word.what for word in words if word.kind == "quantity"}
     if turned := _TURNED_ROUND.match(text):
         return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)
+    if _is_extreme(text) and _is_to_be_so(words, text):
+        return False
     if _NO_QUANTITY.match(text):
         return True
     if Word("filler", "may") in words:  # what can be reached by choice is none of this motion
@@ -66,7 +68,7 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
             return False
         if asked & {"acceleration", "deceleration"} and given.growing(names, []):
             return False
-        is_extreme = text.startswith(("greatest ", "least "))
+        is_extreme = _is_extreme(text)
         does = any(word.kind == "verb" for word in words)
         if asked & _PUSHES and (Word("verb", "rise") in words or (is_extreme and not does)):  # what load it can lift
             return False
@@ -87,7 +89,16 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     if goes and asked & (_PUSHES | _TURNS) and not _COMPONENT.search(text):
         return False
     is_place = Word("ask", "where") in words and not asked
-    return not (is_place and text.startswith(("greatest ", "least ")))
+    return not (is_place and _is_extreme(text))
+
+
+def _is_extreme(text: str) -> bool:
+    return text.startswith(("greatest ", "least "))
+
+
+def _is_to_be_so(words: Sequence[Word], text: str) -> bool:
+    """Whether a choice is asked for: the least friction with which it holds is no least of what friction does."""
+    return Word("mark", "so_that") in words or (text.startswith("least ") and Word("filler", "must") in words)
 
 
 def _is_between_all(names: Names, words: Sequence[Word], text: str) -> bool:

@@ -62,7 +62,7 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
     never = several(language, "never")
     cuts = [found for found in several(language, "and").finditer(text) if found.start() > 0]
     cuts = [cut for cut in cuts if not never.search(text[: cut.start()])]
-    cuts = [cut for cut in cuts if _is_open(text[: cut.start()]) or not _leads_on(text[cut.end() :], language)]
+    cuts = [cut for cut in cuts if _is_open(text[: cut.start()]) or not _leads_on(text[cut.end() :])]
     if any(_adds_to(text[: cut.start()], text[cut.end() :]) for cut in cuts):
         return
     if not cuts or len(cuts) >= MOST:
@@ -79,11 +79,11 @@ def _is_open(text: str) -> bool:
     return re.search(r"\b(?:before|after|vor|nach)$", text, re.IGNORECASE) is not None
 
 
-def _leads_on(text: str, language: str) -> bool:
-    """Whether a text begins with what says when, or for which: no question of its own."""
+def _leads_on(text: str) -> bool:
+    """Whether a text begins with what says when, or for which, in any language: no question of its own."""
     if re.match(r"\S+ ?[=<>]", text):  # when x = 1 m and y = 0
         return True
-    return _kind_at(text.lower().split(), 0, language) in ("mark", "instant", "not")
+    return any(_kind_at(text.lower().split(), 0, language) in ("mark", "instant", "not") for language in languages())
 
 
 def _adds_to(before: str, after: str) -> bool:
