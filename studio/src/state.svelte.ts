@@ -7,7 +7,7 @@ import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
 import type { Place } from "virtual:player";
-import type { Answers, Element, End, Kind, MotionAnswer, OpenedFile, Parameter, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
+import type { Answers, CurvesAnswer, Element, End, Kind, MotionAnswer, OpenedFile, Parameter, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
 import { WORDS, type Word } from "./words";
 
 export type Language = "en" | "de";
@@ -73,6 +73,8 @@ export class Studio {
 
   // -- what follows from it
   motion = $state.raw<MotionAnswer | null>(null);
+  /** Of that motion, or of the one before for as long as they are on their way. */
+  curves = $state.raw<CurvesAnswer | null>(null);
   motionMessage = $state("");
   motionText = "";
   count = $state.raw<StudyAnswer | null>(null);
@@ -107,6 +109,7 @@ export class Studio {
   writer: Writer | null = null;
   private reading = new Latest();
   private moving = new Latest();
+  private curving = new Latest();
   private opening = server.open(); // on its way while the page is made
   private counting = new Latest();
   private dragging = new Latest();
@@ -204,6 +207,7 @@ export class Studio {
 
   load(text: string): void {
     this.motion = null;
+    this.curves = null;
     this.count = null;
     this.read = null;
     this.parameters = []; // their places are those of the other text
@@ -375,7 +379,10 @@ export class Studio {
   }
 
   private askedMotion(text: string, frames?: number): Promise<Told<"motion"> | null> {
-    return this.asked("motion", { text, language: this.language, until: this.until, frames });
+    return this.asked("motion", this.motionOf(text, frames));
+  }
+  private motionOf(text: string, frames?: number) {
+    return { text, language: this.language, until: this.until, frames };
   }
 
   /** Follows the motion of the text as it stands. asked: where that has been asked for; frames: as many as the server thinks best. */
@@ -388,16 +395,28 @@ export class Studio {
         this.motionText = text;
         this.isMoving = frames !== undefined;
         this.shown(told);
+        this.curve(text, told, frames);
         void this.learn();
       }
       if (text === this.text) this.isStale = false;
+    });
+  }
+  /** What is measured along the motion that is shown: its picture does not wait for that. */
+  private curve(text: string, shown: Told<"motion">, frames?: number): void {
+    if (!shown.answer) this.curves = null;
+    this.curving.run(async () => {
+      if (shown.answer !== this.motion || !shown.answer) return; // the next one is shown
+      const told = await this.asked("curves", this.motionOf(text, frames));
+      if (this.motion && told && told.status !== "replaced") this.curves = told.answer;
     });
   }
 
   /** On a shared page a slider shows a motion that was found beforehand. */
   movedTo(slider: number, place: number): void {
     this.places = this.places.map((each, k) => (k === slider ? place : each));
-    this.shown(server.movedTo(this.places));
+    const { motion, curves } = server.movedTo(this.places);
+    this.shown(motion);
+    this.curves = curves.answer;
   }
   get isMoved(): boolean {
     return server.sliders.some((slider, k) => slider.own !== this.places[k]);
@@ -405,7 +424,7 @@ export class Studio {
   private shown(told: Told<"motion">): void {
     this.motion = told.answer;
     this.motionMessage = told.answer ? told.answer.message : this.reason(told);
-    if (told.answer) this.time = Math.min(this.time, told.answer.times.at(-1) ?? 0);
+    if (told.answer) this.time = Math.min(this.time, told.answer.end);
   }
 
   private countSoon = debounced(250, () => {
@@ -488,7 +507,7 @@ export class Studio {
   }
   /** Whether a body is shown where the text has it, and can be dragged from there. */
   canDrag(body: string | null | undefined): body is string {
-    const isAtStart = this.motion !== null && this.time <= (this.motion.times[0] ?? 0);
+    const isAtStart = this.motion !== null && this.time <= this.motion.start;
     return !this.isShared && isAtStart && this.isCurrent && this.motionText === this.text && Boolean(body && this.model?.moving.includes(body));
   }
 

@@ -15,11 +15,18 @@ export interface Asked {
   text: string;
 }
 
-/** What the page posts. topic: a later request of the same topic takes the place of an earlier one */
+/** What the page posts. topic: a later request of the same topic takes the place of an earlier one; each window has its own */
 export interface Call {
   kind: string;
   topic: string;
   request: Record<string, unknown>;
+}
+
+/** What is measured along a motion. energy_error: relative */
+export interface CurvesAnswer {
+  times: number[];
+  lines: Line[];
+  energy_error: number | null;
 }
 
 /** Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes in a picture. across, up: what runs right and up in it, along the axes of the ground; how deep a point lies is free */
@@ -184,15 +191,14 @@ export interface Line {
   values: (number | null)[];
 }
 
-/** player: what `player.js` draws; is_complete: whether all of the time could be followed, else message says why */
+/** player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of the time, else message says why */
 export interface MotionAnswer {
   player: Record<string, unknown>;
-  times: number[];
-  lines: Line[];
+  start: number;
+  end: number;
   events: Happening[];
   is_complete: boolean;
   message: string;
-  energy_error: number | null;
 }
 
 /** Follow the motion to the time `until` [s]. */
@@ -203,10 +209,11 @@ export interface MotionRequest {
   frames?: number;
 }
 
-/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values; answers: to the questions of the file */
+/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values; curves: of each; answers: to the questions of the file */
 export interface Moved {
   sliders: Slider[];
   replies: Reply[];
+  curves: Reply[];
   answers: Valued[];
 }
 
@@ -412,6 +419,7 @@ export interface Requests {
   join: JoinRequest;
   suggest: SuggestRequest;
   motion: MotionRequest;
+  curves: MotionRequest;
   learn: LearnRequest;
   picture: PictureRequest;
   judge: JudgeRequest;
@@ -433,6 +441,7 @@ export interface Answers {
   join: JoinAnswer;
   suggest: SuggestAnswer;
   motion: MotionAnswer;
+  curves: CurvesAnswer;
   learn: LearnAnswer;
   picture: PictureAnswer;
   judge: JudgeAnswer;

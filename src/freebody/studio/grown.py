@@ -21,5 +21,6 @@ loads: {weight: {gravity: 9.81 m/s^2}}
 prepare(READING.name)
 prepare(MOVING.name)
 done("read", {"text": _ROD})
-done("motion", {"text": _ROD, "until": 0.1, "frames": 3})
+for kind in ("motion", "curves"):
+    done(kind, {"text": _ROD, "until": 0.1, "frames": 3})
 gc.freeze()  # what is shared stays shared

@@ -293,14 +293,22 @@ class Line(Said):
 
 
 class MotionAnswer(Said):
-    """player: what `player.js` draws; is_complete: whether all of the time could be followed, else message says why"""
+    """player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of the
+    time, else message says why"""
 
     player: dict[str, Any]
-    times: list[float]
-    lines: list[Line]
+    start: float
+    end: float
     events: list[Happening]
     is_complete: bool
     message: str
+
+
+class CurvesAnswer(Said):
+    """What is measured along a motion. energy_error: relative"""
+
+    times: list[float]
+    lines: list[Line]
     energy_error: float | None
 
 
@@ -323,10 +331,11 @@ class Valued(Said):
 
 class Moved(Said):
     """The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs
-    from that of the file's values; answers: to the questions of the file"""
+    from that of the file's values; curves: of each; answers: to the questions of the file"""
 
     sliders: list[Slider]
     replies: list[Reply]
+    curves: list[Reply]
     answers: list[Valued]
 
 
@@ -373,10 +382,11 @@ class FilesAnswer(Said):
 
 # -- around them ------------------------------------------------------------------------------
 class Call(Said):
-    """What the page posts. topic: a later request of the same topic takes the place of an earlier one"""
+    """What the page posts. topic: a later request of the same topic takes the place of an earlier one; each window has
+    its own"""
 
     kind: str
-    topic: str = Field(pattern="^[a-z-]{1,40}$")
+    topic: str = Field(pattern=r"^[a-z-]{1,40}(\.[a-z0-9]{0,20})?$")
     request: dict[str, Any]
 
 

@@ -64,6 +64,7 @@ WORK: dict[str, Work] = {
     "join": Work(wire.JoinRequest, "joining", "join", READING),
     "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
     "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
+    "curves": Work(wire.MotionRequest, "moving", "curved", MOVING),
     "learn": Work(wire.LearnRequest, "kinds", "learned", COUNTING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
     "judge": Work(wire.JudgeRequest, "quizzing", "judged", STUDYING),
