@@ -165,7 +165,8 @@ def processor() -> None:
     from freebody.studio import grown  # noqa: F401
     from freebody.studio.work import done
 
-    texts = {name: [(EXAMPLES / f"{name}.yaml").read_text(encoding="utf-8") + k * "\n" for k in range(6)] for name in MODELS}
+    of = {name: (EXAMPLES / f"{name}.yaml").read_text(encoding="utf-8") for name in MODELS}
+    texts = {name: [text + k * "\n" for k in range(6)] for name, text in of.items()}
     texts["chain of ten"] = [chain(10).replace("a0: -60", f"a0: {-60 + k}") for k in range(12)]
     for name, variants in texts.items():
         asked = {"until": 3, "frames": 61 if "chain" in name else 301}

@@ -60,7 +60,8 @@ def moved_beforehand(system: System, request: ShareRequest, own: dict[str, Any])
         Slider(name=of.name, values=_written(axis, _unit(written.get(of.name, ""), of)), own=axis.index(own_value))
         for of, axis, own_value in zip(planned.names, axes, owns, strict=True)
     ]
-    return Moved(sliders=sliders, replies=replies, curves=curves, answers=list(_answers(planned.system, at, request.language)))
+    answers = list(_answers(planned.system, at, request.language))
+    return Moved(sliders=sliders, replies=replies, curves=curves, answers=answers)
 
 
 def _answers(system: System, at: dict[str, Array], language: str) -> Iterator[Valued]:

@@ -293,8 +293,8 @@ class Line(Said):
 
 
 class MotionAnswer(Said):
-    """player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of the
-    time, else message says why"""
+    """player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of
+    the time, else message says why"""
 
     player: dict[str, Any]
     start: float
