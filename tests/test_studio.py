@@ -34,6 +34,7 @@ from freebody.studio.folder import Folder
 from freebody.studio.kinds import kinds
 from freebody.studio.lanes import Lanes, Worker
 from freebody.studio.launch import bound_at
+from freebody.studio.marking import marks
 from freebody.studio.moving import curved, motion
 from freebody.studio.reading import read
 from freebody.studio.server import LARGEST
@@ -354,6 +355,38 @@ def test_a_file_that_has_changed_meanwhile_is_not_overwritten(tmp_path: Path) ->
     saved = folder.save(request.model_copy(update={"overwrite": True}))
     assert not saved.is_changed
     assert folder.opened("model.yaml").version == saved.version
+
+
+# -- where something changes along a slider ---------------------------------------------------
+def marked(name: str, ranges: dict[str, tuple[float, float, str]]) -> dict[str, dict[float, list[str]]]:
+    text = (ROOT / "examples" / f"{name}.yaml").read_text(encoding="utf-8")
+    asked = [wire.Range(name=each, low=low, high=high, unit=unit) for each, (low, high, unit) in ranges.items()]
+    found = marks(wire.MarksRequest(text=text, ranges=asked)).marks
+    return {each: {mark.at: mark.words for mark in found if mark.name == each} for each in ranges}
+
+
+@pytest.mark.slow
+def test_a_slider_is_marked_where_a_block_tips_and_no_longer_slides() -> None:
+    """Pushed at the height d, a block of the width b slides where F = mu m g; then it tips where mu d = b/2, by the
+    moment about its front edge. Here m = 20 kg, F = 20 N, b = 0.6 m, d = 0.5 m, mu = 0.35."""
+    ranges = {"mu": (0.01, 0.7, ""), "F": (1.0, 300.0, "N"), "d": (0.01, 3.0, "m"), "b": (10.0, 1000.0, "mm")}
+    found = marked("block_tips_or_slides", ranges)
+    slips, tips = 20.0 / (20.0 * 9.81), 0.6 / (2.0 * 0.5)
+    assert sorted(found["mu"]) == pytest.approx([slips, tips], rel=1e-9)
+    assert sorted(found["F"]) == pytest.approx([0.35 * 20.0 * 9.81], rel=1e-9)
+    assert sorted(found["d"]) == pytest.approx([0.6 / (2.0 * 0.35)], rel=1e-9)
+    assert sorted(found["b"]) == pytest.approx([1000.0 * 2.0 * 0.5 * 0.35], rel=1e-9)
+    assert any("block.bottom_right does not slip" in words for words in found["F"][min(found["F"])])
+
+
+@pytest.mark.slow
+def test_a_slider_in_degrees_is_marked_at_the_angle_of_friction() -> None:
+    """Where a block on a slope comes back: mu < tan(theta); the end of a range is no change."""
+    ranges = {"theta": (1.0, 90.0, "deg"), "mu": (0.01, 0.6, ""), "m": (1.0, 9.0, "kg")}
+    found = marked("block_on_rough_incline", ranges)
+    assert sorted(found["theta"]) == pytest.approx([math.degrees(math.atan(0.3))], rel=1e-9)
+    assert sorted(found["mu"]) == pytest.approx([math.tan(math.radians(25.0))], rel=1e-9)
+    assert found["m"] == {}
 
 
 # -- the server -------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
 import type { Place } from "virtual:player";
-import type { Answers, CurvesAnswer, Element, End, Kind, MotionAnswer, OpenedFile, Parameter, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
+import type { Answers, CurvesAnswer, Element, End, Kind, Mark, MotionAnswer, OpenedFile, Parameter, Range, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
 import { WORDS, type Word } from "./words";
 
 export type Language = "en" | "de";
@@ -78,6 +78,9 @@ export class Studio {
   motionMessage = $state("");
   motionText = "";
   count = $state.raw<StudyAnswer | null>(null);
+  /** Where something changes along the sliders, in the text that they were found for. */
+  private marks = $state.raw<{ text: string; language: Language; marks: Mark[] }>({ text: "", language: "en", marks: [] });
+  private slid = $state(""); // the parameter that was moved last: its marks do not hang on where it is
   isStale = $state(false);
   failure = $state("");
   /** Whether the server answers; how often it has come back. */
@@ -110,6 +113,7 @@ export class Studio {
   private reading = new Latest();
   private moving = new Latest();
   private curving = new Latest();
+  private marking = new Latest();
   private opening = server.open(); // on its way while the page is made
   private counting = new Latest();
   private dragging = new Latest();
@@ -342,6 +346,7 @@ export class Studio {
     this.text = text;
     if (this.told) this.told = "";
     this.joining = null;
+    this.slid = "";
     this.isStale = true;
     if (this.isNotebook) this.keepInKernel();
     else this.keepDraft();
@@ -437,6 +442,22 @@ export class Studio {
     });
   });
 
+  /** Finds where something changes along sliders, once the text rests. */
+  mark = debounced(900, (ranges: Range[]) => {
+    const text = this.text, language = this.language;
+    if (!this.hasDrafts || !ranges.length || !this.isCurrent || !this.model?.questions.length) return;
+    if (this.marks.text === text && this.marks.language === language) return;
+    this.marking.run(async () => {
+      if (text !== this.text) return;
+      const told = await this.asked("marks", { text, language, ranges });
+      if (told && told.status !== "replaced" && text === this.text) this.marks = { text, language, marks: told.answer?.marks ?? [] };
+    });
+  });
+  marksOf(name: string): Mark[] {
+    const isKnown = this.marks.text === this.text || this.slid === name;
+    return isKnown ? this.marks.marks.filter((mark) => mark.name === name) : [];
+  }
+
   setUntil(seconds: number): void {
     if (!(seconds > 0 && seconds <= 1e4)) return;
     this.until = seconds;
@@ -449,7 +470,9 @@ export class Studio {
     const { start, end } = parameter.span;
     if (this.text.slice(start, end) !== parameter.text) return; // its place is not known until the text is read
     this.follow(this.text.slice(0, start) + text + this.text.slice(end), { frames: FEWER }); // on its way meanwhile
+    const isMarked = this.marks.text === this.text || this.slid === parameter.name;
     this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider");
+    this.slid = isMarked ? parameter.name : "";
   }
 
   /** Places of parameters after a change, until the text is read again. */

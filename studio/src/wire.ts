@@ -191,6 +191,25 @@ export interface Line {
   values: (number | null)[];
 }
 
+/** A number, in the unit of the slider of a parameter, at which some conditions change their truth. words: theirs */
+export interface Mark {
+  name: string;
+  at: number;
+  words: string[];
+}
+
+/**  */
+export interface MarksAnswer {
+  marks: Mark[];
+}
+
+/** Say where something changes along sliders. */
+export interface MarksRequest {
+  text: string;
+  language?: "en" | "de";
+  ranges: Range[];
+}
+
 /** player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of the time, else message says why */
 export interface MotionAnswer {
   player: Record<string, unknown>;
@@ -264,6 +283,14 @@ export interface PictureRequest {
   show?: string[];
   dark?: boolean | null;
   format?: "svg" | "png" | "pdf" | "tex";
+}
+
+/** Between which numbers, in which unit, a slider moves a parameter. */
+export interface Range {
+  name: string;
+  low: number;
+  high: number;
+  unit: string;
 }
 
 /** A text that has been read. is_model: whether it is one; then everything else is known */
@@ -421,6 +448,7 @@ export interface Requests {
   motion: MotionRequest;
   curves: MotionRequest;
   learn: LearnRequest;
+  marks: MarksRequest;
   picture: PictureRequest;
   judge: JudgeRequest;
   hints: HintsRequest;
@@ -443,6 +471,7 @@ export interface Answers {
   motion: MotionAnswer;
   curves: CurvesAnswer;
   learn: LearnAnswer;
+  marks: MarksAnswer;
   picture: PictureAnswer;
   judge: JudgeAnswer;
   hints: HintsAnswer;

@@ -100,6 +100,21 @@ class MotionRequest(Request):
     frames: int = Field(default=301, ge=2, le=3001)
 
 
+class Range(Said):
+    """Between which numbers, in which unit, a slider moves a parameter."""
+
+    name: str = Field(max_length=200)
+    low: float
+    high: float
+    unit: str = Field(max_length=60)
+
+
+class MarksRequest(Request):
+    """Say where something changes along sliders."""
+
+    ranges: list[Range] = Field(max_length=200)
+
+
 class PictureRequest(Request):
     """Draw the model, or bodies of it cut free."""
 
@@ -310,6 +325,18 @@ class CurvesAnswer(Said):
     times: list[float]
     lines: list[Line]
     energy_error: float | None
+
+
+class Mark(Said):
+    """A number, in the unit of the slider of a parameter, at which some conditions change their truth. words: theirs"""
+
+    name: str
+    at: float
+    words: list[str]
+
+
+class MarksAnswer(Said):
+    marks: list[Mark]
 
 
 class Slider(Said):

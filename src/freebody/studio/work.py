@@ -26,10 +26,11 @@ class Lane:
     courtesy: int = 0
 
 
-READING, MOVING, COUNTING, STUDYING = (
+READING, MOVING, COUNTING, MARKING, STUDYING = (
     Lane("reading", 60),
     Lane("moving", 90),
     Lane("counting", 90, courtesy=5),
+    Lane("marking", 120, courtesy=15),
     Lane("studying", 600, courtesy=10),
 )
 
@@ -66,6 +67,7 @@ WORK: dict[str, Work] = {
     "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
     "curves": Work(wire.MotionRequest, "moving", "curved", MOVING),
     "learn": Work(wire.LearnRequest, "kinds", "learned", COUNTING),
+    "marks": Work(wire.MarksRequest, "marking", "marks", MARKING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
     "judge": Work(wire.JudgeRequest, "quizzing", "judged", STUDYING),
     "hints": Work(wire.HintsRequest, "quizzing", "hints", STUDYING),
