@@ -9,10 +9,16 @@ export function ticks(low: number, high: number): number[] {
   return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, k) => Number(((first + k) * step).toPrecision(6)));
 }
 
+/** How far an axis goes at least: what is less than the error that a motion may have is no motion. size: of the picture [m] */
+export function leastSpan(unit: string, size: number): number {
+  if (/^rad\b/.test(unit)) return 1e-8;
+  return /^m(\/s(\^2)?)?$/.test(unit) ? 1e-8 * size : 0;
+}
+
 /** From the least to the greatest of some values, with some room; round one that stays. */
-export function extent(values: (number | null)[]): [number, number] {
+export function extent(values: (number | null)[], least = 0): [number, number] {
   const known = values.filter((value) => value !== null), low = Math.min(...known), high = Math.max(...known);
-  const room = 0.05 * (high - low) || Math.abs(high) * 0.1 || 1;
+  const room = high - low > least ? 0.05 * (high - low) : Math.abs(high) > least ? Math.abs(high) * 0.1 : 1;
   return known.length ? [low - room, high + room] : [0, 1];
 }
 

@@ -151,6 +151,11 @@ export class Studio {
   get element(): Element | null {
     return this.read?.elements.find((e) => e.path.join(".") === this.selected) ?? null;
   }
+  /** How far the picture reaches [m]. */
+  get size(): number {
+    const [x0, y0, x1, y1] = (this.motion?.player.bounds ?? [0, 0, 1, 1]) as [number, number, number, number];
+    return Math.max(x1 - x0, y1 - y0);
+  }
   /** The body that is selected, if it is one that moves. */
   get body(): string | null {
     const element = this.element;
