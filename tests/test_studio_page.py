@@ -167,9 +167,48 @@ def test_while_a_slider_moves_only_the_motion_follows(page: Any) -> None:
     motions = [frames for kind, frames in found["asked"] if kind == "motion"]
     assert set(motions) == {61}
     assert 1 <= len(motions) <= 5
-    assert {kind for kind, _ in found["asked"]} <= {"motion", "read"}  # which is asked where a frame takes too long
+    # what is read is asked for where a frame takes too long
+    assert {kind for kind, _ in found["asked"]} <= {"motion", "curves", "read"}
     page.wait_for_selector(".content .freebody-report:not(.stale)", timeout=WAIT)
     assert "updating" not in page.inner_text("#panel")
+
+
+def test_a_slider_is_marked_where_a_case_changes_and_goes_there(page: Any) -> None:
+    """A block of 20 kg that is pulled by 20 N slips where mu = F/(m g)."""
+    page.click(".cm-content")
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text((ROOT / "examples" / "block_tips_or_slides.yaml").read_text(encoding="utf-8"))
+    slider = page.locator(".sliders .slider:has-text('mu')")
+    mark = slider.locator(".marks button").first
+    mark.wait_for(timeout=WAIT)
+    assert (mark.get_attribute("title") or "").startswith("mu = 0.1019: ")
+    mark.focus()
+    page.keyboard.press("Enter")
+    wait_for_text(page, r"mu: 0\.101937")
+
+
+def test_a_measure_and_its_rate_are_shown_in_a_plane(page: Any) -> None:
+    """Of a pendulum that swings: its way is closed, and a click goes to a time."""
+    page.click("button:has-text('Phase plane')")
+    page.wait_for_selector(".phase .way[d*=L]")
+    assert page.get_attribute(".phase svg", "aria-label") == "Phase plane: theta_rate [rad/s], theta [rad]"
+    before = page.get_attribute(".phase circle", "cx")
+    box = page.locator(".phase svg").bounding_box()
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + 20)
+    page.wait_for_function("x => document.querySelector('.phase circle').getAttribute('cx') !== x", arg=before)
+
+
+@pytest.mark.parametrize("language", ["en-GB", "de-DE"])
+def test_the_top_of_a_narrow_page_has_two_lines(browser: Any, studio: tuple[str, Path], language: str) -> None:
+    address, file = studio
+    file.write_text(PENDULUM, encoding="utf-8")
+    page = browser.new_page(viewport={"width": 320, "height": 640}, locale=language)
+    page.goto(address)
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    assert page.locator(".top").bounding_box()["height"] < 90
+    sizes = [each.bounding_box() for each in page.locator(".top .group button").all()]
+    assert all(min(size["width"], size["height"]) >= 24 for size in sizes)  # WCAG 2.2, 2.5.8
+    page.close()
 
 
 def test_following_a_slider_leaves_the_page_time_for_frames(page: Any) -> None:
