@@ -8,7 +8,7 @@ import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
 import type { Place } from "virtual:player";
 import type { Answers, CurvesAnswer, Element, End, Kind, Mark, MotionAnswer, OpenedFile, Parameter, Range, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
-import { WORDS, type Word } from "./words";
+import { WORDS, type Word, keysIn } from "./words";
 
 export type Language = "en" | "de";
 export type Theme = "light" | "dark";
@@ -140,6 +140,8 @@ export class Studio {
   }
 
   word = (key: Word): string => WORDS[this.language][key];
+  /** Keys as they are called on a keyboard of the language. */
+  keys = (keys: string): string => keysIn(keys, this.language);
 
   get isSaved(): boolean {
     return this.text === this.savedText;

@@ -293,3 +293,9 @@ const de: Record<Word, string> = {
 };
 
 export const WORDS: Record<"en" | "de", Record<Word, string>> = { en, de };
+
+const GERMAN_KEYS: Record<string, string> = { Ctrl: "Strg", Shift: "Umschalt", Space: "Leertaste" };
+/** Keys as they are called on a keyboard of a language. */
+export function keysIn(keys: string, language: keyof typeof WORDS): string {
+  return language === "de" ? keys.replace(/\b(Ctrl|Shift|Space)\b/g, (key) => GERMAN_KEYS[key]!) : keys;
+}
