@@ -182,6 +182,10 @@ def test_a_slider_is_marked_where_a_case_changes_and_goes_there(page: Any) -> No
     mark = slider.locator(".marks button").first
     mark.wait_for(timeout=WAIT)
     assert (mark.get_attribute("title") or "").startswith("mu = 0.1019: ")
+    track, number = slider.locator("input").bounding_box(), slider.locator(".number").bounding_box()
+    at = mark.bounding_box()
+    assert track["x"] < at["x"] < track["x"] + track["width"] <= number["x"]
+    assert abs(at["y"] - track["y"]) < 24
     mark.focus()
     page.keyboard.press("Enter")
     wait_for_text(page, r"mu: 0\.101937")
