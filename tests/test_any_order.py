@@ -237,3 +237,13 @@ def test_a_distance_beside_a_travel_keeps_the_sense_of_the_travel() -> None:
     found = fb.System.from_text(text).solve("acceleration of r").answers[0]
     assert found.evidence is not None, found.reason
     assert found.value == pytest.approx(9.0 * 0.2)
+
+
+def test_a_measure_may_be_calculated_from_one_that_stands_below_it() -> None:
+    model = """
+bodies: {block: {particle: {mass: 1 kg}, at: [2 m, 0]}}
+measures: {twice: {expression: 2*x}, x: x of block, more: {expression: twice + x}}
+"""
+    system = fb.System.from_text(model)
+    assert [*system.measures] == ["twice", "x", "more"]
+    assert system.solve("more at start")["q1"].value == 6.0

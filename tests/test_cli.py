@@ -170,6 +170,24 @@ def test_examples_are_listed_and_copied(tmp_path: Path) -> None:
     assert "Did you mean yo_yo?" in freebody("examples", "yoyo", cwd=tmp_path).stderr
 
 
+def test_what_an_example_names_goes_with_it(tmp_path: Path) -> None:
+    """Tables of points and files of triangles: copied, and to begin with; what is there already stays."""
+    table, model = "surveyed_track.csv", "car_on_a_surveyed_track.yaml"
+    said = freebody("examples", "car_on_a_surveyed_track", cwd=tmp_path).stdout
+    assert said.split() == ["wrote", model, "wrote", table]
+    assert (tmp_path / table).read_bytes() == (ROOT / "examples" / table).read_bytes()
+    (tmp_path / table).write_text("x [m], y [m]\n0, 1\n1, 0\n", encoding="utf-8")
+    own = (tmp_path / table).read_bytes()
+    said = freebody("new", "own.yaml", "--like", "car-on-a-surveyed-track", cwd=tmp_path).stdout
+    assert table not in said
+    assert (tmp_path / table).read_bytes() == own
+    (tmp_path / "all").mkdir()
+    said = freebody("examples", "--all", "--to", "all", cwd=tmp_path).stdout
+    assert {path.name for path in (tmp_path / "all").iterdir()} == {
+        path.name for path in (ROOT / "examples").iterdir() if path.suffix != ".md"
+    }
+
+
 def test_schema_accepts_every_example_and_refuses_a_typo() -> None:
     schema = json.loads(freebody("schema").stdout)
     validator = jsonschema.Draft202012Validator(schema)

@@ -923,3 +923,24 @@ def test_a_contact_with_a_misspelt_line_of_the_ground_is_told_which_is_meant() -
             "ground: {lines: {floor: {along: right}}}\nbodies: {ball: {particle: {mass: 1 kg}}}\n"
             "connections: {touch: {contact: {between: [ball, ground.flor]}}}"
         )
+
+
+@pytest.mark.parametrize(
+    ("entry", "told"),
+    [
+        (
+            "{slider: {body: block}, along: right}",
+            "what belongs to slider stands inside of it, not beside it: along, e.g. slider: {",
+        ),
+        (
+            "{slider: {body: block, along: right}, size: 2}",
+            "it has no size; slider takes body, along, on, through, friction, e.g.",
+        ),
+        ("{slider: {body: block, along: right}, closing: true}", "it has no closing. Did you mean closes?"),
+    ],
+)
+def test_what_stands_beside_a_kind_is_led_to_where_it_belongs(entry: str, told: str) -> None:
+    text = f"freebody: 1\nbodies: {{block: {{particle: {{mass: 1 kg}}}}}}\nconnections: {{it: {entry}}}\n"
+    with pytest.raises(fb.ModelError) as found:
+        fb.System.from_text(text)
+    assert told in str(found.value)

@@ -167,3 +167,74 @@ def test_when_a_coin_on_a_table_that_spins_up_slips_is_a_number_of_the_motion() 
     asked = TURNED.replace("NORMAL", "up").replace("LAW", "W*t^2/(2 s)").replace("QUESTION", "time when top slips")
     (answer,) = fb.solve(fb.System.from_text(asked)).answers
     assert answer.value == pytest.approx(((0.4 * 9.81 / 0.3) ** 2 / 16 - 0.25) ** 0.25, rel=1e-6)
+
+
+IN_A_BOWL = """
+freebody: 1
+space: {up: z}
+parameters: {m: 1 kg, r: 0.1 m, R: 0.6 m, g: 9.81 m/s^2}
+bodies:
+  ball: {sphere: {mass: m, radius: r}, at: [0, 0, r - R]}
+  bowl: {fixed: true, hollow_sphere: {mass: 1 kg, radius: R, inner_radius: R}}
+connections: {c: {contact: {between: [ball, inside bowl]}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_ball_at_the_bottom_of_a_bowl_touches_it() -> None:
+    """Its centre is |R - r| from that of the bowl, which is R - r for the ball that fits into it."""
+    system = fb.System.from_text(IN_A_BOWL)
+    [case] = system.phases().cases
+    assert [phase.what for phase in case.phases] == ["moves in contact"]
+    assert case.conditions == ("R > r",)
+    *still, first, second = system.solve("natural frequencies").answers[0].value
+    assert still == [0, 0, 0]
+    assert [first, second] == pytest.approx([math.sqrt(9.81 / 0.5)] * 2)
+    [period] = system.solve("period of small oscillations").answers
+    assert period.value == pytest.approx(math.tau * math.sqrt(0.5 / 9.81))
+    assert "2 motions that are independent of one another have it" in period.notes
+
+
+def test_corners_of_boxes_are_told_by_where_they_are() -> None:
+    """Pushed at half its height a crate tips about the edge ahead at P = m g a cos/b."""
+    crate = """
+space: true
+parameters: {m: 10 kg, a: 1 m, b: 3 m, mu: 0.5, P: 20 N, g: 9.81 m/s^2}
+ground: {planes: {floor: {normal: up}}}
+bodies: {crate: {box: {mass: m, size: [a, b, a]}}}
+connections: {it: {contact: {between: [crate, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}, push: {force: {at: crate, along: [0, 0, 1], magnitude: P}}}
+"""
+    answer = value(crate, "largest P so that it stays at rest")
+    assert answer.value == pytest.approx(98.1 / 3, rel=1e-9)
+    assert "upper limit: crate tips about its edge from (-a/2, -b/2, a/2) to (a/2, -b/2, a/2)" in answer.notes
+
+
+TRIPOD = """
+space: true
+parameters: {m: 10 kg, a: 0.6 m, h: 0.3 m, alpha: 12 deg, P: 20 N, mu: 0.5, g: 9.81 m/s^2}
+ground: {planes: {slope: {normal: [sin(alpha), cos(alpha), 0]}}}
+bodies:
+  table:
+    body: {mass: m, inertia: [1, 1, 1]}
+    turned: -alpha about z
+    points: {A: [a, -h, 0], B: [-a/2, -h, a], C: [-a/2, -h, -a]}
+connections:
+  fA: {contact: {between: [table.A, ground.slope], friction: mu, touching: true}}
+  fB: {contact: {between: [table.B, ground.slope], friction: mu, touching: true}}
+  fC: {contact: {between: [table.C, ground.slope], friction: mu, touching: true}}
+loads: {weight: {gravity: g}, push: {force: {at: table, along: [0, 0, 1], magnitude: P}}}
+"""
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_limit_of_a_table_on_three_legs_is_derived_from_the_sums_of_their_forces(language: str) -> None:
+    """mu = sqrt((m g sin)^2 + P^2)/(m g cos), whatever each of the legs carries."""
+    system = fb.System.from_text(TRIPOD)
+    [answer] = system.solve("least mu so that it stays at rest").answers
+    s, c = (98.1 * f(math.radians(12)) for f in (math.sin, math.cos))
+    assert answer.value == pytest.approx(math.hypot(s, 20) / c, rel=1e-9)
+    told = str(system.explain("least mu so that it stays at rest", language=language))
+    words = "alle 3 Füße" if language == "de" else "all 3 feet slip the same way"
+    assert words in " ".join(told.split())
+    assert "F_fA_1 + F_fB_1 + F_fC_1 = -P" in told

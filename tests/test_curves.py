@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
 
 import freebody as fb
 
@@ -222,3 +223,24 @@ def test_a_wheel_on_a_hump_can_be_asked_when_it_leaves_the_road() -> None:
     answer = fb.System.from_text(text).solve("largest v so that wheel never leaves road").answers[0]
     assert answer.expression is None
     assert answer.reason
+
+
+# -- points of a table beside the model ---------------------------------------------------------------
+def test_a_car_runs_on_a_surveyed_track_as_on_the_natural_spline_of_scipy() -> None:
+    """v^2 = v_0^2 + 2 g (y_0 - y) along the track; N = m (g + y'' x'^2)/sqrt(1 + y'^2), x'^2 = v^2/(1 + y'^2)."""
+    system = fb.System.load(EXAMPLES / "car_on_a_surveyed_track.yaml")
+    x, y = np.loadtxt(EXAMPLES / "surveyed_track.csv", delimiter=",", skiprows=1).T
+    track = CubicSpline(x, y, bc_type="natural")
+    g, m = 9.81, 500.0
+
+    def square(at: float) -> float:
+        return 2.0**2 * (1 + track(0.0, 1) ** 2) + 2 * g * (track(0.0) - track(at))
+
+    def normal(at: float) -> float:
+        slope = track(at, 1)
+        return m * (g + track(at, 2) * square(at) / (1 + slope**2)) / math.sqrt(1 + slope**2)
+
+    solution = system.solve()
+    assert solution["speed"].value == pytest.approx(math.sqrt(square(20.0)), rel=1e-10)
+    assert solution["dip"].value == pytest.approx(normal(20.0), rel=1e-10)
+    assert solution["crest"].value == pytest.approx(normal(35.0), rel=1e-10)

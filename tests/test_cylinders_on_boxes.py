@@ -127,30 +127,3 @@ def test_can_rolls_over_the_edge_of_a_table_and_leaves_it_at_a_known_angle(lengt
     at = np.searchsorted(found.course.times, parts[0])
     assert found.course.poses[at, 0, 1] / R == pytest.approx((4 + 3 * v * v / (G * R)) / 7, abs=2e-5)
     assert found.course.poses[-1, 0, 2] == pytest.approx(0.05, abs=1e-9)
-
-
-def test_can_that_stands_flat_on_a_box_is_refused() -> None:
-    model = (
-        "space: true\nbodies:\n  table: {box: {mass: 1, size: [1, 0.4, 0.8]}, fixed: true, at: [0, -0.2, 0]}\n"
-        "  can: {cylinder: {mass: 2, radius: 0.1, length: 0.3, axis: y}, at: [0, 0.15, 0]}\n"
-        f"connections: {{c: {{contact: {{between: [can, table], friction: 0.3}}}}}}\n{WEIGHT}"
-    )
-    with pytest.raises(fb.CannotAnswer, match=r"lies flat on table\.top"):
-        fb.System.from_text(model).simulate(0.1)
-    [answer] = fb.System.from_text(model).solve("does it stay at rest").answers
-    assert "lies flat on table.top" in str(answer)
-    falling = fb.System.from_text(model.replace("0.15, 0]", "0.2, 0]")).simulate(0.2)
-    assert falling.course.status is Status.INCONSISTENT
-    assert "lies flat on table.top at t = 0.1009" in falling.course.message
-
-
-def test_of_an_upright_can_on_a_plane_it_is_said_why_it_has_no_lowest_place() -> None:
-    model = """
-space: true
-ground: {planes: {floor: {normal: up}}}
-bodies: {can: {cylinder: {mass: 1 kg, radius: 0.1 m, length: 0.3 m, axis: y}, at: [0, 0.15 m, 0]}}
-connections: {contact: {contact: {between: [can, ground.floor], friction: 0.4}}}
-loads: {weight: {gravity: 9.81 m/s^2}}
-"""
-    with pytest.raises(fb.CannotAnswer, match=r"the rim of can\.start is parallel to floor, where no direction"):
-        fb.System.from_text(model).simulate(1.0)

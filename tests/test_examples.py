@@ -231,6 +231,8 @@ _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined 
 _LEANS, _ROLLS = "(k*theta + c*rate(theta))", "(3*m/2 + M)"
 _BEAM = "(k - J*g*c_x/c)"
 _HELICAL = "((T - m_1*(T - M*z_1/z_2)/(m_1 + m_2))/r)"  # tangential force
+_TOGETHER = "((T - T_left - T_right)/(J_c + 2*J_s + 4*(J_q + m*a**2)))"
+_LEFT = f"({_TOGETHER} + (T_right - T_left)/(2*(J_s + 2*J_p*(z_s/z_p)**2)))"
 _ROPE = "m_2 - m_1 + rho*y - rho*(L - pi*R - y)"  # what drives, over g
 _DELAY = ("(4*k/(J*tau**2))", "(4*c/(J*tau**2))", "(4/tau**2 + 4*c/(J*tau))", "(4/tau + c/J)")
 _SLIP = "sqrt((v + R*back)**2 + (R*side)**2)"  # of a ball with back spin and side spin
@@ -249,6 +251,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "freedom": "2",
         "mean": "30",
         "left": "((T - T_left - T_right)/(J_side + J_carrier/2 + m*r**2/8) + (T_right - T_left)/(J_side + m*r**2/4))/2",
+    },
+    # the same with n = 4 planets at a; the side wheels turn against the planets by D = left - right, k = z_s/z_p:
+    # (J_s + n J_p k^2/2) D'' = T_right - T_left; of the left wheel J_s left'' = -T_left - n r F
+    "bevel_differential_with_four_planets": {
+        "freedom": "2",
+        "mean": _TOGETHER,
+        "left": _LEFT,
+        "tooth": f"(-T_left - J_s*{_LEFT})/(4*r)",
     },
     # four bars with a/sin(alpha) = b/sin(beta), opposite ones alike (Bennett 1903)
     "bennett_linkage": {"freedom": "1"},
@@ -976,6 +986,43 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "cam_with_roller": {
         "angle": "atan(h/2*sin(Omega*t)/(r + r_R + h/2*(1 - cos(Omega*t))))",
     },
+    # m g y = k (y - L)^2/2 where it turns; v^2 = 2 g y - k (y - L)^2/m is greatest where k (y - L) = m g
+    "bungee_jump": {
+        "caught": "sqrt(2*g*L)",
+        "deepest": "L + m*g/k + sqrt((m*g/k)**2 + 2*m*g*L/k)",
+        "fastest": "sqrt(2*g*L + m*g**2/k)",
+        "hardest": "m*g + sqrt((m*g)**2 + 2*k*L*m*g)",
+    },
+    # m v0^2/2 = k e^2/2 + mu m g e at the farthest, and m v^2/2 = k e^2/2 - mu m g e back at l
+    "block_on_an_elastic_string": {
+        "farthest": "l + (sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k",
+        "back": "sqrt(v0**2 - 4*mu*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k)",
+        "lost": "2*mu*m*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k",
+    },
+    # slipping: m x'' = -mu m g, I w' = T - mu m g r; it slides on with the same x''
+    "wheel_that_locks": {
+        "braking": "-mu*g",
+        "locks": "I*v0/(r*(T - mu*m*g*r))",
+        "way": "v0**2/(2*mu*g)",
+    },
+    # N_r (a + b) = m g (a - h z), N_f (a + b) = m g (b + h z): a wheel locks where its share of z m g is mu N
+    "brake_force_distribution": {
+        "rear_locks": "mu*a/(p*(a + b) + mu*h)",
+        "front_locks": "mu*b/((1 - p)*(a + b) - mu*h)",
+        "ideal": "(a - h*z)/(a + b)",
+        "way": "v0**2/(2*z*g)",
+    },
+    # about the rear wheel N_f (a + b) = m g b + mu N_f h; the rear one lifts where mu m g h = m g a
+    "motorcycle_brakes": {
+        "braking": "-mu*g*b/(a + b - mu*h)",
+        "rear": "m*g*(a - mu*h)/(a + b - mu*h)",
+        "way": "v0**2*(a + b - mu*h)/(2*mu*g*b)",
+    },
+    # N_r (a + b) = m g (a cos + h sin), mu N_r = m g sin
+    "steepest_road": {
+        "steepest": "atan(mu*a/(a + b - mu*h))",
+        "friction": "(a + b)*sin(alpha)/(a*cos(alpha) + h*sin(alpha))",
+    },
     # N_r (a + b) = m g a + F h about the front wheels, F = mu N_r; N_f (a + b) = m g b - F h
     "traction_limits": {
         "acceleration": "F/m",
@@ -1043,6 +1090,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
 # whose formulas are worked out by hand in tests of their own
 ELSEWHERE = {
     "cam_through_points": "test_cams.py",
+    "car_on_a_surveyed_track": "test_curves.py",
+    "swinging_connecting_rod": "test_meshes.py",
     "bead_on_turning_hoop": "test_first_integrals.py",
     "isolated_machine": "test_small_motion.py",
     "rod_caught_by_a_peg": "test_blows_on_the_way.py",

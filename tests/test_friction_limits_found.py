@@ -24,3 +24,25 @@ def test_a_screw_that_hardly_slips_is_followed_to_where_it_slips(T: float) -> No
     # the margin hardly changes with mu: where it was less than round-off counts for was no end
     assert answer.evidence is not None
     assert answer.evidence.worst_relative_difference < 1e-11
+
+
+IN_THE_AIR = """
+parameters: {m: 1 kg, mu: 0.3, nu: 0.2, g: 9.81 m/s^2, h: 2 m}
+ground: {lines: {floor: {along: right}, wall: {along: up, through: [3 m, 0]}}}
+bodies: {block: {rectangle: {width: 0.2 m, height: 0.2 m, mass: m}, at: [0, h]}}
+connections: {floor: {contact: {between: [block, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_coefficient_of_friction_decides_nothing_where_nothing_touches() -> None:
+    in_the_air = System.from_text(IN_THE_AIR.replace("nu: 0.2, ", ""))
+    assert "nothing touches" in in_the_air.solve("least mu so that it does not slip").answers[0].reason
+    on_the_floor = IN_THE_AIR.replace("at: [0, h]", "at: [0, 0.1 m], angle: 0").replace("h: 2 m", "F: 1 N")
+    two = on_the_floor.replace(
+        "friction: mu}}", "friction: mu}}, wall: {contact: {between: [block, wall], friction: nu}}"
+    )
+    push = two.replace("loads: {", "loads: {push: {force: {at: block, along: right, magnitude: F}}, ")
+    system = System.from_text(push)
+    assert system.solve("least mu so that it does not slip").answers[0].value == pytest.approx(1 / 9.81)
+    assert "open at the start: wall" in system.solve("least nu so that it does not slip").answers[0].reason

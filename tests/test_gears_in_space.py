@@ -258,36 +258,37 @@ def test_two_planets_of_a_differential_move_it_as_two_that_are_written_out() -> 
     assert str(copied.mobility().degrees_of_freedom) == str(written.mobility().degrees_of_freedom)
 
 
-def test_two_bevel_planets_share_the_load_of_a_differential() -> None:
+@pytest.mark.parametrize("n", [2, 3, 4])
+def test_bevel_planets_share_the_load_of_a_differential(n: int) -> None:
     """The side wheels turn alike with the carrier, and by the difference D against the planets: with k = z_s/z_p,
-    (J_s + 2 J_p k^2 n/4) D'' = T_R - T_L, and of the left wheel J_s x'' = -T_L - n r F."""
-    text = """
+    (J_s + n J_p k^2/2) D'' = T_R - T_L, and of the left wheel J_s x'' = -T_L - n r F."""
+    text = f"""
 space: true
-parameters: {J_s: 0.02 kg m^2, m: 0.4 kg, J_p: 0.2 g m^2, J_q: 0.12 g m^2, a: 60 mm, r: 50 mm, T: 50 N m,
-  L: 30 N m, R: 10 N m}
+parameters: {{J_s: 0.02 kg m^2, m: 0.4 kg, J_p: 0.2 g m^2, J_q: 0.12 g m^2, a: 60 mm, r: 50 mm, T: 50 N m,
+  L: 30 N m, R: 10 N m}}
 bodies:
-  carrier: {body: {inertia: 0.1 kg m^2}, points: {spider: [0, a, 0]}}
-  left: {body: {inertia: J_s}}
-  right: {body: {inertia: J_s}}
-  planet: {body: {mass: m, inertia: [J_q, J_p, J_q]}, copies: 2}
+  carrier: {{body: {{inertia: 0.1 kg m^2}}, points: {{spider: [0, a, 0]}}}}
+  left: {{body: {{inertia: J_s}}}}
+  right: {{body: {{inertia: J_s}}}}
+  planet: {{body: {{mass: m, inertia: [J_q, J_p, J_q]}}, copies: {n}}}
 connections:
-  base: {revolute: {first: ground.O, second: carrier, about: x}}
-  p: {revolute: {first: carrier, second: left, about: x}}
-  q: {revolute: {first: carrier, second: right, about: -x}}
-  spider: {revolute: {first: carrier.spider, second: planet, about: y}}
-  one: {bevel_gears: {first: left, second: planet, on: carrier, teeth: [20, 16], radius: r}}
-  two: {bevel_gears: {first: right, second: planet, on: carrier, teeth: [20, 16], radius: r}}
+  base: {{revolute: {{first: ground.O, second: carrier, about: x}}}}
+  p: {{revolute: {{first: carrier, second: left, about: x}}}}
+  q: {{revolute: {{first: carrier, second: right, about: -x}}}}
+  spider: {{revolute: {{first: carrier.spider, second: planet, about: y}}}}
+  one: {{bevel_gears: {{first: left, second: planet, on: carrier, teeth: [20, 16], radius: r}}}}
+  two: {{bevel_gears: {{first: right, second: planet, on: carrier, teeth: [20, 16], radius: r}}}}
 loads:
-  engine: {torque: {on: carrier, about: x, magnitude: T}}
-  left_wheel: {torque: {on: left, about: x, magnitude: -L}}
-  right_wheel: {torque: {on: right, about: x, magnitude: -R}}
-measures: {l: angle of left about x, c: angle of carrier about x}
-start: {l: 0, c: 0}
+  engine: {{torque: {{on: carrier, about: x, magnitude: T}}}}
+  left_wheel: {{torque: {{on: left, about: x, magnitude: -L}}}}
+  right_wheel: {{torque: {{on: right, about: x, magnitude: -R}}}}
+measures: {{l: angle of left about x, c: angle of carrier about x}}
+start: {{l: 0, c: 0}}
 questions: [acceleration of c, acceleration of l, tooth force of one]
 """
     carrier, left, force = (answer.value for answer in fb.System.from_text(text).solve().answers)
-    together = (50 - 30 - 10) / (0.1 + 2 * 0.02 + 2 * (0.12e-3 + 0.4 * 0.06**2))
-    apart = (10 - 30) / (0.02 + 2e-4 * (20 / 16) ** 2)
+    together = (50 - 30 - 10) / (0.1 + 2 * 0.02 + n * (0.12e-3 + 0.4 * 0.06**2))
+    apart = (10 - 30) / (0.02 + n * 1e-4 * (20 / 16) ** 2)
     assert carrier == pytest.approx(together)
     assert left == pytest.approx(together + apart / 2)
-    assert force == pytest.approx((-30 - 0.02 * left) / (2 * 0.05))
+    assert force == pytest.approx((-30 - 0.02 * left) / (n * 0.05))

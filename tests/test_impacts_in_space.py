@@ -9,6 +9,7 @@ omega' = omega + r x T/I. Source: Stronge, Impact Mechanics, 2000, ch. 3; Cross,
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -45,21 +46,32 @@ def by_hand(mu: float, w: float = W, e: float = E) -> tuple[np.ndarray, np.ndarr
     return after, turning, total, lost
 
 
+def values(system: fb.System, *questions: str) -> Iterator[np.ndarray]:
+    for answer in system.solve(questions).answers:
+        assert answer.expression is not None, answer.reason
+        yield np.asarray(answer.value)
+
+
 def value(system: fb.System, question: str) -> np.ndarray:
-    [answer] = system.solve(question).answers
-    assert answer.expression is not None, answer.reason
-    return np.asarray(answer.value)
+    [found] = values(system, question)
+    return found
 
 
 @pytest.mark.parametrize("mu", [0.02, 0.5], ids=["slips", "grips"])
 def test_ball_with_any_spin_rebounds_as_worked_out_by_hand(mu: float) -> None:
     system = ball(mu)
     after, turning, impulse, lost = by_hand(mu)
-    for name, v in zip("xyz", after, strict=True):
-        assert value(system, f"velocity of {name} after the impact") == pytest.approx(v, rel=1e-12)
-    assert value(system, "angular velocity of ball after the impact") == pytest.approx(turning, rel=1e-12)
-    assert value(system, "impulse of floor on ball") == pytest.approx(impulse, rel=1e-12)
-    assert value(system, "energy lost in the impact") == pytest.approx(lost, rel=1e-12)
+    *velocity, omega, on_ball, energy = values(
+        system,
+        *(f"velocity of {name} after the impact" for name in "xyz"),
+        "angular velocity of ball after the impact",
+        "impulse of floor on ball",
+        "energy lost in the impact",
+    )
+    assert velocity == pytest.approx(after, rel=1e-12)
+    assert omega == pytest.approx(turning, rel=1e-12)
+    assert on_ball == pytest.approx(impulse, rel=1e-12)
+    assert energy == pytest.approx(lost, rel=1e-12)
 
 
 def test_ball_that_falls_first_meets_the_floor_with_what_it_has_gained() -> None:

@@ -18,6 +18,7 @@ import pytest
 import freebody as fb
 import kernel_runs
 from command import freebody
+from freebody.errors import BrokenInstallation
 from freebody.numeric.kernels import declaring, library, near, stepping, zeros
 from goldens import FOLDER, WRITE
 
@@ -228,3 +229,11 @@ def test_every_entry_is_in_the_library() -> None:
     assert zeros.search
     for name in declaring.ENTRIES:
         assert hasattr(library.loaded(), name)
+
+
+def test_a_sweep_without_a_library_ends_and_has_no_cases_without_value(copied: Path) -> None:
+    system = fb.System.load(ROOT / "examples/simple_pendulum.yaml")
+    for name in library.file_names():
+        (copied / name).unlink(missing_ok=True)
+    with pytest.raises(BrokenInstallation, match="FREEBODY_KERNELS=python"):
+        system.sweep({"L": [1.0, 2.0]}, record=["final theta"], until=0.5)

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 import freebody as fb
 from freebody.language.expression import evaluate
 from freebody.model.meshes import MOST_DRAWN
+from freebody.model.silhouettes import is_hole, silhouette
 from freebody.numeric.engine.course import Status
 from freebody.present.space.meshes import is_on_hull, mesh_hull, surface
 
@@ -309,10 +310,110 @@ def test_fields_that_are_missing_or_wrong_are_refused(fields: str, told: str, tm
         model(tmp_path, fields)
 
 
-def test_in_the_plane_there_is_no_mesh(tmp_path: Path) -> None:
-    (tmp_path / "model.yaml").write_text("bodies: {part: {mesh: {file: part.stl, unit: mm, mass: 1 kg}}}\n")
-    with pytest.raises(fb.ModelError, match="space: true"):
-        fb.System.load(tmp_path / "model.yaml")
+# -- in the plane -----------------------------------------------------------------------------
+ROD = Path(__file__).parents[1] / "examples" / "connecting_rod.obj"
+Polygon = list[tuple[float, float]]
+
+
+def in_the_plane(folder: Path, fields: str) -> fb.System:
+    path = folder / "model.yaml"
+    path.write_text(f"bodies:\n  part:\n    mesh: {{{fields}}}\n", "utf-8")
+    return fb.System.load(path)
+
+
+def moments(loop: Polygon) -> np.ndarray:
+    """Area, its moments of the first order, and the polar one, of a polygon about the origin (Green)."""
+    total = np.zeros(4)
+    for (x, y), (u, v) in pairwise([*loop, loop[0]]):
+        cross = x * v - u * y
+        total += cross * np.array(
+            [1 / 2, (x + u) / 6, (y + v) / 6, (x * x + x * u + u * u + y * y + y * v + v * v) / 12]
+        )
+    return total
+
+
+@pytest.mark.parametrize(("normal", "k"), [("", 2), (", normal: x", 0), (", normal: y", 1), (", normal: z", 2)])
+def test_in_the_plane_its_moment_is_that_about_the_normal(normal: str, k: int, tmp_path: Path) -> None:
+    """A box: m (a^2 + b^2)/12 of the two sides in the plane, and its outline is a rectangle of them."""
+    sides = (200.0, 100.0, 50.0)
+    (tmp_path / "part.stl").write_text(ascii_stl(*box(*sides)))
+    part = in_the_plane(tmp_path, f"file: part.stl, unit: mm, mass: 3 kg{normal}").bodies["part"]
+    a, b = sides[(k + 1) % 3] / 1000, sides[(k + 2) % 3] / 1000
+    assert evaluate(part.inertia, {}) == pytest.approx(3 / 12 * (a * a + b * b), rel=1e-12)
+    assert [-evaluate(c, {}) for c in part.points["origin"]] == pytest.approx([a / 2, b / 2], rel=1e-12)
+    assert len(part.corners) == 4
+    (edge,) = part.edges
+    assert edge.look == "area"
+    assert len(edge.places) == 4
+
+
+def test_a_connecting_rod_swings_with_the_moment_of_its_polygons() -> None:
+    """Area, centre and polar moment of the outline less those of its bores, by Green; T = 2 pi sqrt(I_A/(m g l))."""
+    vertices = [line.split()[1:] for line in ROD.read_text().splitlines() if line.startswith("v ")]
+    flat = [(float(x) / 1000, float(y) / 1000) for x, y, z in vertices if float(z) < 0]
+    found = moments(flat[:34]) + moments(flat[34:54]) + moments(flat[54:])  # bores go round clockwise
+    centre = found[1:3] / found[0]
+    about_centre = found[3] / found[0] - centre @ centre
+    system = fb.System.load(ROD.with_name("swinging_connecting_rod.yaml"))
+    rod, rho = system.bodies["rod"], {"rho": 7850.0}
+    assert evaluate(rod.mass, rho) == pytest.approx(7850.0 * 0.016 * found[0], rel=1e-9)
+    assert evaluate(rod.inertia, rho) / evaluate(rod.mass, rho) == pytest.approx(about_centre, rel=1e-9)
+    assert [edge.look for edge in rod.edges].count("hole") == 2
+    solution, arm = system.solve(), 0.139 - centre[0]
+    square = about_centre + arm**2
+    assert solution["period"].value == pytest.approx(2 * math.pi * math.sqrt(square / (9.81 * arm)), rel=1e-8)
+    swing = -9.81 * arm / square * math.cos(math.radians(100 - 180))
+    assert solution["swing"].value == pytest.approx(swing, rel=1e-8)
+
+
+def test_a_pocket_is_no_hole_and_a_bore_is_one() -> None:
+    """A plate of 8 by 8 with a bore of 2 by 2; and one with a pocket, whose floor is covered."""
+    ring = [(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0), (3.0, 3.0), (5.0, 3.0), (5.0, 5.0), (3.0, 5.0)]
+    frame = [(k, (k + 1) % 4, 4 + (k + 1) % 4) for k in range(4)] + [(k, 4 + (k + 1) % 4, 4 + k) for k in range(4)]
+    top = [(x, y, 1.0) for x, y in ring]
+    bored = silhouette(top, frame)
+    assert [is_hole([ring[k] for k in loop]) for loop in bored] == [False, True]
+    floor = [(x, y, 0.5) for x, y in ring[4:]]
+    pocket = silhouette([*top, *floor], [*frame, (8, 9, 10), (8, 10, 11)])
+    assert [sorted(loop) for loop in pocket] == [[0, 1, 2, 3]]
+
+
+def test_what_leans_out_of_the_plane_says_so(tmp_path: Path) -> None:
+    (tmp_path / "part.stl").write_text(ascii_stl(*TETRAHEDRON))
+    system = in_the_plane(tmp_path, "file: part.stl, unit: mm, mass: 1 kg")
+    assert any("not alike on both sides of the plane" in str(told) for told in system.assumptions)
+    (tmp_path / "part.stl").write_text(ascii_stl(*BRACKET))
+    assert not in_the_plane(tmp_path, "file: part.stl, unit: mm, mass: 1 kg").assumptions
+
+
+def test_a_normal_is_an_axis_and_for_the_plane(tmp_path: Path) -> None:
+    (tmp_path / "part.stl").write_text(ascii_stl(*TETRAHEDRON))
+    with pytest.raises(fb.ModelError, match="x, y or z, not up"):
+        in_the_plane(tmp_path, "file: part.stl, unit: mm, mass: 1 kg, normal: up")
+    with pytest.raises(fb.ModelError, match="for planar models"):
+        model(tmp_path, "file: part.stl, unit: mm, mass: 1 kg, normal: y")
+
+
+def test_a_box_of_triangles_holds_on_a_slope_in_the_plane(tmp_path: Path) -> None:
+    """Its outline touches as a rectangle does: least mu = tan(alpha)."""
+    (tmp_path / "part.stl").write_text(ascii_stl(*box(200.0, 100.0, 50.0)))
+    part = "mesh: {file: part.stl, unit: mm, mass: 3 kg}"
+    found = []
+    for body in (part, "rectangle: {mass: 3 kg, width: 0.2 m, height: 0.1 m}"):
+        (tmp_path / "model.yaml").write_text(SLOPE_IN_THE_PLANE.format(body=body), "utf-8")
+        found.append(
+            fb.System.load(tmp_path / "model.yaml").solve("least mu so that it stays at rest").answers[0].value
+        )
+    assert found == pytest.approx([math.tan(math.radians(15))] * 2)
+
+
+SLOPE_IN_THE_PLANE = """
+parameters: {{mu: 0.5}}
+ground: {{lines: {{slope: {{through: [0, 0], angle: 15 deg}}}}}}
+bodies: {{part: {{{body}, near: {{at: [0, 0.05 m], angle: 15 deg}}}}}}
+connections: {{it: {{contact: {{between: [part, slope], friction: mu}}}}}}
+loads: {{weight: {{gravity: 9.81 m/s^2}}}}
+"""
 
 
 def test_without_trimesh_it_is_said_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -22,6 +23,7 @@ from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message, further, in_turn, listed, turns
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.phrases import phrases_of
+from freebody.narrative.words import tables_of
 
 SOURCES = Path(fb.__file__).parent
 PLACE = re.compile(r"\{(\w*)(?::([^}]*))?\}")
@@ -351,6 +353,25 @@ def read(names, name):
 def test_every_template_is_said_in_every_language(language: str) -> None:
     known = {key for table in phrases_of(language).messages.values() for key in table}
     assert {key: place for key, place in templates().items() if key not in known} == {}
+
+
+@pytest.mark.parametrize("language", ["en", *LANGUAGES])
+def test_a_language_says_everything_once(language: str) -> None:
+    """The files of a language are read together: of what stands in two of them one is never said."""
+    twice: set[tuple[str, ...]] = set()
+    seen: set[tuple[str, ...]] = set()
+
+    def look(table: dict[str, Any], above: tuple[str, ...]) -> None:
+        for key, value in table.items():
+            path = (*above, key)
+            if isinstance(value, dict):
+                look(value, path)
+            else:
+                (twice if path in seen else seen).add(path)
+
+    for table in tables_of(language):
+        look(table, ())
+    assert not twice
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -272,3 +272,11 @@ questions: [{find: acceleration of x}]
 """)
     with pytest.raises(fb.CannotAnswer, match="singular pose"):
         system.explain()
+
+
+def test_what_is_supposed_of_a_sticking_contact_is_said_and_its_limit_is_solved() -> None:
+    """Rolling on takes F = 2/7 m g sin(theta), and at most mu m g cos(theta) is there: mu >= 2/7 tan(theta)."""
+    text = " ".join(explained("sphere_launched_down_incline").to_text().split())
+    supposed = text.index("Suppose that contact does not slip.")
+    solved = text.index("2⋅tan(θ) μ ≥ ──────── 7")
+    assert supposed < text.index("Rolling without slip, hence") < solved

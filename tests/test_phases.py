@@ -6,9 +6,11 @@ import json
 import math
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import freebody as fb
 from conftest import assert_same_function
@@ -591,15 +593,33 @@ def test_a_block_with_drag_comes_to_rest_after_a_logarithm(agrees_text: Agree) -
     assert found.phases.cases[0].what == "slides, then holds"
 
 
-def test_without_a_closed_form_there_is_the_number_of_the_motion() -> None:
-    """With drag the place of a block contains time and exponential both: v - v0 = -c x/m - mu g t when x = 1 m."""
+def _dragged(law: str) -> str:
+    """A block that slides on with friction and a drag."""
     text = FLAT.format(shape="disk").replace("{ball: {disk: {mass: m, radius: r}}}", "{ball: {particle: {mass: m}}}")
-    text = text.replace("v0: 5 m/s", "v0: 5 m/s, c: 1 N s/m")
-    text = text.replace("{gravity: g}}", "{gravity: g}, d: {force: {at: ball, along: right, magnitude: -c*rate(x)}}}")
-    found = solved(text, "velocity of x when x = 1 m", "time when x = 1 m")
+    text = text.replace("v0: 5 m/s", "v0: 5 m/s, c: 1 N s/m, b: 0.1 N s^2/m^2")
+    return text.replace(
+        "{gravity: g}}", f"{{gravity: g}}, d: {{force: {{at: ball, along: right, magnitude: {law}}}}}}}"
+    )
+
+
+def test_with_a_linear_drag_a_block_passes_a_place_at_a_time_by_lamberts_function() -> None:
+    """The place contains time and exponential both: v - v0 = -c x/m - mu g t when x = 1 m."""
+    found = solved(_dragged("-c*rate(x)"), "velocity of x when x = 1 m", "time when x = 1 m")
+    assert "lambert_Wm1" in to_python(found["q1"].expression)  # it still slides against its final velocity
+    assert found["q1"].value == pytest.approx(5 - 1 - 0.2 * 9.81 * found["q2"].value, rel=1e-9)
+
+
+def test_without_a_closed_form_there_is_the_number_of_the_motion() -> None:
+    """The place is a logarithm of the time and of an exponential: v dv/dx = -mu g - c v/m - b v^2/m, in numbers."""
+    found = solved(_dragged("-c*rate(x) - b*rate(x)^2"), "velocity of x when x = 1 m")
     assert found["q1"].expression is None
     assert "has no closed form" in found["q1"].reason
-    assert found["q1"].value == pytest.approx(5 - 1 - 0.2 * 9.81 * found["q2"].value, rel=1e-9)
+
+    def slope(_x: float, v: Any) -> Any:
+        return -(0.2 * 9.81 + v + 0.1 * v * v) / v
+
+    there = solve_ivp(slope, (0.0, 1.0), [5.0], rtol=1e-11, atol=1e-12).y[0, -1]
+    assert found["q1"].value == pytest.approx(there, rel=1e-8)
 
 
 def test_a_pendulum_on_a_cart_with_a_stop_moves_by_energy_and_momentum() -> None:
@@ -896,3 +916,26 @@ start: {y: 0, rate(y): v}
         assert answer.expression is not None, answer.reason
         agrees_text(to_python(answer.expression), formula)
         assert condition in answer.conditions
+
+
+BOWL = """
+freebody: 1
+parameters: {m: 1 kg, r: 0.1 m, R: 0.6 m, g: 9.81 m/s^2, mu: 0.5, a: 30 deg}
+bodies:
+  bowl: {ring: {radius: R}, fixed: true}
+  ball: {sphere: {mass: m, radius: r}, at: [(R - r)*sin(a), -(R - r)*cos(a)]}
+connections: {c: {contact: {between: [ball, inside bowl], friction: mu}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_ball_that_is_let_go_in_a_bowl_rolls_if_it_does_so_at_first() -> None:
+    """With psi the angle of its centre, 7/5 (R - r) psi'' = -g sin psi, T = 2/7 m g sin psi, and N >= m g cos psi: mu
+    is at least 2/7 tan a. The ball itself turns by (R - r)/r psi, of which the whole turns say nothing of the way."""
+    system = fb.System.from_text(BOWL)
+    rolls, slides = system.phases().cases
+    assert (rolls.what, rolls.conditions) == ("rolls", ("R > r", "μ ≥ 2·tan(a)/7"))
+    assert (slides.what, slides.conditions) == ("slides", ("R > r", "μ < 2·tan(a)/7"))
+    lowest = BOWL.replace(", a: 30 deg", "").replace("sin(a)", "0").replace("cos(a)", "1")
+    [period] = fb.System.from_text(lowest).solve("period of small oscillations").answers
+    assert period.value == pytest.approx(math.tau * math.sqrt(7 * 0.5 / (5 * 9.81)))

@@ -94,12 +94,10 @@ def test_every_body_of_every_example_is_drawn_inside_its_picture(path: Path) -> 
     assert {word.text for word in drawing.words} == said
 
 
-# what closes in mid-motion is apart before
-CLOSED = [path for path in EXAMPLES if not any(blow.closing for blow in fb.System.load(path).blows)]
-
-
-@pytest.mark.parametrize("path", CLOSED, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_pinned_points_and_the_ends_of_links_meet_in_the_picture(path: Path) -> None:
+    if any(blow.closing for blow in fb.System.load(path).blows):
+        pytest.skip("what closes in mid-motion is apart before")
     scene, poses = posed(path)
     drawing = Drawing.of(scene, poses)
     for first, second in scene.pins:

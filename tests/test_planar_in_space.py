@@ -6,7 +6,6 @@ from __future__ import annotations
 import copy
 import functools
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ import pytest
 import freebody as fb
 import freebody.connections
 import freebody.loads
+from example_files import document, plain
 from freebody.connections.base import Connection
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.document import Document
@@ -26,17 +26,15 @@ from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.study.simulation.simulate import Simulation
 from freebody.study.simulation.simulator import Simulator
 
-FOLDER = Path(__file__).parents[1] / "examples"
-DOCUMENTS = {path.stem: Document.load(path).data for path in sorted(FOLDER.glob("*.yaml"))}
-PLANAR = [name for name, data in DOCUMENTS.items() if "space" not in data]
+PLANAR = [name for name, data in plain().items() if "space" not in data]
 # what closes in mid-motion is for the plane only
 CLOSING = [
     name
     for name in PLANAR
-    if any(str(c.get("closes", "")).startswith("when") for c in DOCUMENTS[name].get("connections", {}).values())
+    if any(str(c.get("closes", "")).startswith("when") for c in plain()[name].get("connections", {}).values())
 ]
 CURVED = [  # as are circles that roll on curves
-    name for name in PLANAR if any("rolling_on_curve" in c for c in DOCUMENTS[name].get("connections", {}).values())
+    name for name in PLANAR if any("rolling_on_curve" in c for c in plain()[name].get("connections", {}).values())
 ]
 EXAMPLES = [name for name in PLANAR if name not in (*CLOSING, *CURVED)]
 # nothing can touch or rub: any pose near by is possible
@@ -45,7 +43,7 @@ SMOOTH = [
     for name in EXAMPLES
     if not any(
         kind == "contact" or "friction" in spec
-        for c in DOCUMENTS[name].get("connections", {}).values()
+        for c in plain()[name].get("connections", {}).values()
         for kind, spec in c.items()
     )
 ]
@@ -102,7 +100,7 @@ def without_questions(data: dict[str, Any]) -> dict[str, Any]:
 @functools.cache
 def both(name: str) -> tuple[fb.System, fb.System]:
     """An example in the plane and in space."""
-    data = without_questions(DOCUMENTS[name])
+    data = without_questions(document(name))
     if name in NEAR:
         data = copy.deepcopy(data)
         for body, (x, y, angle) in NEAR[name].items():
@@ -261,13 +259,13 @@ def test_a_planar_example_moves_in_space_as_in_the_plane_from_any_state(name: st
 @pytest.mark.parametrize("name", CLOSING)
 def test_closing_in_mid_motion_is_refused_in_space(name: str) -> None:
     with pytest.raises(InputError, match=REFUSED["closes"]):
-        fb.System.from_data(in_space(without_questions(DOCUMENTS[name])))
+        fb.System.from_data(in_space(without_questions(document(name))))
 
 
 @pytest.mark.parametrize("name", CURVED)
 def test_curves_in_a_parameter_are_refused_in_space(name: str) -> None:
     with pytest.raises(InputError, match=REFUSED["curves"]):
-        fb.System.from_data(in_space(without_questions(DOCUMENTS[name])))
+        fb.System.from_data(in_space(without_questions(document(name))))
 
 
 def test_time_stepping_is_refused_in_space() -> None:

@@ -49,6 +49,45 @@ def test_what_cannot_be_read_costs_no_attempt_and_everything_is_logged(tmp_path:
     assert [entry["hints"] for entry in entries] == [0, 1]
 
 
+def test_options_are_shown_and_chosen_by_their_letter() -> None:
+    done = played("c\n(b)\n")
+    assert "(a) g\n(b) 2·g/3\n(c) g/2\n(d) g/3\n" in done.stdout
+    wrong, _left, right = done.stdout.partition("Attempts left: 2")
+    assert "is 3/4 times the answer" in wrong
+    assert "This results if" in wrong
+    assert "Correct." in right
+    assert done.returncode == 0
+
+
+def test_the_right_option_is_told_when_the_attempts_are_used_up() -> None:
+    done = played("a\n", "--attempts", "1", "--language", "de")
+    _before, _words, after = done.stdout.partition("Die Antwort:")
+    assert "(b) 2·g/3" in after
+    assert "gültig      für alle positiven Parameter" in after
+
+
+def test_a_letter_that_is_a_quantity_too_chooses_the_option_in_brackets_or_where_it_is_no_answer() -> None:
+    """The roller's body has its mass centre at the distance d, and option d is right."""
+    roller = fb.System.load(EXAMPLES / "body_on_driven_roller.yaml")
+    for text in ("(d)", "d", "D"):
+        assert roller.check("conserved", text).verdict == "correct"
+    assert roller.check("equation", "d").verdict == "incorrect"  # a length: this question has no options
+    assert roller.check("conserved", "(b)", language="de").reason.startswith("weder hinreichend noch notwendig")
+    assert roller.check("conserved", "f").verdict == "unreadable"
+
+
+def test_a_wrong_number_of_freedoms_by_its_letter_names_the_miscount() -> None:
+    platform = fb.System.load(EXAMPLES / "multi_bar_platform.yaml")
+    found = platform.check("q1", "a")
+    assert found.verdict == "incorrect"
+    assert "spring" in found.mistake
+    assert platform.check("q1", "b)").verdict == "correct"
+
+
+def test_a_wrong_unit_is_told_in_the_quiz_since_it_gives_nothing_away() -> None:
+    assert "has the unit m^2/s^4, the answer has m/s^2" in " ".join(played("g^2\n").stdout.split())
+
+
 def test_the_end_of_the_input_ends_the_quiz() -> None:
     assert played("").returncode == 1
 

@@ -160,3 +160,24 @@ def test_a_command_takes_the_language(arguments: tuple[str, ...], said: str) -> 
     done = freebody(*arguments, "--language", "de")
     assert done.returncode == 0, done.stderr
     assert said in done.stdout
+
+
+def test_charts_are_told_in_the_language_of_their_study() -> None:
+    system = fb.System.load(EXAMPLES / "atwood_machine.yaml")
+    found = system.sweep({"m1": "1..5 kg:9", "M": "0.5..2 kg:9"}, find="tension", language="de")
+    assert found.chart().title == "tension über M [kg] und m1 [kg]"
+    assert "tension over" not in found.to_text()
+    figure = system.simulate(0.2, language="de").plot()
+    assert figure.axes[-1].get_xlabel() == "Zeit [s]"
+    assert system.simulate(0.2).plot().axes[-1].get_xlabel() == "time [s]"
+
+
+def test_a_synthesis_is_told_in_german() -> None:
+    """A task that one linkage alone does: two pairs of a function, followed for one candidate."""
+    rows = [{"at": ["0 m", "0 m"], "angle": "0 deg"}, {"at": ["0.5 m", "0.2 m"], "angle": "30 deg"}]
+    task = {"task": "motion", "positions": rows, "full_turn": False}
+    found = fb.synthesise(task, most=1, language="de")
+    text = found.to_text()
+    assert "Führung durch 2 Lagen, Viergelenk" in text
+    assert "Kandidaten" in text
+    assert found.to_plain() == fb.synthesise(task, most=1).to_plain()

@@ -12,6 +12,7 @@ from freebody.errors import InputError, ModelError
 from freebody.language.parser import parse
 from freebody.narrative.sheets.authored import authored
 from freebody.narrative.sheets.sheet import sheet
+from freebody.narrative.telling.raising import typeset
 from freebody.present.report.blocks import Block, Choices, Formula, Room, Section, Step, Table, Unbroken
 from freebody.present.report.formats.html import html_page
 from freebody.present.report.formats.terminal import terminal_text
@@ -71,6 +72,22 @@ def test_without_words_of_an_author_the_model_is_told_in_sentences() -> None:
     told = terminal_text(sheet([incline("A block slides down an incline.")]).report())
     assert "A block slides down an incline." in told
     assert "Connections:" not in told
+
+
+def test_bodies_are_told_with_what_a_solution_needs() -> None:
+    """A length in metres is no mass m, a moment of inertia that does not follow from the shape is given, bodies that
+    are alike are told together."""
+    made = sheet([System.load(EXAMPLES / f"{name}.yaml") for name in ("multi_bar_platform", "planetary_gear")])
+    text = " ".join(terminal_text(made.report()).split())
+    assert "L₁, L₂ (massless rod, length 0.9434 m); L₃, L₄ (massless rod, length 1 m)." in text
+    assert "sun (rigid body, radius r_S, moment of inertia I_S)" in text
+    assert "P₁, P₂, P₃ (rigid body, mass m_P, radius r_P, moment of inertia I_P)." in text
+    german = " ".join(terminal_text(sheet(made.systems, language="de").report()).split())
+    assert "L₃, L₄ (masseloser Stab, Länge 1 m)." in german
+
+
+def test_large_and_small_numbers_are_typeset() -> None:
+    assert [typeset(x) for x in ("10900", "-1.2e+07", "3e-05", "0.5")] == ["10900", "−1.2·10⁷", "3·10⁻⁵", "0.5"]
 
 
 def test_symbols_in_the_words_of_an_author_are_mathematics() -> None:

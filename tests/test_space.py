@@ -7,7 +7,6 @@ import functools
 import itertools
 import math
 import re
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ import scipy.special
 from numpy.typing import NDArray
 
 import freebody as fb
+from example_files import document, plain
 from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.numeric.engine.course import Status, Trajectory
@@ -23,7 +23,6 @@ from freebody.numeric.rotation import from_quaternion, matrix, rotation_vector
 from freebody.study.simulation.simulate import Simulation
 
 Array = NDArray[np.float64]
-FOLDER = Path(__file__).parents[1] / "examples"
 SEED = 3
 G = 9.81
 
@@ -118,14 +117,17 @@ def as_text(turn: Array) -> str:
     return f"'{angle!r} about [{listed(turn / angle)}]'"
 
 
-SPATIAL = {path.stem: Document.load(path).data for path in sorted(FOLDER.glob("*.yaml"))}
-SPATIAL = {name: data for name, data in SPATIAL.items() if "space" in data}
-SPATIAL["general_bennett"] = Document.read(bennett()).data
+GENERAL = "general_bennett"
+SPATIAL = [*(name for name, data in plain().items() if "space" in data), GENERAL]
+
+
+def spatial(name: str) -> dict[str, Any]:
+    return Document.read(bennett()).data if name == GENERAL else document(name)
 
 
 @functools.cache
 def at_home(name: str) -> Simulation:
-    return moved(SPATIAL[name])
+    return moved(spatial(name))
 
 
 def moved(data: dict[str, Any]) -> Simulation:
@@ -147,7 +149,7 @@ def first_state(result: Simulation, k: int, shift: Array, Q: Array) -> dict[str,
 
 def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
     """The same model, with all that it has on the ground on a fixed body `lab`, which is anywhere and turned anyhow."""
-    data, home, Q = copy.deepcopy(SPATIAL[name]), at_home(name), matrix(turn)
+    data, home, Q = copy.deepcopy(spatial(name)), at_home(name), matrix(turn)
     ground = data.pop("ground", {})
     points = dict(ground.pop("points", {}))
 
@@ -207,7 +209,7 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
 
 def on_turned_ground(name: str, shift: Array, turn: Array) -> dict[str, Any]:
     """The same model with its ground points, planes, axes, gravity and start written in turned numbers."""
-    data, home, Q = copy.deepcopy(SPATIAL[name]), at_home(name), matrix(turn)
+    data, home, Q = copy.deepcopy(spatial(name)), at_home(name), matrix(turn)
     number, ground = home.simulator.reference.number, home.system.bodies["ground"]
 
     def vector(exprs: Any) -> Array:
@@ -527,7 +529,7 @@ def test_a_ball_on_a_turntable_goes_round_with_two_sevenths_of_its_speed() -> No
 
 def test_a_rolling_cone_turns_evenly() -> None:
     # T = 3/40 m h^2 W^2 (1 + 5 cos^2 a). Source: Landau & Lifshitz, Mechanics, sec. 32, problem 7
-    result = moved(SPATIAL["rolling_cone"])
+    result = moved(spatial("rolling_cone"))
     turning = result.series["psi"][1]
     assert np.abs(turning - 2.0).max() < 1e-9
     m, radius, height = 2.0, 0.1, 0.3
@@ -542,7 +544,7 @@ def test_a_rolling_cone_turns_evenly() -> None:
 # -- machines ---------------------------------------------------------------------------------
 def test_bearings_carry_the_couple_of_a_tilted_disk() -> None:
     """m R^2 omega^2 sin(delta) cos(delta)/(8 b) each, b from the middle: (C - A) omega^2 sin cos over 2 b."""
-    result = moved(SPATIAL["tilted_disk_on_shaft"])
+    result = moved(spatial("tilted_disk_on_shaft"))
     m, radius, delta, b, omega = 5.0, 0.15, math.radians(2.0), 0.3, 150.0
     force = m * radius**2 * omega**2 * math.sin(delta) * math.cos(delta) / (8 * b)
     rows = [row.name for row in result.rows]
@@ -611,7 +613,7 @@ def test_a_nut_falls_slowly_along_its_thread() -> None:
 
 def test_a_cardan_joint_turns_unevenly_and_a_constant_velocity_joint_evenly() -> None:
     """w2/w1 = cos(a)/(cos^2(a) + sin^2(a) cos^2(psi)), psi from where the driving arm is across both shafts."""
-    cardan = moved(SPATIAL["cardan_joint"])
+    cardan = moved(spatial("cardan_joint"))
     alpha = math.radians(30)
     psi, rate, _ = cardan.series["psi"]
     names = [body.name for body in cardan.system.moving]
@@ -826,3 +828,26 @@ start: {s: 0.6 m, rate(s): 0}
 questions: {a: acceleration of s at start}
 """)
     assert system.solve()["a"].value == pytest.approx(0.6 * (9 - 2 * 0.8 * 9.81) / (1 + 4 * 0.64 * 0.36))
+
+
+TWO_PULLEYS = """
+freebody: 1
+space: {up: z}
+parameters: {m1: 2 kg, m2: 3 kg, g: 9.81 m/s^2, h: 2 m}
+ground: {points: {A: [0, 0, h], B: [1 m, 1 m, h]}}
+bodies:
+  one: {particle: {mass: m1}, at: [0, 0, 0]}
+  two: {particle: {mass: m2}, at: [1 m, 0, 1 m]}
+connections: {rope: {string: {from: one, over: [ground.A, ground.B], to: two}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_string_over_two_small_pulleys_has_a_length_of_each_part_that_moves() -> None:
+    """At rest along u = (0, 1, 1)/sqrt(2) the second weight adds g/sqrt(2): T (1/m1 + 1/m2) = g (1 + 1/sqrt(2))."""
+    [answer] = fb.System.from_text(TWO_PULLEYS).solve("tension of rope at the start").answers
+    assert answer.expression is not None, answer.reason
+    assert answer.value == pytest.approx(9.81 * (1 + math.sqrt(0.5)) / (1 / 2 + 1 / 3), rel=1e-12)
+    [anywhere] = fb.System.from_text(TWO_PULLEYS).solve("tension of rope").answers
+    assert "defect" not in (anywhere.reason or "")  # the routes agree at any pose
+    assert anywhere.value == pytest.approx(answer.value, rel=1e-9)

@@ -344,6 +344,31 @@ def test_what_cannot_be_read_is_answered_with_questions_of_this_model() -> None:
 
 
 @pytest.mark.parametrize(
+    ("said", "strange"),
+    [("What wibbles the left mass?", "wibbles"), ("Wie groß ist die Verkrümmung der linken Masse?", "Verkrümmung")],
+)
+def test_a_word_that_nothing_is_known_of_is_told(said: str, strange: str) -> None:
+    with pytest.raises(ModelError, match=rf"not understood: {strange}\)"):
+        example("atwood_machine").question(said)
+
+
+def test_a_force_on_a_body_on_which_a_connection_does_not_act_is_refused() -> None:
+    system = fb.System.from_text(
+        """
+bodies:
+  a: {particle: {mass: 1 kg}, velocity: [2 m/s, 0]}
+  b: {particle: {mass: 1 kg}}
+  c: {particle: {mass: 1 kg}, at: [1 m, 0]}
+connections: {hit: {pin: [a, b], closes: at start}}
+"""
+    )
+    assert system.question("impulse of hit on b").understood == "impulse of hit on b"
+    for asked in ("impulse of hit on c", "reaction of hit on c"):
+        with pytest.raises(ModelError, match="hit does not act on c; it acts on a, b"):
+            system.question(asked)
+
+
+@pytest.mark.parametrize(
     "said",
     [
         "größte Kraft F, damit upper nicht rutscht",

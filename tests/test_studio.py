@@ -766,3 +766,28 @@ def test_a_case_without_a_motion_says_why() -> None:
     first, second = moved_beforehand(System.from_text(text), request, own).replies
     assert (first.status, second.status) == ("done", "refused")
     assert second.message
+
+
+def test_models_of_the_folder_and_of_the_gallery_find_what_stands_beside_them(tmp_path: Path) -> None:
+    """A table in the folder; that of an example before it is saved; and saved with it, but never over another."""
+    example = (ROOT / "examples" / "car_on_a_surveyed_track.yaml").read_text(encoding="utf-8")
+    (tmp_path / "own.csv").write_text("x [m], y [m]\n0, 2\n1, 1\n2, 0\n", encoding="utf-8")
+    texts = [example.replace("surveyed_track.csv", "own.csv"), example, example.replace("surveyed_track", "nothing")]
+    calls = [wire.Call(kind="read", topic="abc"[k], request={"text": text}) for k, text in enumerate(texts)]
+
+    async def run() -> list[wire.ReadAnswer]:
+        lanes = Lanes(tmp_path, ROOT / "examples")
+        replies = [wire.Reply.model_validate_json(await lanes.ask(call)) for call in calls]
+        await lanes.end()
+        return [wire.ReadAnswer.model_validate(reply.answer) for reply in replies]
+
+    own, bundled, lacking = asyncio.run(run())
+    assert (own.is_model, bundled.is_model, lacking.is_model) == (True, True, False)
+    assert "there is no file nothing.csv" in lacking.remarks[0].message
+    folder = Folder.of(tmp_path)
+    folder.save(wire.SaveRequest(name="car.yaml", text=example, version=""))
+    table = tmp_path / "surveyed_track.csv"
+    assert table.read_bytes() == (ROOT / "examples" / "surveyed_track.csv").read_bytes()
+    table.write_text("mine", encoding="utf-8")
+    folder.save(wire.SaveRequest(name="again.yaml", text=example, version=""))
+    assert table.read_text(encoding="utf-8") == "mine"

@@ -6,11 +6,17 @@ Two freedoms whose motion has no closed form: a rod that swings with a disk on i
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
 import freebody as fb
+from freebody.api import System
 from freebody.study.answering.answer import Answer
+from freebody.study.setup import Setup
+from freebody.tolerances import ROUND_OFF
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
 
 SWING = """
 parameters: {m: 2 kg, L: 1 m, w: 3 rad/s, g: 9.81 m/s^2, M: 3 N*m, F: 20 N}
@@ -52,3 +58,19 @@ def test_a_small_work_is_no_zero() -> None:
     rise = 1.5 * (1.0 - math.cos(math.radians(0.01)))
     value = asked(SWING, "work of weight until th = 0.01 deg").value
     assert value == pytest.approx(-2.0 * 9.81 * rise, rel=1e-5)
+
+
+def test_what_cancels_in_doubles_is_no_zero_where_balls_prove_it() -> None:
+    """sqrt(a^2 + 1e-13 m^2) - a is 5e-14 m^2/a, below the round-off that counts for zero beside a loop; a nested root
+    that is zero exactly, sqrt(2 a b + a^2 + b^2) - a - b with b = sqrt(a^2 + 1), stays one."""
+    model = Setup(System.load(EXAMPLES / "four_bar.yaml")).model
+    f, a = model.field, next(iter(model.parameters.values()))
+    assert model.samples.has_loops
+    small = f.sqrt(a * a + f.one / 10**13) - a
+    value, size = f.numerator_and_size(small, model.samples.numbers(model.samples.points[-1]))
+    assert abs(value) < ROUND_OFF * size
+    assert not model.samples.vanishes(small)
+    b = f.sqrt(a * a + 1)
+    nothing = f.sqrt(2 * a * b + 2 * a * a + 1) - a - b
+    assert not nothing.is_zero()  # the field does not see through nested roots
+    assert model.samples.vanishes(nothing)

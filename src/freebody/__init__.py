@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from freebody.exercises.export import export
     from freebody.narrative.explain import explain
     from freebody.narrative.marking.check import check
+    from freebody.narrative.synthesised import synthesise
     from freebody.numeric.options import SimulationOptions
     from freebody.study.answering.answer import Answer
     from freebody.study.answering.solution import Solution
@@ -49,7 +50,6 @@ if TYPE_CHECKING:
     from freebody.study.speed_table import speed_table
     from freebody.study.sweeps.result import Sweep
     from freebody.study.sweeps.sweep import sweep
-    from freebody.study.synthesis.synthesise import synthesise
 
 _HOMES = {
     "System": "freebody.api",
@@ -66,7 +66,7 @@ _HOMES = {
     "Sweep": "freebody.study.sweeps.result",
     "Fit": "freebody.study.fitting.result",
     "Optimum": "freebody.study.optimising.result",
-    "synthesise": "freebody.study.synthesis.synthesise",
+    "synthesise": "freebody.narrative.synthesised",
     "Gradient": "freebody.study.sensitivity.local",
     "Sensitivity": "freebody.study.sensitivity.sensitivity",
     "effort": "freebody.budgets",

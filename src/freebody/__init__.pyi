@@ -99,6 +99,7 @@ from freebody.model.shapes.straight import Rectangle as _Rectangle
 from freebody.model.shapes.straight import Rod as _Rod
 from freebody.narrative.explain import explain as explain
 from freebody.narrative.marking.check import check as check
+from freebody.narrative.synthesised import synthesise as synthesise
 from freebody.numeric.options import SimulationOptions as SimulationOptions
 from freebody.study.answering.answer import Answer as Answer
 from freebody.study.answering.solution import Solution as Solution
@@ -133,7 +134,6 @@ from freebody.study.small_motion.modes import modes as modes
 from freebody.study.speed_table import speed_table as speed_table
 from freebody.study.sweeps.result import Sweep as Sweep
 from freebody.study.sweeps.sweep import sweep as sweep
-from freebody.study.synthesis.synthesise import synthesise as synthesise
 
 _Text = str | Written
 _Formula = Formula | Expr
@@ -812,11 +812,12 @@ class Mesh(_Mesh):
     """`mesh: {file: part.stl, unit: mm, mass: 2 kg}`: a homogeneous body whose surface is a file of triangles, in the
     folder of the model: STL, OBJ, PLY or OFF. Its mass, or its `density`, is given; its mass centre and its moments of
     inertia follow from the triangles, which must be closed and go counter-clockwise as seen from outside. Such files
-    have no unit: `unit` says it. For models in space; needs the extra `mesh`.
+    have no unit: `unit` says it. Needs the extra `mesh`.
 
     Its frame is that of the file, its reference point the `origin` there. In contacts its convex hull touches, where
-    that has at most 40 corners: they are points of the body, `corner1`, `corner2` ... , its faces `face1`,
-    `face2` ..."""
+    that has at most 40 corners: they are points of the body, `corner1`, `corner2` ... , in space its faces `face1`,
+    `face2` ... A planar model sees it against the z axis of the file and takes its moment of inertia about that;
+    `normal: x` or `normal: y` for another axis, then x is the file's y or z."""
 
     def __init__(
         self,
@@ -824,6 +825,7 @@ class Mesh(_Mesh):
         unit: _Text = ...,
         mass: _Formula | None = ...,
         density: _Formula | None = ...,
+        normal: _Text = ...,
     ) -> None: ...
 
 class Motor(_Motor):

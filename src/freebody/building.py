@@ -166,8 +166,10 @@ class Model:
         self._section("parameters")[name] = entry if more else value
         return made
 
-    def point(self, name: str, *at: Given) -> Place:
-        """A point of the ground; without a place its position is open."""
+    def point(self, name: str, *at: Given | Sequence[Given]) -> Place:
+        """A point of the ground at x, y, in space z, or at a list of these; without a place its position is open."""
+        if len(at) == 1 and isinstance(at[0], list | tuple):
+            at = tuple(at[0])
         self._section("ground").setdefault("points", {})[name] = as_text(at) if at else [None, None]
         return Place(f"ground.{name}")
 

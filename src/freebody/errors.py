@@ -12,6 +12,7 @@ FreebodyError
 |   +-- NeverHappens      an event that is proved never to happen after the start
 +-- SelfTestFailed        an exported package does not mark known answers as it must: it is not written
 +-- RoutesDisagree        the two routes give different numbers: a defect, never an answer
+BrokenInstallation        freebody itself is not whole here (exit code 1); no case, question or picture stands for it
 """
 
 from __future__ import annotations
@@ -24,6 +25,11 @@ from freebody.messages import Message, lines
 
 class FreebodyError(Exception):
     """Base of all freebody errors."""
+
+
+class BrokenInstallation(Exception):
+    """freebody is not whole on this machine. It is no FreebodyError, as it ends everything: where many cases run, one
+    without a number is a result, and this must not be taken for that."""
 
 
 class InputError(FreebodyError):

@@ -36,10 +36,15 @@ def copy_examples(name: str | None, to: Path) -> list[Path]:
         raise InputError(f"there is no example {name}.{did_you_mean(name, known)}")
     written: list[Path] = []
     for example in known if name is None else [name.removesuffix(".yaml")]:
-        target = to / f"{example}.yaml"
-        _write(target, (folder() / f"{example}.yaml").read_text(encoding="utf-8"))
-        written.append(target)
+        text = (folder() / f"{example}.yaml").read_text(encoding="utf-8")
+        written += [_write(to / f"{example}.yaml", text), *write_beside(text, to)]
     return written
+
+
+def beside(text: str) -> list[Path]:
+    """The files in the folder of the examples that a model names, as tables of points and triangles."""
+    others = sorted(path for path in folder().iterdir() if path.is_file() and path.suffix not in (".yaml", ".md"))
+    return [path for path in others if re.search(rf"(?<![\w./-]){re.escape(path.name)}(?![\w/-])", text)]
 
 
 def templates() -> dict[str, Path]:
@@ -54,8 +59,9 @@ def listed_templates() -> Iterator[tuple[str, str]]:
         yield name, found[1] if found else ""
 
 
-def write_new(file: Path, like: str | None = None) -> None:
-    """Writes a model to start from: a template, or a bundled example. Raises InputError where there is no such one."""
+def write_new(file: Path, like: str | None = None) -> list[Path]:
+    """Writes a model to start from: a template, or a bundled example. The files that go with it. Raises InputError
+    where there is no such one."""
     from freebody.model.names import did_you_mean
 
     known = {name: folder() / f"{name}.yaml" for name, _title in listed_examples()} | templates()
@@ -65,10 +71,18 @@ def write_new(file: Path, like: str | None = None) -> None:
         if "Did you mean" not in nearest:
             nearest = f" There is: {', '.join(templates())}, and every name of `freebody examples`."
         raise InputError(f"there is no template {like}.{nearest}")
-    _write(file, known[name].read_text(encoding="utf-8"))
+    text = known[name].read_text(encoding="utf-8")
+    _write(file, text)
+    return write_beside(text, file.parent)
 
 
-def _write(file: Path, text: str) -> None:
+def write_beside(text: str, to: Path) -> list[Path]:
+    """Writes what a model names and the examples have, unless it is there: whose it is there may be another one."""
+    wanted = [(path, to / path.name) for path in beside(text) if not (to / path.name).exists()]
+    return [_write(target, path.read_text(encoding="utf-8")) for path, target in wanted]
+
+
+def _write(file: Path, text: str) -> Path:
     if file.exists():
         raise InputError(f"{file} exists already; choose another name or remove it first")
     try:
@@ -76,3 +90,4 @@ def _write(file: Path, text: str) -> None:
     except OSError as error:
         raise InputError(f"{file.parent} cannot be made: {error.strerror}") from error
     write_whole(file, text)
+    return file

@@ -11,12 +11,13 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
 import flint
 
-from freebody.language.expression import ELLIPTIC, FUNCTIONS
+from freebody.language.expression import ELLIPTIC, FUNCTIONS, LAMBERT
 from freebody.symbolic.field import Field, Ratio
 
 _flint: Any = flint
@@ -44,14 +45,19 @@ def _elliptic_f(phi: Any, k: Any) -> Any:
     return _flint.acb.elliptic_f(_flint.acb(real(phi)), _flint.acb(k * k)).real if abs(k) < 1 else _flint.arb.nan()
 
 
+def _lambert(branch: int, x: Any) -> Any:
+    return real(x).lambertw(branch=branch)
+
+
 def _functions() -> dict[str, Any]:
     """The elementary functions in ball arithmetic; the result is nan where they are not real."""
 
     def method(name: str) -> Callable[[Any], Any]:
         return lambda x: getattr(real(x), name)()
 
-    made: dict[str, Any] = {name: method(name) for name in FUNCTIONS - {"rate", "abs", "sign", *ELLIPTIC}}
+    made: dict[str, Any] = {name: method(name) for name in FUNCTIONS - {"rate", "abs", "sign", *ELLIPTIC, *LAMBERT}}
     made |= {"elliptic_K": _elliptic_k, "elliptic_F": _elliptic_f}
+    made |= {name: partial(_lambert, branch) for name, branch in zip(LAMBERT, (0, -1), strict=True)}
     with working_precision():
         pi = _flint.arb.pi()
     return made | {"abs": abs, "sign": method("sgn"), "number": real, "pi": pi}

@@ -129,7 +129,7 @@ def _verdict(statement: OptionStatement, claim: Claim) -> tuple[Verdict, bool]:
     if is_necessary:
         return Verdict("wrong", Message("is necessary only: {what}", what=remains)), statement.word == "only if"
     told = Message(
-        "neither sufficient nor necessary: {what}; and for {case} it is conserved whatever this says",
+        "neither sufficient nor necessary: {what}; and for {case} it is conserved anyway",
         what=remains,
         case=_case_text(uncovered),
     )

@@ -56,6 +56,7 @@ class TypedJudgement:
     answer: TypedAnswer | None = None
     equations: tuple[tuple[Expr, Expr], ...] = ()  # as they were read, where equations are the answer
     forces: tuple[str, ...] = ()  # the entries of a free-body diagram
+    is_of_form: bool = False  # the reason is seen without the answer: its unit, how many parts it has
 
     @property
     def exprs(self) -> tuple[Expr, ...]:
@@ -151,9 +152,9 @@ class AnswerJudge:
             if not self.wanted.bound:
                 raise _Unreadable(Message("an inequality is no answer here: write the value alone, or after ="), answer)
             if answer.relations[0][0] != self.wanted.bound:
-                return TypedJudgement("incorrect", Message("the inequality points the wrong way"))
+                return TypedJudgement("incorrect", Message("the inequality points the wrong way"), is_of_form=True)
         if len(answer.parts) != len(self.answers):
-            return TypedJudgement("incorrect", self._other_shape(len(answer.parts)))
+            return TypedJudgement("incorrect", self._other_shape(len(answer.parts)), is_of_form=True)
         if answer.is_number:
             return self._number(cast("tuple[TypedNumber, ...]", answer.parts))
         try:
@@ -162,7 +163,7 @@ class AnswerJudge:
         except Settled as settled:
             if (number := self._put_in(exprs)) is not None:
                 raise _Unreadable(Message("{x} seems to be {name}: write {name}", **number), answer) from None
-            return TypedJudgement("incorrect", settled.verdict.reason, decided_by=Message("units"))
+            return TypedJudgement("incorrect", settled.verdict.reason, decided_by=Message("units"), is_of_form=True)
 
     def _other_shape(self, n: int) -> str:
         if not self.wanted.has_order:

@@ -54,7 +54,7 @@ def _installed() -> Iterator[tuple[str, str, bool]]:
 
 def _kernels() -> Iterator[tuple[str, str, bool]]:
     """The library that the engine runs, or why there is none."""
-    from freebody.errors import FreebodyError
+    from freebody.errors import BrokenInstallation
     from freebody.numeric.kernels import library
 
     if os.environ.get("FREEBODY_KERNELS"):
@@ -62,7 +62,7 @@ def _kernels() -> Iterator[tuple[str, str, bool]]:
         return
     try:
         library.loaded()
-    except FreebodyError as error:
+    except BrokenInstallation as error:
         yield "kernels", str(error), False
         return
     path = library.path()
@@ -77,13 +77,13 @@ def _extras() -> Iterator[tuple[str, str, bool]]:
 
 def _answer() -> tuple[str, str, bool]:
     """F/m, by both routes."""
-    from freebody.errors import FreebodyError
+    from freebody.errors import BrokenInstallation, FreebodyError
 
     try:
         solve = import_module("freebody.study.answering.solve").solve
         system = import_module("freebody.system.system").System.from_text(_CHECK)
         [answer] = solve(system, question="acceleration of x").answers
         is_right = answer.value is not None and abs(answer.value - 5.0) < 1e-12 and answer.evidence is not None
-    except FreebodyError as error:
+    except (FreebodyError, BrokenInstallation) as error:
         return "check", str(error), False
     return "check", f"acceleration F/m = {answer.value:g} m/s^2, {'right' if is_right else 'WRONG'}", is_right

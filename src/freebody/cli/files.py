@@ -53,7 +53,7 @@ def new(
             print(f"{name:<20} {title}")
         print("\nWrite one with: freebody new model.yaml --like NAME")
         return
-    write_new(file, like)
+    print_written(write_new(file, like))
     print(f"wrote {file}. Try: freebody solve {file}")
 
 

@@ -49,9 +49,9 @@ def quiz(
 
 def _ask(one: QuizQuestion, catalogue: Catalogue) -> bool:
     """Asks one question until it is solved, given up or out of attempts. False at the end of the input."""
-    from freebody.language.plain_text import plain, plain_lines
+    from freebody.present.report.formats.terminal import terminal_text
 
-    print(f"\n{plain(one.system.title)}\n{plain(one.question.id)}: {plain_lines(one.words)}")
+    print(f"\n{terminal_text(one.report).rstrip()}")
     while not one.is_over:
         try:
             text = input("> ").strip()
@@ -67,7 +67,7 @@ def _ask(one: QuizQuestion, catalogue: Catalogue) -> bool:
             if not one.is_over:
                 print(catalogue.word("quiz.left").format(n=one.n_left))
     if not one.is_solved:
-        print(f"{catalogue.word('quiz.solution')}\n{one.solution()}")
+        print(f"\n{terminal_text(one.solution()).rstrip()}")
     return True
 
 

@@ -26,14 +26,14 @@ def command(function: Callable[P, None]) -> Callable[P, None]:
 
     @functools.wraps(function)
     def command(*arguments: P.args, **options: P.kwargs) -> None:
-        from freebody.errors import FreebodyError, InputError
+        from freebody.errors import BrokenInstallation, FreebodyError, InputError
 
         try:
             if options.get("watch"):
                 _watched(function, *arguments, **options)
             function(*arguments, **options)
             _flush()
-        except FreebodyError as error:
+        except (FreebodyError, BrokenInstallation) as error:
             _end(in_language(str(error), options.get("language")), 2 if isinstance(error, InputError) else 1)
         except BrokenPipeError:
             quiet()

@@ -77,6 +77,10 @@ class Connection(Spec):
         """The direction of a line of the ground that bears a body, which may leave it."""
         return None
 
+    def is_floor_below(self, names: Names, body: str) -> bool:
+        """Whether it is no more to a body than a level floor on which it may land, and above which it is put."""
+        return False
+
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The measures that it bounds, and those along which it resists by dry friction."""
         return [], []

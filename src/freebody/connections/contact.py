@@ -15,16 +15,18 @@ from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.connections.places_on_bodies import INSIDE
 from freebody.connections.polyhedra import is_polyhedron
 from freebody.connections.sites import sites
+from freebody.connections.standing import is_parallel, number_of, place_of
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
-from freebody.measures.geometry import GROUND, Direction
+from freebody.measures.geometry import GROUND, RIGHT, Direction
 from freebody.model import glyphs
 from freebody.model.elements import DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction, read_restitution
 from freebody.model.glyphs import Glyph
 from freebody.model.noting import did_you_mean
 from freebody.model.spec import Formula
+from freebody.tolerances import SAME_PLACE
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -62,7 +64,8 @@ class Contact(Connection, kind="contact"):
     coefficient, or {static: 0.5, kinetic: 0.4}; restitution between 0 (default) and 1; rolling_resistance: the arm of
     the normal force [m]. A contact whose bodies have no place (`at`) starts touching, and `touching: true` moves the
     bodies there, or out of each other, by the least; `touching: false` leaves them where they are. Of two bodies
-    with plane faces only `touching: true` does."""
+    with plane faces only `touching: true` does. A cylinder may stand flat on a plane or a face: it tips about its rim,
+    and resists spinning by its spinning_resistance alone."""
 
     between: list[str] | None = None
     among: list[str] | str | None = None
@@ -290,6 +293,20 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             if other.body == body and solid.body == GROUND and len(solid.straights) == 1:
                 return solid.straights[0].line.direction
         return None
+
+    def is_floor_below(self, names: Names, body: str) -> bool:
+        known = names.known(body)
+        along = self.lies_along(names, body) if self.between is not None and known.start.at is not None else None
+        if along is None or known.corners or not is_parallel(names, along, RIGHT):
+            return False
+        with names.quietly():
+            sides = [side for pair in self.pairs(names, "") for side in (pair.first, pair.second)]
+        floors = [straight.line for side in sides for straight in side.straights]
+        place = place_of(names, known.center)
+        if place is None or len(floors) != 1:
+            return False
+        height = place[1] - number_of(names, floors[0].through.offset[1])
+        return height > (1.0 + SAME_PLACE) * (0.0 if known.radius is None else number_of(names, known.radius))
 
     def mentions(self, names: Names) -> set[str]:
         texts = self.between or (self.among if isinstance(self.among, list) else list(names.bodies))

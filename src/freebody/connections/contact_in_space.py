@@ -3,8 +3,10 @@ and each other.
 
 Dry friction has the circular cone: at rest its two components stay within a coefficient times the normal force, and
 while it slides it points against the slip. What resists rolling is a moment of the normal force times an arm in the
-plane, against the angular velocity there; what resists spinning one about the normal. Source: Leine & Nijmeijer,
-Dynamics and Bifurcations of Non-Smooth Mechanical Systems, 2004, sec. 5.3; Johnson, Contact Mechanics, 1985, ch. 8.
+plane, against the angular velocity there; what resists spinning one about the normal. A flat end of radius R that lies
+on a face presses on it somewhere within its circle, so that its moment about the middle is R times the normal force at
+most: that is the same law, until it tips about its rim. Source: Leine & Nijmeijer, Dynamics and Bifurcations of
+Non-Smooth Mechanical Systems, 2004, sec. 5.3; Johnson, Contact Mechanics, 1985, ch. 8.
 """
 
 from __future__ import annotations
@@ -21,6 +23,7 @@ from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import (
+    TIPPING,
     BodyPlane,
     ConstraintRow,
     DryFriction,
@@ -30,6 +33,7 @@ from freebody.model.elements import (
 )
 from freebody.model.friction import Friction
 from freebody.model.hulls import MOST_POINTS
+from freebody.model.solids import CYLINDER, DISK
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -88,7 +92,7 @@ class PairInSpace:
         bounds: list[UnilateralConstraint] = []
         rubs: list[DryFriction] = []
         for place in places:
-            component = "contact" if self.is_alone and len(places) == 1 else f"{place.label} on {place.facing}"
+            component = "contact" if self.is_alone and len(places) == 1 else place.name
             row = self._row(place, component, "normal force", place.measure, is_bound=True)
             family = f"{self.connection}: {self.first}, {self.second_label}"
             bounds.append(
@@ -111,7 +115,8 @@ class PairInSpace:
     def _tell_hulls(self, names: Names) -> None:
         for name in (self.first, self.second):
             body = names.bodies.get(name)
-            if body is not None and body.faces and body.solid.has_hollows:
+            is_bored = body is not None and body.inner is not None and body.solid in (CYLINDER, DISK)
+            if body is not None and ((body.faces and body.solid.has_hollows) or (is_bored and self.plane is None)):
                 told = Message("{body} is not convex: in contacts its convex hull touches", body=name)
                 if told not in names.assumptions:
                     names.assumptions.append(told)
@@ -143,7 +148,10 @@ class PairInSpace:
         s, found = self.surface, list[DryFriction]()
         if not s.friction.is_none:
             found.append(self._pair("slip", "friction force", place, component, place.slip, s.friction, normal))
-        if s.rolling_resistance != ZERO:
+        if place.reach is not None:
+            tipping = Friction(place.reach, place.reach)
+            found.append(self._pair("tipping", TIPPING, place, component, place.rolling(), tipping, normal))
+        elif s.rolling_resistance != ZERO:
             resisted = Friction(s.rolling_resistance, s.rolling_resistance)
             turns = place.rolling()
             found.append(self._pair("rolling", "rolling resistance", place, component, turns, resisted, normal))

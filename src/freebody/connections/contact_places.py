@@ -35,3 +35,9 @@ class ContactPlace:
     is_crossing: bool = False  # of two edges
     is_separating: bool = False  # of two polyhedra
     lost: Measure | None = None  # in `within`, not positive where more than a place touches: the pitfall says how
+    reach: Expr | None = None  # of a flat end on a face: its radius, within which the pressure may be centred
+
+    @property
+    def name(self) -> str:
+        """`can.start on floor`, where its rim touches, and `flat can.start on floor`."""
+        return f"{'' if self.reach is None else 'flat '}{self.label} on {self.facing}"

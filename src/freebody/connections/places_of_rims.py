@@ -3,6 +3,7 @@
 With a the axis, R the radius, C the middle and E the middle of a rim, m the outer normal of a face, in axes of the
 polyhedron; b an edge from A, p x q = b:
 
+    a flat end on a face   all of it, a moment about its middle being R times the normal force at most,
     a rim on a face        where the rim is lowest, E + r,  r = -R (m - (a.m) a)/w,  w = sqrt(1 - (a.m)^2),
                            gap m.E - h - R w,               between the sides of the face;
     the side on an edge    n = s (a x b)/|a x b|,           gap n.(C - A) - R, both feet as of two edges;
@@ -13,7 +14,7 @@ polyhedron; b an edge from A, p x q = b:
 
 A normal is one that both bodies have there: n is between the normals of the faces of the edge, and -n between u and the
 outward axis, so that k >= 0 at the start of a cylinder and <= 0 at its end. A line along which a lying cylinder touches
-is its ends; a cylinder that stands flat on a face touches it in more than places, and is refused. Source: Ericson,
+is its ends. A cylinder that stands flat across an edge of a face, touching part of it, is refused. Source: Ericson,
 Real-Time Collision Detection, 2005, sec. 5.1.8; Kosenko & Alexandrov, Multibody System Dynamics 12 (2004), for rims.
 """
 
@@ -40,7 +41,7 @@ from freebody.connections.places_of_polyhedra import (
     PARALLEL,
     W,
 )
-from freebody.connections.places_on_planes import along_plane
+from freebody.connections.places_on_planes import FLAT, along_plane, bounded
 from freebody.connections.polyhedra import Corner, Face, Polyhedron, PolyhedronEdge, polyhedron_of
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, negate, number
 from freebody.language.sentences import Message
@@ -86,9 +87,9 @@ class Round:
 
 
 def round_of(names: Names, text: str) -> Round | None:
-    """`can`; None for what is no full cylinder or disk."""
+    """`can`; None for what is no cylinder or disk. A bore is left out of account (the hull touches)."""
     body = names.bodies.get(text)
-    if body is None or body.inner is not None or body.solid not in (CYLINDER, DISK):
+    if body is None or body.solid not in (CYLINDER, DISK):
         return None
     if body.solid == DISK:
         return Round(body, body.center, body.sizes[0], None, (Rim(body.name, body.center, 0),))
@@ -102,7 +103,7 @@ def places_of_rims(names: Names, first: str, second: str) -> list[ContactPlace]:
     solid = None if can is None else polyhedron_of(names, second)
     if can is None or solid is None:
         return []
-    found = [_rim_on_face(can, rim, face, solid) for rim in can.rims for face in solid.faces]
+    found = [place for rim in can.rims for face in solid.faces for place in _ends_on(can, rim, face, solid)]
     for edge in solid.edges:
         found += [] if can.length is None else _side_on_edge(can, can.length, edge, solid)
         found += [_rim_on_edge(can, rim, edge, solid) for rim in can.rims]
@@ -111,27 +112,23 @@ def places_of_rims(names: Names, first: str, second: str) -> list[ContactPlace]:
     return found
 
 
-def _bounded(square: Expr, least: Expr) -> Expr:
-    """A square, or the least one, whichever is greater: nothing is divided by zero."""
-    return (square + least + Call("abs", square - least)) / 2
-
-
-# -- rims on faces -------------------------------------------------------------------------------
-def _rim_on_face(can: Round, rim: Rim, face: Face, solid: Polyhedron) -> ContactPlace:
+# -- rims and flat ends on faces -----------------------------------------------------------------
+def _ends_on(can: Round, rim: Rim, face: Face, solid: Polyhedron) -> Iterator[ContactPlace]:
+    """A rim, as long as it is tilted, and all that it surrounds where it is flat."""
     middle, axes, m = solid.body.mass_center, body_axes(solid.body.name), face.normal.components
     turned = [(s.name, Alignment(can.axis, e)) for s, e in zip(A, axes, strict=True)]
     frame = ContactFrame.of(rim.center, middle, axes, D, *turned)
+    p, q = (along.components for along in along_plane(BodyPlane(middle, face.normal.along)))
     leaning = dot(A, m)
-    square = ONE - leaning * leaning
-    size = Call("sqrt", _bounded(square, LEAST))
+    square = dot(A, p) * dot(A, p) + dot(A, q) * dot(A, q)  # 1 - (a.m)^2, without the loss of digits
+    size = Call("sqrt", bounded(square, LEAST))
     arm = tuple(negate(can.radius) * (c - leaning * a) / size for c, a in zip(m, A, strict=True))
     lowest = tuple(d + r for d, r in zip(D, arm, strict=True))
     beside = tuple(
         Span(frame.composed(dot(side.along.components, lowest), LENGTH), side.low, side.high) for side in face.sides
     )
-    lost = frame.composed(square - LEAST, DIMENSIONLESS)
-    p, q = (along.components for along in along_plane(BodyPlane(middle, face.normal.along)))
-    return ContactPlace(
+    tilted = frame.composed(size - FLAT, DIMENSIONLESS)
+    yield ContactPlace(
         rim.label,
         face.label,
         frame.composed(dot(m, D) - can.radius * size, LENGTH),
@@ -140,11 +137,40 @@ def _rim_on_face(can: Round, rim: Rim, face: Face, solid: Polyhedron) -> Contact
         ("1", "2"),
         lambda: (frame.turning(p), frame.turning(q)),
         lambda: frame.turning(m),
-        within=(*beside, Span(lost)),
+        within=(*beside, Span(tilted, low=ZERO)),
         obstacle=f"{rim.label} in {solid.body.name}",
         bodies=(can.body.name, solid.body.name),
         pitfall=Message("{rim} lies flat on {face}", rim=rim.label, face=face.label),
+        lost=tilted,
+    )
+    flat, touched, least = FLAT - size, list[Span](), FLAT - size
+    # what is beyond a side, in parts of the radius, makes it less than flat
+    for side in face.sides:
+        place = dot(side.along.components, D)
+        low = None if side.low is None else side.low - can.radius
+        high = None if side.high is None else side.high + can.radius
+        touched.append(Span(frame.composed(place, LENGTH), low, high))
+        inside = [] if side.low is None else [place - side.low]
+        inside += [] if side.high is None else [side.high - place]
+        for room in inside:
+            beyond = ONE - room / can.radius
+            least = least - (beyond + Call("abs", beyond)) / 2
+    lost = frame.composed(least, DIMENSIONLESS)
+    yield ContactPlace(
+        rim.label,
+        face.label,
+        frame.composed(dot(m, D), LENGTH),
+        face.offset,
+        (frame.slip(p), frame.slip(q)),
+        ("1", "2"),
+        lambda: (frame.turning(p), frame.turning(q)),
+        lambda: frame.turning(m),
+        within=(*touched, Span(frame.composed(flat, DIMENSIONLESS), low=ZERO), Span(lost)),
+        obstacle=f"flat {rim.label} in {solid.body.name}",
+        bodies=(can.body.name, solid.body.name),
+        pitfall=Message("{rim} lies flat across an edge of {face}, with part of it", rim=rim.label, face=face.label),
         lost=lost,
+        reach=can.radius,
     )
 
 
@@ -191,10 +217,10 @@ def _side_on_edge(can: Round, length: Expr, edge: PolyhedronEdge, solid: Polyhed
 
 def _rim_on_edge(can: Round, rim: Rim, edge: PolyhedronEdge, solid: Polyhedron) -> ContactPlace:
     frame, R = _frame_of(edge, rim.center, can), can.radius
-    over = AB / _bounded(AB * AB, LEAST)  # 1/(a.b)
+    over = AB / bounded(AB * AB, LEAST)  # 1/(a.b)
     foot = (AP * DP + AQ * DQ + AB * DB) * over
     arm = (negate(DP), negate(DQ), foot - DB)
-    size = Call("sqrt", _bounded(dot(arm, arm), R * R * LEAST))
+    size = Call("sqrt", bounded(dot(arm, arm), R * R * LEAST))
     k = arm[2] / size * over
     lean = Call("sqrt", ONE + k * k)
     n = (*((k * a - r / size) / lean for a, r in zip((AP, AQ), arm[:2], strict=True)), ZERO)
@@ -236,7 +262,7 @@ def _corner_on(can: Round, corner: Corner, solid: Polyhedron) -> Iterator[Contac
     frame = ContactFrame.of(corner.point, can.center, axes, D)
     name, R = corner.point.name, can.radius
     half = ZERO if can.length is None else divide(can.length, number(2))
-    rho = Call("sqrt", _bounded(D[0] * D[0] + D[1] * D[1], R * R * LEAST))
+    rho = Call("sqrt", bounded(D[0] * D[0] + D[1] * D[1], R * R * LEAST))
 
     def place(
         facing: str, gap: Expr, target: Expr, sign: int, n: Components, t: tuple[Components, Components], *within: Span

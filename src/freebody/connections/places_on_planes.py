@@ -4,6 +4,7 @@ With n the normal of the plane and C the centre, what is lowest is
 
     a sphere                       C - R n,                                          h - R above the plane,
     the rim of a disk with axis a  C - R (n - (n.a) a)/|n x a|,                      h - R |n x a|,
+    the flat end of a cylinder     all of it, C being its middle,                    h,
     an ellipsoid of semi-axes D    C - D^2 n/sqrt(n.D^2 n), components in its axes,  h - sqrt(n.D^2 n),
 
 with h the height of C. The material point there slips in the plane by its velocity, of which the two components along
@@ -14,26 +15,38 @@ the plane are rates of no measure; a point that is always the same one slips by 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
 from freebody.connections.joints import across_names
 from freebody.connections.polyhedra import corners_of
-from freebody.language.expression import ZERO, Call, Expr, Symbol
+from freebody.language.expression import ZERO, Call, Expr, Symbol, number
 from freebody.language.sentences import Message
-from freebody.language.units import LENGTH
+from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction, Point
 from freebody.measures.turn import Alignment
-from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
+from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody, Span
 from freebody.model.rotations import perpendiculars
 from freebody.model.solids import BOX, CYLINDER, ELLIPSOID
 from freebody.model.spins import body_axes, spin, velocity_of_place
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+LEAST = number(Fraction(1, 10**10))  # of the square of a sine, so that nothing is divided by zero
+FLAT = number(Fraction(2, 10**5))  # the sine of a tilt below which an end is flat
+_SQUARE = Symbol("@n1") * Symbol("@n1") + Symbol("@n2") * Symbol("@n2")
+TILT = Call("sqrt", _SQUARE)
+
+
+def bounded(square: Expr, least: Expr) -> Expr:
+    """A square, or the least one, whichever is greater: nothing is divided by zero."""
+    return (square + least + Call("abs", square - least)) / 2
+
 
 Arm = list[tuple[Measure, Direction]]  # of a place from the centre: components along directions of the body
 
@@ -47,7 +60,10 @@ class PlaceOnPlane:
     gap: Measure
     target: Expr | None
     arm: Arm | None
-    is_rim: bool = False  # all of which touches where it lies flat: then there is no lowest place
+    pitfall: Message | None = None  # where all of a rim touches there is no lowest place
+    within: tuple[Span, ...] = ()
+    lost: Measure | None = None
+    reach: Expr | None = None  # of a flat end
 
     def on(self, plane: BodyPlane, facing: str) -> ContactPlace:
         """With its slip along two directions of the plane, and its turning about them and the normal."""
@@ -61,9 +77,10 @@ class PlaceOnPlane:
             across_names(plane.normal),
             lambda: (spin(body, p, owner), spin(body, q, owner)),
             lambda: spin(body, plane.normal, owner),
-            pitfall=Message("the rim of {rim} is parallel to {face}", rim=self.label, face=facing)
-            if self.is_rim
-            else None,
+            within=self.within,
+            pitfall=self.pitfall,
+            lost=self.lost,
+            reach=self.reach,
         )
 
     def _slip(self, along: Direction, plane: BodyPlane) -> Measure | NonholonomicForm:
@@ -93,7 +110,8 @@ def places_on_plane(names: Names, text: str, plane: BodyPlane) -> list[PlaceOnPl
         arm = sphere_arm(body, body.radius, plane)
         return [PlaceOnPlane(body.name, body.center, _height(body.center, plane), body.radius, arm)]
     if body.solid == CYLINDER:
-        return [_rim(body, body.point(end), f"{body.name}.{end}", body.sizes[0], plane) for end in ("start", "end")]
+        ends = [(body.point(end), f"{body.name}.{end}") for end in ("start", "end")]
+        return [place for end in ends for place in _ends_on(body, *end, body.sizes[0], plane)]
     if body.round == "disk" and body.radius is not None:
         return [_rim(body, body.center, body.name, body.radius, plane)]
     return []
@@ -116,12 +134,47 @@ def sphere_arm(body: RigidBody, radius: Expr, plane: BodyPlane) -> Arm:
 
 
 def _rim(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPlane) -> PlaceOnPlane:
+    across, n = _across(body, plane)
+    told = Message("the rim of {rim} is parallel to {face}", rim=label, face=plane.name)
+    return PlaceOnPlane(label, center, *_lowest(across, n, center, radius, plane, TILT), pitfall=told)
+
+
+def _ends_on(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPlane) -> list[PlaceOnPlane]:
+    """An end of a cylinder: its rim, as long as it is tilted, and all of it where it is flat."""
+    across, n = _across(body, plane)
+    size = Call("sqrt", bounded(_SQUARE, LEAST))
+    tilted = Composed(size - FLAT, n, DIMENSIONLESS, here=True)
+    flat = Composed(FLAT - size, n, DIMENSIONLESS, here=True)
+    gap, target, arm = _lowest(across, n, center, radius, plane, size)
+    lies, upright = Message("{rim} lies flat on {face}", rim=label, face=plane.name), _height(center, plane)
+    return [
+        PlaceOnPlane(label, center, gap, target, arm, lies, (Span(tilted, low=ZERO),), tilted),
+        PlaceOnPlane(label, center, upright, None, None, within=(Span(flat, low=ZERO),), reach=radius),
+    ]
+
+
+def _across(body: RigidBody, plane: BodyPlane) -> tuple[list[Direction], tuple[tuple[str, Measure], ...]]:
+    """Two directions across the axis of a body, and the components of the normal there."""
     across = [Direction(body.name, v) for v in perpendiculars(body.axis)]
-    n = tuple((f"@n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
-    size = Call("sqrt", Symbol("@n1") * Symbol("@n1") + Symbol("@n2") * Symbol("@n2"))
-    gap = Composed(Symbol("@h") - radius * size, (("@h", _height(center, plane)), *n), LENGTH)
-    arm: Arm = [(Composed(-radius * Symbol(name) / size, n, LENGTH), b) for (name, _), b in zip(n, across, strict=True)]
-    return PlaceOnPlane(label, center, gap, None, arm, is_rim=True)
+    return across, tuple((f"@n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
+
+
+def _lowest(
+    across: list[Direction],
+    n: tuple[tuple[str, Measure], ...],
+    center: Point,
+    radius: Expr,
+    plane: BodyPlane,
+    size: Expr,
+) -> tuple[Measure, Expr | None, Arm]:
+    """The gap of a rim, its target, and the arm to where it is lowest; size: |n x a|."""
+    here = size != TILT
+    gap = Composed(Symbol("@h") - radius * size, (("@h", _height(center, plane)), *n), LENGTH, here=here)
+    arm: Arm = [
+        (Composed(-radius * Symbol(name) / size, n, LENGTH, here=here), b)
+        for (name, _), b in zip(n, across, strict=True)
+    ]
+    return gap, None, arm
 
 
 def ellipsoid_on_plane(body: RigidBody, plane: BodyPlane) -> PlaceOnPlane:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from freebody.assess.names import named_in
 from freebody.errors import ExpressionError
-from freebody.language.expression import ELLIPTIC, FRESNEL, Call, Expr, Number, Symbol, replace_rates
+from freebody.language.expression import ELLIPTIC, FRESNEL, LAMBERT, Call, Expr, Number, Symbol, replace_rates
 from freebody.language.notation.one_line import OneLineWriter
 from freebody.language.parser import parse
 from freebody.messages import Message
@@ -90,6 +90,8 @@ class Typing:
             raise ExpressionError(Message("it has an elliptic integral"))
         if call.function in FRESNEL:
             raise ExpressionError(Message("it has a Fresnel integral"))
+        if call.function in LAMBERT:
+            raise ExpressionError(Message("it has Lambert's W function"))
         return f"{self.language.functions.get(call.function, call.function)}({argument})"
 
 

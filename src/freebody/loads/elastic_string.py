@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from pydantic import ConfigDict, Field
 
-from freebody.language.expression import Call, Expr, Symbol, divide, multiply, negate, number
+from freebody.language.expression import Call, Expr, Symbol, divide, multiply, negate, number, power
 from freebody.language.sentences import Message
-from freebody.language.units import FORCE, LENGTH, STIFFNESS
+from freebody.language.units import AREA, FORCE, LENGTH, STIFFNESS
 from freebody.loads.base import Load
 from freebody.loads.law import law
 from freebody.measures.combination import Combination, Composed
@@ -27,6 +27,7 @@ from freebody.measures.geometry import AXES, GROUND, ONE, ZERO, Point
 from freebody.model import glyphs
 from freebody.model.elements import VALUE, AppliedLoad, Validity
 from freebody.model.glyphs import Glyph
+from freebody.model.one_sided import OneSided
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -93,9 +94,22 @@ loads: {it: {elastic_string: {from: ground.A, to: ball, stiffness: 5 N/m, length
             names.assumptions.append(Message("the elastic string from {start} stays taut", start=self.start))
             return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
         if natural is not None and self._starts_at_its_anchor(names):
-            return [AppliedLoad("", self._stretched(names, natural), negate(multiply(k, VALUE)))]
-        # (e + |e|)/2 is e where it is positive, and 0 elsewhere
-        return [AppliedLoad("", stretch, negate(divide(multiply(k, VALUE + Call("abs", VALUE)), number(2))))]
+            pushed, law = self._stretched(names, natural), negate(multiply(k, VALUE))
+        else:  # (e + |e|)/2 is e where it is positive, and 0 elsewhere
+            pushed, law = stretch, negate(divide(multiply(k, VALUE + Call("abs", VALUE)), number(2)))
+        if natural is None:
+            return [AppliedLoad("", pushed, law)]
+        length, limit = self._as_far(names, natural)
+        return [AppliedLoad("", pushed, law, one_sided=OneSided(length, limit, stretch, negate(multiply(k, VALUE))))]
+
+    def _as_far(self, names: Names, natural: Expr) -> tuple[Composed, Expr]:
+        """How long it is, and how long it is at least where it is taut: of a straight string by squares, which have a
+        gradient also where the ends meet."""
+        parts = self._length(names)
+        if len(parts) > 1:
+            return Composed(_sum(parts), parts, LENGTH), natural
+        square, sides = self._square(names)
+        return Composed(square, sides, AREA), power(natural, number(2))
 
     def _starts_at_its_anchor(self, names: Names) -> bool:
         """Whether the model puts both ends in one place, where the string has no direction."""
@@ -116,15 +130,20 @@ loads: {it: {elastic_string: {from: ground.A, to: ball, stiffness: 5 N/m, length
     def _stretched(self, names: Names, natural: Expr) -> Composed:
         """max(l, l_0) - l_0, with max(a, b) = (a + b + |a - b|)/2 of the squares: it has a gradient also where the ends
         meet, which is zero."""
+        square, parts = self._square(names)
+        relaxed = natural * natural
+        larger = divide(square + relaxed + Call("abs", square - relaxed), number(2))
+        return Composed(Call("sqrt", larger) - natural, parts, LENGTH)
+
+    def _square(self, names: Names) -> tuple[Expr, tuple[tuple[str, Displacement], ...]]:
+        """The square of the length of a straight string, and what it is made of."""
         first, last = self._points(names)
         axes = zip(("@x", "@y", "@z") if names.space else ("@x", "@y"), AXES, strict=False)
         parts = tuple((name, Displacement(last, first, axis)) for name, axis in axes)
         square: Expr = ZERO
         for name, _part in parts:
             square = square + Symbol(name) * Symbol(name)
-        relaxed = natural * natural
-        larger = divide(square + relaxed + Call("abs", square - relaxed), number(2))
-        return Composed(Call("sqrt", larger) - natural, parts, LENGTH)
+        return square, parts
 
 
 class TensionedString(_OverPoints, kind="tensioned_string"):

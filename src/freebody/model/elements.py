@@ -16,6 +16,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Geometry, Point, Scalar, Vector, unit
+from freebody.model.one_sided import OneSided
 from freebody.model.solids import NO_SOLID, SolidKind
 
 S = TypeVar("S", bound=Scalar)
@@ -142,8 +143,7 @@ class RigidBody:
         Edge[Components], ...
     ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon
     copies: tuple[str, ...] = ()  # the further ones of equal bodies on one carrier, of which this one is written
-    # in space
-    tensor: Components = ()  # of inertia about the mass centre in body axes: xx, yy, zz, xy, xz, yz
+    tensor: Components = ()  # in space: of inertia about the mass centre in body axes, xx, yy, zz, xy, xz, yz
     round: str = ""  # what of it can roll: "disk" (its rim), "sphere", "cone"
     axis: Components = ()  # of a round body
     planes: dict[str, BodyPlane] = field(default_factory=dict[str, BodyPlane])
@@ -311,6 +311,9 @@ class UnilateralConstraint:
         return self.row.reaction.startswith("stop ")
 
 
+TIPPING = "tipping moment"
+
+
 @dataclass(frozen=True)
 class DryFriction:
     """Dry friction along a measure. While it does not run its row is held, as long as its multiplier stays within
@@ -343,6 +346,11 @@ class DryFriction:
     def rows(self) -> tuple[ConstraintRow, ...]:
         """The row that it holds, or both."""
         return (self.row,) if self.across is None else (self.row, self.across)
+
+    @property
+    def is_tipping(self) -> bool:
+        """Whether it is the moment of a flat end about its middle, which tips about its rim where it gives way."""
+        return self.row.reaction.startswith(TIPPING)
 
     def coefficient(self, direction: int, *, at_rest: bool = False) -> Expr:
         """What multiplies the load: direction +1 where the measure grows (or would), -1 where it falls."""
@@ -380,6 +388,7 @@ class AppliedLoad:
     measures: tuple[tuple[str, Measure], ...] = ()  # named measures in the law
     load: str = ""
     general: Expr | None = None  # the law with functions of time as symbols; None: it contains none
+    one_sided: OneSided | None = None  # where it acts on one side of a border only; `law` is that of both sides
 
     @property
     def in_symbols(self) -> Expr:

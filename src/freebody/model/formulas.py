@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping
 from contextlib import suppress
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any, cast
 
 from freebody.errors import ExpressionError, InputError, NoQuantity, UnitError
@@ -235,6 +236,9 @@ class Formulas(Noting):
             items = [*items, 0]
         if len(items) != len(self.origin):
             wanted = Message("three components [x, y, z]" if self.space else "two components [x, y]")
+            if told := _decimal_comma(items):
+                self.problem(told, *path)
+                return self.origin
             hint = Message(". For a model in space write space: true") if len(items) == 3 else ""
             if not items and isinstance(value, (str, int, float)):
                 example = f"[{', '.join(str(each) for each in (value, *[0] * (len(self.origin) - 1)))}]"
@@ -252,6 +256,14 @@ class Formulas(Noting):
     def length_or(self, spec: Spec, field: str, fallback: Expr | None = None) -> Expr | None:
         value = getattr(spec, field)
         return fallback if value is None else self.positive(spec, field, LENGTH)
+
+
+def _decimal_comma(items: list[Any]) -> Message | None:
+    """Of `[1,5 m, 2 m]`: a bare whole number before digits with a unit is what a comma has left of a decimal."""
+    for n, rest in pairwise(items):
+        if type(n) is int and isinstance(rest, str) and re.match(r"\d+(e[-+]?\d+)?\s*[^\W\d]", rest):
+            return Message("a comma separates entries; write a point: {n}.{rest}", n=n, rest=rest)
+    return None
 
 
 def quantity_expression(quantity: Any) -> Expr:

@@ -46,6 +46,12 @@ def faces_of_hull(points: Sequence[Triple], same: float = SAME) -> list[tuple[in
     return sorted(found.values())
 
 
+def outline_of_hull(points: Sequence[Triple], same: float = SAME) -> tuple[int, ...]:
+    """The corners of the hull of points with z = 0, counter-clockwise."""
+    spread = [max(p[k] for p in points) - min(p[k] for p in points) for k in range(2)]
+    return _around(points, list(range(len(points))), (0.0, 0.0, 1.0), same * math.hypot(*spread))
+
+
 def _around(points: Sequence[Triple], members: list[int], outward: Triple, slack: float) -> tuple[int, ...]:
     """The corners of the hull of points in a plane, counter-clockwise about the normal."""
     first = points[members[0]]

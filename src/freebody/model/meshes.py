@@ -10,16 +10,18 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib import import_module
 from io import BytesIO
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 from warnings import catch_warnings, simplefilter
 
 from freebody.language.sentences import Message
-from freebody.model.hulls import MOST_POINTS, faces_of_hull
+from freebody.model.hulls import MOST_POINTS, faces_of_hull, outline_of_hull
+from freebody.model.silhouettes import is_hole, silhouette
 from freebody.model.tables import bytes_beside
 
 if TYPE_CHECKING:
@@ -35,6 +37,8 @@ _N_DIRECTIONS = 160  # of the corners that stand for a finer mesh in pictures
 _GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
 
 Exact = tuple[Fraction, Fraction, Fraction]
+Flat = tuple[Fraction, Fraction]
+Found = TypeVar("Found")
 Triangle = tuple[int, ...]
 
 
@@ -54,20 +58,71 @@ class Triangulated:
     is_drawn_coarsely: bool
 
 
+@dataclass(frozen=True)
+class Silhouette:
+    """A homogeneous body in the plane that its normal axis leaves, from the origin of its file. volume: [m^3]; center:
+    [m]; spread: [m^2] the moment of inertia about the mass centre by the mass; hull: [m] the corners of its convex
+    hull, empty where there are more than contacts can have; drawn: [m] the edges of areas and holes; leans: whether
+    turning about the normal alone takes moments from outside."""
+
+    volume: Fraction
+    center: Flat
+    spread: Fraction
+    hull: tuple[Flat, ...]
+    drawn: tuple[tuple[tuple[Flat, ...], bool], ...]
+    leans: bool
+
+
 def read_mesh(names: Names, file: str, unit: Fraction) -> Triangulated | None:
     """The body in a file of the folder of the model; None with a problem noted at `file`. unit: [m] of the file."""
+    return _found(names, file, lambda data: _measured(file, data, unit))
+
+
+def read_silhouette(names: Names, file: str, unit: Fraction, normal: int) -> Silhouette | None:
+    """The same, as it is seen against the axis of the file with this number."""
+    return _found(names, file, lambda data: _seen(file, data, unit, normal))
+
+
+def _found(names: Names, file: str, read: Callable[[bytes], Found]) -> Found | None:
     data = bytes_beside(names, file, "file", MOST_BYTES)
     if data is None:
         return None
     try:
-        return _read(file, data, unit)
+        return read(data)
     except ValueError as error:
         names.problem(error.args[0], "file")
         return None
 
 
-@lru_cache(maxsize=4)  # a sweep reads its model again and again
-def _read(file: str, data: bytes, unit: Fraction) -> Triangulated:
+@dataclass(frozen=True)
+class _Closed:
+    """A closed surface about the middle of its file, by its size. mesh: trimesh's; scale: [unit of the file]"""
+
+    mesh: Any
+    volume: float
+    middle: list[float]
+    scale: Fraction
+
+    def place(self, v: Sequence[float], unit: Fraction) -> Exact:
+        """[m], rounded in the unit of the file, in which its numbers are short."""
+        scale = self.scale
+        x, y, z = (
+            _rounded(Fraction(m) + scale * Fraction(c), float(scale)) for m, c in zip(self.middle, v, strict=True)
+        )
+        return x * unit, y * unit, z * unit
+
+    def measured(self, unit: Fraction) -> tuple[Fraction, Exact, tuple[Fraction, ...]]:
+        """Volume, mass centre and inertia tensor as `Triangulated` has them."""
+        rows, scale = self.mesh.moment_inertia.tolist(), self.scale
+        places = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+        spread = [Fraction(rows[i][j] / self.volume) * scale**2 for i, j in places]
+        largest = float(max(map(abs, spread)))
+        volume = _rounded(Fraction(self.volume) * scale**3, self.volume * float(scale) ** 3)
+        center = self.place(self.mesh.center_mass.tolist(), unit)
+        return volume * unit**3, center, tuple(_rounded(s, largest) * unit**2 for s in spread)
+
+
+def _closed(file: str, data: bytes) -> _Closed:
     """Raises ValueError with a Message for what is no closed surface."""
     trimesh = _library()
     given = _loaded(trimesh, file, data)
@@ -93,7 +148,7 @@ def _read(file: str, data: bytes, unit: Fraction) -> Triangulated:
                 file=file,
             )
         raise ValueError(told)
-    return _measured(trimesh, mesh, volume, (middle, Fraction(scale)), unit)
+    return _Closed(mesh, volume, middle, Fraction(scale))
 
 
 def _library() -> Any:
@@ -155,32 +210,46 @@ def _check_closed(file: str, mesh: Any, middle: list[float], scale: float) -> No
         raise ValueError(told)
 
 
-def _measured(
-    trimesh: Any, mesh: Any, volume: float, placed: tuple[list[float], Fraction], unit: Fraction
-) -> Triangulated:
-    middle, scale = placed
-
-    def place(v: list[float]) -> Exact:
-        x, y, z = (_rounded(Fraction(m) + scale * Fraction(c), float(scale)) for m, c in zip(middle, v, strict=True))
-        return x * unit, y * unit, z * unit
-
-    # rounded in the unit of the file, in which its numbers are short
-    rows = mesh.moment_inertia.tolist()
-    spread = [Fraction(rows[i][j] / volume) * scale**2 for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-    largest = float(max(map(abs, spread)))
+@lru_cache(maxsize=4)  # a sweep reads its model again and again
+def _measured(file: str, data: bytes, unit: Fraction) -> Triangulated:
+    closed = _closed(file, data)
+    mesh = closed.mesh
     hull = mesh.convex_hull
-    is_convex = float(hull.volume) - volume <= _ALIKE * volume
+    is_convex = float(hull.volume) - closed.volume <= _ALIKE * closed.volume
     is_coarse = len(mesh.faces) > MOST_DRAWN
-    seen = _coarse(trimesh, mesh) if is_coarse else mesh
-    places, triangles = [place(v) for v in seen.vertices.tolist()], cast("list[Triangle]", seen.faces.tolist())
+    seen = _coarse(mesh) if is_coarse else mesh
+    places = [closed.place(v, unit) for v in seen.vertices.tolist()]
+    triangles = cast("list[Triangle]", seen.faces.tolist())
     return Triangulated(
-        _rounded(Fraction(volume) * scale**3, volume * float(scale) ** 3) * unit**3,
-        place(mesh.center_mass.tolist()),
-        tuple(_rounded(s, largest) * unit**2 for s in spread),
+        *closed.measured(unit),
         is_convex,
-        _hull_of([tuple(v) for v in hull.vertices.tolist()], place),
+        _hull_of([tuple(v) for v in hull.vertices.tolist()], partial(closed.place, unit=unit)),
         tuple(tuple(places[k] for k in triangle) for triangle in triangles),
         is_coarse,
+    )
+
+
+@lru_cache(maxsize=4)
+def _seen(file: str, data: bytes, unit: Fraction, normal: int) -> Silhouette:
+    closed = _closed(file, data)
+    axes = [(normal + k) % 3 for k in (1, 2, 3)]
+    volume, center, spread = closed.measured(unit)
+    corners = [[v[k] for k in axes] for v in closed.mesh.vertices.tolist()]
+    places = [[closed.place(v, unit)[k] for k in axes[:2]] for v in closed.mesh.vertices.tolist()]
+
+    def flat(loop: Iterable[int]) -> tuple[Flat, ...]:
+        return tuple((places[k][0], places[k][1]) for k in loop)
+
+    loops = silhouette(corners, closed.mesh.faces.tolist())
+    hull = outline_of_hull([(x, y, 0.0) for x, y, _z in corners], _ALIKE)
+    crossed = [spread[3 + i + j - 1] for i, j in (sorted((normal, other)) for other in axes[:2])]
+    return Silhouette(
+        volume,
+        (center[axes[0]], center[axes[1]]),
+        spread[normal],
+        flat(hull) if len(hull) <= MOST_POINTS else (),
+        tuple((flat(loop), is_hole([(corners[k][0], corners[k][1]) for k in loop])) for loop in loops),
+        any(crossed),
     )
 
 
@@ -191,14 +260,14 @@ def _hull_of(corners: list[Any], place: Any) -> tuple[tuple[Exact, ...], tuple[t
     return tuple(place(list(corner)) for corner in corners), tuple(faces)
 
 
-def _coarse(trimesh: Any, mesh: Any) -> Any:
+def _coarse(mesh: Any) -> Any:
     """The hull of the corners that are the outermost ones in directions all round (a Fibonacci lattice)."""
     kept: list[int] = []
     for k in range(_N_DIRECTIONS):
         z = 1.0 - (2 * k + 1) / _N_DIRECTIONS
         r = math.sqrt(1.0 - z * z)
         kept.append(int((mesh.vertices @ (r * math.cos(k * _GOLDEN), r * math.sin(k * _GOLDEN), z)).argmax()))
-    return trimesh.Trimesh(mesh.vertices[sorted(set(kept))], process=False).convex_hull
+    return type(mesh)(mesh.vertices[sorted(set(kept))], process=False).convex_hull
 
 
 def _rounded(value: Fraction, largest: float) -> Fraction:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from pathlib import Path
@@ -34,7 +34,7 @@ from freebody.model.elements import (
 )
 from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
-from freebody.model.rotations import UNIT, Columns, applied
+from freebody.model.rotations import UNIT, Columns, applied, is_one
 from freebody.model.states import ControllerState
 from freebody.model.thread import Thread
 from freebody.model.transmitted import CutTension, Transmitted
@@ -83,6 +83,10 @@ class Joining(Protocol):
 
     def lies_along(self, names: Names, body: str) -> Direction | None:
         """The direction of a line of the ground that bears a body, which may leave it."""
+        ...
+
+    def is_floor_below(self, names: Names, body: str) -> bool:
+        """Whether it is no more to a body than a level floor on which it may land, and above which it is put."""
         ...
 
     def room_between(self, names: Names, body: str, place: str) -> Measure | Message | None:
@@ -159,7 +163,7 @@ class Names(Formulas):
 
     def __init__(self) -> None:
         super().__init__()
-        self.folder: Path | None = None  # of the model file, in which its tables are
+        self.folders: Sequence[Path] = ()  # in which its tables are: that of the model file
         self.bodies: dict[str, RigidBody] = {}
         self.measures: dict[str, Measure] = {}
         self.states: dict[str, ControllerState] = {}
@@ -361,7 +365,7 @@ class Names(Formulas):
             square = square + c * c
         if sum(c != ZERO for c in along) == 1 and None not in numbers:
             return self.fixed_in(body, tuple(number((n > 0) - (n < 0)) for n in numbers if n is not None))
-        size = Call("sqrt", square)
+        size = ONE if is_one(along) else Call("sqrt", square)
         return self.fixed_in(body, tuple(c / size for c in along))
 
     def radius(self, name: str, *path: str | int, inside: bool = False) -> Expr:

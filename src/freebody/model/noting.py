@@ -82,9 +82,12 @@ class Noting:
         return any(self.undeclared.get(name) in noted for name in re.findall(r"\w+", text))
 
     def unknown(self, name: str, message: str, *path: str | int) -> None:
-        """Notes a problem of a name that stands for nothing, but not where that follows from another problem."""
+        """Notes a problem of a name that stands for nothing, but not where that follows from another problem: then the
+        entry that names it is broken, too."""
         if name not in self.broken and not self.is_cut_short:
             self.problem_once(message, *path)
+        elif len(self._path) > 1 and self._path[0] != "questions":
+            self.broken.add(str(self._path[1]))
 
     def problem_once(self, message: str, *path: str | int) -> None:
         """Notes a problem that is one mistake wherever it shows: it is told where it shows first."""

@@ -11,10 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
-from freebody.language.expression import Call, Expr, Number, Symbol
+from freebody.language.expression import MINUS_ONE, Call, Expr, Number, ProductOf, Symbol, free_symbols, number
 from freebody.measures.geometry import ONE, ZERO, Components
 from freebody.model.elements import Rotation
+from freebody.model.polynomials import constant, polynomial
 
 Columns = tuple[Components, Components, Components]
 UNIT: Columns = ((ONE, ZERO, ZERO), (ZERO, ONE, ZERO), (ZERO, ZERO, ONE))
@@ -51,7 +53,7 @@ def transposed(R: Columns) -> Columns:
 
 def rotation(axis: Components, angle: Expr) -> Columns:
     """The columns of Rot(axis, angle) = cos + sin [axis]x + (1 - cos) axis axis^T (Rodrigues)."""
-    c, s = Call("cos", angle), Call("sin", angle)
+    c, s = cosine_and_sine(angle)
     k = along_axis(axis)
     if k is None:
         columns: list[Components] = []
@@ -68,6 +70,39 @@ def rotation(axis: Components, angle: Expr) -> Columns:
     out[j][j], out[j][n] = c, s
     out[n][n], out[n][j] = c, -s
     return tuple(out[0]), tuple(out[1]), tuple(out[2])
+
+
+def cosine_and_sine(angle: Expr) -> tuple[Expr, Expr]:
+    """Of multiples of 30 and 45 degrees they are numbers and roots: what vanishes has no place in a formula."""
+    part = _half_turns(angle)
+    twelfths = None if part is None else 12 * part % 24
+    if twelfths is None or twelfths.denominator != 1 or int(twelfths) not in _COSINES:
+        return Call("cos", angle), Call("sin", angle)
+    return _COSINES[int(twelfths)], _COSINES[(int(twelfths) - 6) % 24]
+
+
+def _half_turns(angle: Expr) -> Fraction | None:
+    """angle/pi, where that is a number."""
+    match angle:
+        case Number(value) if not value:
+            return value
+        case Symbol("pi"):
+            return Fraction(1)
+        case ProductOf((Number(value), Symbol("pi"))):
+            return value
+        case _:
+            return None
+
+
+def _cosines() -> dict[int, Expr]:
+    """By twelfths of a half turn."""
+    half = number(Fraction(1, 2))
+    acute = {0: ONE, 2: half * Call("sqrt", number(3)), 3: half * Call("sqrt", number(2)), 4: half, 6: ZERO}
+    upper = acute | {12 - k: -c for k, c in acute.items()}
+    return upper | {(24 - k) % 24: c for k, c in upper.items()}
+
+
+_COSINES = _cosines()
 
 
 def along_axis(axis: Components) -> tuple[int, int] | None:
@@ -93,6 +128,19 @@ def perpendiculars(axis: Components) -> tuple[Components, Components]:
     size = Call("sqrt", x * x + y * y)
     b = (-y / size, x / size, ZERO)
     return b, vector_product(axis, b)
+
+
+def is_one(v: Components) -> bool:
+    """Is this a unit vector as it is written: by numbers and their roots, or by cosine and sine of one angle?"""
+    match [_without_minus(c) for c in v if c != ZERO]:
+        case [Call("cos", one), Call("sin", other)] | [Call("sin", one), Call("cos", other)]:
+            return one == other
+        case parts:
+            return not any(map(free_symbols, parts)) and polynomial(dot(tuple(parts), tuple(parts))) == constant(1)
+
+
+def _without_minus(c: Expr) -> Expr:
+    return c.factors[1] if isinstance(c, ProductOf) and len(c.factors) == 2 and c.factors[0] == MINUS_ONE else c
 
 
 # -- chains -----------------------------------------------------------------------------------

@@ -43,6 +43,16 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "force": ("magnitude",),
     "torque": ("magnitude",),
     "body": ("on", "at", "pinion"),
+    "on": ("at",),
+    "at": ("on",),
+    "position": ("at",),
+    "place": ("at",),
+    "location": ("at",),
+    "speed": ("velocity",),
+    "omega": ("angular_velocity",),
+    "orientation": ("angle",),
+    "rotation": ("angle",),
+    "weight": ("mass",),
     "mu": ("friction",),
     "e": ("restitution",),
     "r": ("radius",),
@@ -94,7 +104,7 @@ class Spec(BaseModel, metaclass=_Described):
         if twice := set(fields[: len(args)]) & set(named):
             raise TypeError(f"{type(self).__name__} is given {', '.join(sorted(twice))} twice")
         given = dict(zip(fields, args, strict=False)) | named
-        super().__init__(**{name: as_text(value) for name, value in given.items()})
+        super().__init__(**{name: self._as_list(name, as_text(value)) for name, value in given.items()})
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:

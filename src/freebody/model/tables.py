@@ -52,17 +52,19 @@ def _text_of(names: Names, file: str, field: str) -> str | None:
 def bytes_beside(names: Names, file: str, field: str, most: int, instead: str = "") -> bytes | None:
     """What stands in a file of the folder of the model, or below it, of at most so many bytes; None with a problem
     noted at the field that names it. instead: what to write where the model is in no file."""
-    if names.folder is None:
+    if not names.folders:
         told = Message(
             "{file} is looked for beside the model, which is in no file{instead}", file=file, instead=instead
         )
         names.problem(told, field)
         return None
     try:
-        folder, path = names.folder.resolve(), (names.folder / file).resolve()
-        if not path.is_relative_to(folder):
+        found = [(folder.resolve(), (folder / file).resolve()) for folder in names.folders]
+        within = [path for folder, path in found if path.is_relative_to(folder)]
+        path = next((path for path in within if path.is_file()), None)
+        if not within:
             told = Message("{file} is not in the folder of the model: put it beside the model", file=file)
-        elif not path.is_file():
+        elif path is None:
             told = Message("there is no file {file} in the folder of the model", file=file)
         elif path.stat().st_size > most:
             told = Message("the file {file} is larger than {most} MB", file=file, most=most // 1_000_000)

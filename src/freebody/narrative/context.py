@@ -11,7 +11,7 @@ from typing import Literal
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
-from freebody.narrative.contact.settings import first_mode, has_phases, setup_of
+from freebody.narrative.contact.settings import changes_at_borders_alone, first_mode, has_phases, setup_of
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.acting import Acting
@@ -95,8 +95,17 @@ class Context:
         is_told_whole = quantity.scope in ("structure", "rest") or quantity.is_of_state or quantity.jump is not None
         if is_told_whole or not has_phases(self.system):
             return self
+        if changes_at_borders_alone(self.system):
+            return self._of_both_sides
         self._first_mode.next_number = self.next_number
         return self._first_mode
+
+    @cached_property
+    def _of_both_sides(self) -> Context:
+        """With the law that loads have on both sides of their borders."""
+        made = Context(self.system, self.next_number, self.introduced)
+        made.setup = Setup(self.system)
+        return made
 
     @cached_property
     def _first_mode(self) -> Context:

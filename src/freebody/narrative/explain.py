@@ -12,7 +12,7 @@ from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDis
 from freebody.language.sentences import Message
 from freebody.model.noting import did_you_mean
 from freebody.narrative.closing import closing
-from freebody.narrative.contact.settings import has_phases
+from freebody.narrative.contact.settings import changes_at_borders_alone, has_phases
 from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.kinds import derivation_of
@@ -151,6 +151,7 @@ def _derived(
     busy_with(f"deriving {question.id}: {question.text}")
     if answer.holds_once:
         question = replace(question, event=None, at_start=True)
+    told_of, question = question, _at_its_turn(context, question)
     derive = derivation_of(context.system, question)
     here = context.of_question(question) if answer.is_answered else context
     stages, reason = _attempt(here, question, answer, method, derive)
@@ -171,7 +172,16 @@ def _derived(
     new = _with_result(new, ends, told)
     told.take(new)
     here.keep_found(again, told.numbers)
-    return Derivation(question, answer, tuple(new), method, reason, tuple(compared), second or "auto")
+    return Derivation(told_of, answer, tuple(new), method, reason, tuple(compared), second or "auto")
+
+
+def _at_its_turn(context: Context, question: Question) -> Question:
+    """How far a motion gets past the borders of its loads is what it is where it first turns."""
+    turn = question.quantity.turn
+    if turn is None or not changes_at_borders_alone(context.system):
+        return question
+    of, event, _side = turn
+    return replace(question, quantity=of, event=event)
 
 
 def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], told: ToldSoFar) -> list[DerivationStage]:

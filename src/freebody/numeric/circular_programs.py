@@ -6,17 +6,18 @@ which there may be many. Which constraints decide is seen there, and the conditi
 
     c + A^T y + G^T z + sum of s_k grad f_k = 0,      f_k = |(p.x, q.x)| - load.x = 0,
 
-by least squares, since neither x nor the multipliers need to be unique. Whatever satisfies them is an optimum, as the
-program is convex. Where there is no such start, or they are not found to hold, a cone is u.(p.x, q.x) <= load.x for all
-unit vectors u: of these planes some are there from the beginning, and the one that touches the cone where x is outside
-of it is added, one after another.
+a cone at its tip by p.x = q.x = load.x = 0 with multipliers in the cone |(u, v)| <= s that is dual to it, by least
+squares, since neither x nor the multipliers need to be unique. Whatever satisfies them is an optimum, as the program is
+convex. The start is where as much as possible is left of all constraints. Where there is none, or the conditions are
+not found to hold, a cone is u.(p.x, q.x) <= load.x for all unit vectors u: of these planes some are there from the
+beginning, and the one that touches the cone where x is outside of it is added, one after another.
 Sources: Kelley, J. SIAM 8 (1960) 703-712 (planes); Boyd & Vandenberghe, Convex Optimization, 2004, sec. 5.5.3 and 11.3.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -31,6 +32,7 @@ _ACTIVE = 1e-7  # what is met to this decides
 _NEAR, _N_NEWTON, _EXACT = 1e-4, 12, 1e-12  # a cone that decides; Newton's steps, and what is left of the equations
 _SHARPER, _SHARPEST = 10.0, 1e9  # the weight of the cost beside the barrier: how it grows, and up to what
 _N_CENTRING, _CENTRED, _SHORTEST = 30, 1e-8, 1e-12  # Newton's steps of one weight; half their decrement; part of a step
+_BOUNDLESS, _INSIDE = 1e9, 1e-3  # as far as this there is no middle; what must be left in all constraints at a start
 
 
 @dataclass(frozen=True)
@@ -54,16 +56,6 @@ class CircularCone:
         across = second * self.one - first * self.other
         return np.outer(across, across) / math.hypot(first, second) ** 3
 
-    def barrier(self, x: Array) -> tuple[float, Array, Array]:
-        """-log(L^2 - |T|^2) with its first and second derivatives; infinite outside."""
-        first, second, load = (float(v @ x) for v in (self.one, self.other, self.load))
-        left = load * load - first * first - second * second
-        if load <= 0.0 or left <= 0.0:
-            return math.inf, self.load, np.zeros((len(x), len(x)))
-        slope = 2.0 * (load * self.load - first * self.one - second * self.other) / left
-        form = np.outer(self.load, self.load) - np.outer(self.one, self.one) - np.outer(self.other, self.other)
-        return -math.log(left), -slope, np.outer(slope, slope) - 2.0 * form / left
-
     def is_broken(self, x: Array) -> bool:
         return self.plane(x)[1] > _BROKEN * max(1.0, math.hypot(float(self.one @ x), float(self.other @ x)))
 
@@ -82,7 +74,8 @@ class CircularProgram:
 
     def optimum(self) -> tuple[Array, Array, float] | None:
         """(x, -y, least cost); None if there is none."""
-        if self.cones and self.start is not None and (x := self._centred(self.start)) is not None:
+        start = self._inside() if self.cones and self.start is None else self.start
+        if self.cones and start is not None and (x := self._centred(start)) is not None:
             exact = self._exact(x)
             if exact is not None:
                 return exact
@@ -143,49 +136,58 @@ class CircularProgram:
         return x, duals, float(self.cost @ x)
 
     # -- with the cones themselves ------------------------------------------------------------
-    def _centred(self, x: Array) -> Array | None:
-        """The middle of the optima, by the barrier; None where the start is not inside."""
-        _u, sizes, vt = np.linalg.svd(self.A)
-        free = vt[int((sizes > _RCOND * sizes.max(initial=0.0)).sum()) :].T  # along which A x stays b
-        if not math.isfinite(self._barrier(x, 1.0)[0]):
+    def _centred(self, start: Array) -> Array | None:
+        """The middle of the optima, by the barrier; None where the start is not inside, or there is no middle."""
+        barrier = _Barrier.of(self, start)
+        y, weight = np.zeros(barrier.free.shape[1]), 1.0
+        if not math.isfinite(barrier.value(y, weight)):
             return None
-        weight = 1.0
         while weight <= _SHARPEST:
-            for _ in range(_N_CENTRING):
-                value, slope, curvature = self._barrier(x, weight)
-                g, H = free.T @ slope, free.T @ curvature @ free
-                step = -np.linalg.lstsq(H, g, rcond=None)[0]
-                if -float(g @ step) <= _CENTRED:
-                    break
-                part = 1.0
-                while not self._barrier(x + part * (free @ step), weight)[0] <= value + 0.1 * part * float(g @ step):
-                    part *= 0.5
-                    if part < _SHORTEST:
-                        break
-                x = x + part * (free @ step)
+            y = barrier.centred(y, weight)
+            if float(np.abs(y).max(initial=0.0)) > _BOUNDLESS:
+                return None
             weight *= _SHARPER
-        return x
+        return barrier.at(y)
 
-    def _barrier(self, x: Array, weight: float) -> tuple[float, Array, Array]:
-        """The cost by a weight and the barriers, with their first and second derivatives."""
-        left = self.h - self.G @ x
-        if np.any(left <= 0.0):
-            return math.inf, self.cost, np.zeros((len(x), len(x)))
-        scaled = self.G / left[:, None]
-        value = weight * float(self.cost @ x) - float(np.log(left).sum())
-        slope, curvature = weight * self.cost + scaled.sum(axis=0), scaled.T @ scaled
-        for cone in self.cones:
-            own, first, second = cone.barrier(x)
-            value, slope, curvature = value + own, slope + first, curvature + second
-        return value, slope, curvature
+    def _inside(self) -> Array | None:
+        """What meets all constraints with something left: where the barrier leads with a slack until that is not
+        needed; None if it leads nowhere there."""
+        slack = with_slack(self._slackened())
+        if slack.start is None:
+            return None
+        barrier = _Barrier.of(slack, slack.start)
+
+        def is_inside(y: Array) -> bool:
+            return float(barrier.at(y)[-1]) > _INSIDE
+
+        y, weight = np.zeros(barrier.free.shape[1]), 1.0
+        while weight <= _SHARPEST and not is_inside(y):
+            y = barrier.centred(y, weight, is_inside)
+            if float(np.abs(y).max(initial=0.0)) > _BOUNDLESS:
+                return None
+            weight *= _SHARPER
+        return barrier.at(y)[:-1] if is_inside(y) else None
+
+    def _slackened(self) -> CircularProgram:
+        """With one more unknown, of at most 1, by which all constraints are tighter, and which is to be great."""
+        last = np.append(np.zeros(len(self.cost)), 1.0)
+        G = np.vstack([np.column_stack([self.G, np.ones(len(self.G))]), last])
+        cones = tuple(
+            CircularCone(np.append(c.one, 0.0), np.append(c.other, 0.0), np.append(c.load, -1.0)) for c in self.cones
+        )
+        A = np.column_stack([self.A, np.zeros(len(self.A))])
+        return CircularProgram(-last, A, self.b, G, np.append(self.h, 1.0), cones)
 
     def _exact(self, x: Array) -> tuple[Array, Array, float] | None:
         """The optimum in which the constraints decide that do at x; None if it is none."""
         near = [cone for cone in self.cones if cone.plane(x)[1] > -_NEAR * max(1.0, float(cone.load @ x))]
-        if not near or any(float(cone.load @ x) <= _NEAR for cone in near):
-            return None  # at its tip a cone has no plane of its own
+        # at its tip a cone has no plane of its own: T and L are zero there
+        tips = [cone for cone in near if float(cone.load @ x) <= _NEAR]
+        near = [cone for cone in near if float(cone.load @ x) > _NEAR]
         decides = self.h - self.G @ x < _ACTIVE
-        lines, limits = np.vstack([self.A, self.G[decides]]), np.append(self.b, self.h[decides])
+        at_tips = [row for cone in tips for row in (cone.one, cone.other, -cone.load)]
+        lines = np.vstack([self.A, self.G[decides], *at_tips])
+        limits = np.concatenate([self.b, self.h[decides], np.zeros(len(at_tips))])
         n, n_lines = len(x), len(lines)
 
         def slopes(x: Array) -> Array:
@@ -194,9 +196,8 @@ class CircularProgram:
         multipliers: Array = np.asarray(np.linalg.lstsq(slopes(x).T, -self.cost, rcond=_RCOND)[0], dtype=np.float64)
         for _ in range(_N_NEWTON):
             E = slopes(x)
-            rest = np.concatenate(
-                [self.cost + E.T @ multipliers, lines @ x - limits, [cone.plane(x)[1] for cone in near]]
-            )
+            outside = [cone.plane(x)[1] for cone in near]
+            rest = np.concatenate([self.cost + E.T @ multipliers, lines @ x - limits, outside])
             if float(np.abs(rest).max()) <= _EXACT:
                 break
             H = sum(
@@ -207,11 +208,85 @@ class CircularProgram:
             x, multipliers = x + step[:n], multipliers + step[n:]
         else:
             return None
-        signed = multipliers[len(self.A) :]
+        n_signed = len(self.A) + int(decides.sum())
+        signed = np.concatenate([multipliers[len(self.A) : n_signed], multipliers[n_lines:]])
         holds = not np.any(self.G @ x > self.h + _BROKEN) and not any(cone.is_broken(x) for cone in self.cones)
-        if not holds or np.any(signed < -_ACTIVE):
+        opens = multipliers[n_signed:n_lines].reshape(-1, 3)  # at a tip: of T within that of L, the dual cone
+        if not holds or np.any(signed < -_ACTIVE) or np.any(np.hypot(opens[:, 0], opens[:, 1]) > opens[:, 2] + _ACTIVE):
             return None
         return x, -multipliers[: len(self.A)], float(self.cost @ x)
+
+
+@dataclass(frozen=True)
+class _Barrier:
+    """The cost by a weight and the barriers of lines and cones, at x = start + free y, along which A x stays b: lines
+    g - G y > 0, and of all cones p + P y, q + Q y, m + L y with L^2 - |T|^2 > 0."""
+
+    start: Array
+    free: Array
+    cost: Array
+    G: Array
+    g: Array
+    P: Array  # (n_cones, n_free), as Q and L
+    p: Array
+    Q: Array
+    q: Array
+    L: Array
+    m: Array
+
+    @classmethod
+    def of(cls, program: CircularProgram, start: Array) -> _Barrier:
+        _u, sizes, vt = np.linalg.svd(program.A)
+        free = vt[int((sizes > _RCOND * sizes.max(initial=0.0)).sum()) :].T
+        n = len(start)
+        parts: list[Array] = []
+        for rows in ([c.one for c in program.cones], [c.other for c in program.cones], [c.load for c in program.cones]):
+            whole = np.array(rows).reshape(-1, n)
+            parts += [whole @ free, whole @ start]
+        lines = program.G @ free, program.h - program.G @ start
+        return cls(start, free, free.T @ program.cost, *lines, *parts)
+
+    def at(self, y: Array) -> Array:
+        return self.start + self.free @ y
+
+    def _left(self, y: Array) -> tuple[Array, Array, Array, Array, Array]:
+        """Of the lines; of the cones, with their components and loads."""
+        first, second, load = self.p + self.P @ y, self.q + self.Q @ y, self.m + self.L @ y
+        return self.g - self.G @ y, load * load - first * first - second * second, first, second, load
+
+    def value(self, y: Array, weight: float) -> float:
+        """Infinite outside."""
+        left, inner, _first, _second, load = self._left(y)
+        if np.any(left <= 0.0) or np.any(inner <= 0.0) or np.any(load <= 0.0):
+            return math.inf
+        return weight * float(self.cost @ y) - float(np.log(left).sum()) - float(np.log(inner).sum())
+
+    def slope(self, y: Array, weight: float) -> tuple[Array, Array]:
+        """First and second derivatives."""
+        left, inner, first, second, load = self._left(y)
+        scaled = self.G / left[:, None]
+        own = 2.0 * (load[:, None] * self.L - first[:, None] * self.P - second[:, None] * self.Q) / inner[:, None]
+        over = 2.0 / inner[:, None]
+        form = self.L.T @ (over * self.L) - self.P.T @ (over * self.P) - self.Q.T @ (over * self.Q)
+        return weight * self.cost + scaled.sum(axis=0) - own.sum(axis=0), scaled.T @ scaled + own.T @ own - form
+
+    def centred(self, y: Array, weight: float, until: Callable[[Array], bool] = lambda _y: False) -> Array:
+        """Newton's steps to the least value, each as long as the value falls."""
+        value = self.value(y, weight)
+        for _ in range(_N_CENTRING):
+            g, H = self.slope(y, weight)
+            step = -np.linalg.lstsq(H, g, rcond=None)[0]
+            fall = float(g @ step)
+            if -fall <= _CENTRED or until(y):
+                break
+            part, new = 1.0, self.value(y + step, weight)
+            while not new <= value + 0.1 * part * fall and part >= _SHORTEST:
+                part *= 0.5
+                new = self.value(y + part * step, weight)
+            y, value = y + part * step, new
+            if not math.isfinite(value) or float(np.abs(y).max(initial=0.0)) > _BOUNDLESS:
+                break
+        return y
 
 
 def program_of(

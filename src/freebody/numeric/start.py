@@ -195,7 +195,8 @@ def _not_found(
             Message("no start pose was found in which all measures have a value; give positions with at")
         )
     at_best = Message(
-        "at best {worst}. Change the start of the model (at, {turned}, start) or the lengths",
+        "at best {worst}. Change the start of the model (at, {turned}, start) or the lengths; freebody mobility "
+        "says which parts contradict each other",
         worst=best.worst,
         turned="turned" if reference.system.space else "angle",
     )

@@ -55,18 +55,20 @@ def plot(
     *,
     events: Iterable[tuple[str, float]] = (),
     dark: bool = False,
+    time: str = "time",
 ) -> Figure:
     """Curves of a simulation over time, one panel for each unit.
 
     names: variables over time, variables over time and bodies (then all bodies), or one component of a body
     (`crank.angle`, `crank.x`, `crank.y`, `crank.angular_velocity`, `crank.x_velocity` ...). Without names: the named
     measures of the model (`recording.attributes["measures"]`), else angles and positions of all bodies. events: (name,
-    time [s]), drawn as thin vertical lines. Raises InputError for a name that is not there."""
+    time [s]), drawn as thin vertical lines; time: what the axis is called. Raises InputError for a name that is not
+    there."""
     found = list(curves(recording, names))
     panels: dict[str, list[Curve]] = {}
     for curve in found:
         panels.setdefault(curve.unit, []).append(curve)
-    return figure_over(recording.times, panels, "time [s]", list(events), dark=dark)
+    return figure_over(recording.times, panels, f"{time} [s]", list(events), dark=dark)
 
 
 def save(figure: Figure, path: str | Path) -> Path:

@@ -275,7 +275,7 @@ def _refuse_rolling(names: Names, of: tuple[str, ...], path: Path) -> None:
 
 def connections_of(names: Names, name: str, path: Path) -> tuple[str, ...]:
     """The connection of a name, or those that touch the body of that name."""
-    if name in names.connections:
+    if name in names.connections or any(p.load == name and p.one_sided is not None for p in names.applied_loads):
         return (name,)
     if name in names.bodies:
         return tuple(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Message
-from freebody.language.units import TIME
+from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.model.phrases import PHRASES, measure_of
@@ -72,6 +72,18 @@ class ChangeEvent(QuestionEvent):
     change: Expr
     phrase: str
     value_text: str
+
+
+@dataclass(frozen=True)
+class Peak(QuestionEvent):
+    """A quantity of the state stops growing, or falling: its slope along the motion vanishes. `measure` and `value`
+    mean nothing."""
+
+    quantity: Quantity
+
+    @classmethod
+    def of(cls, quantity: Quantity, text: str) -> Peak:
+        return cls(Composed(ZERO, (), DIMENSIONLESS), 1, ZERO, text, quantity)
 
 
 AskedEvent = QuestionEvent | Clock

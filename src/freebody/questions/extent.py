@@ -13,7 +13,7 @@ from freebody.measures.base import Measure
 from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.arithmetic import AtStart, Functions, Joined
 from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
-from freebody.questions.event import QuestionEvent
+from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.motion import OfMeasure
 from freebody.questions.operands import GREATEST, LEAST
 from freebody.questions.reading import read_quantity
@@ -103,6 +103,12 @@ questions: {it: greatest tension of rod}
     @property
     def side(self) -> int:
         return 1 if self.end == "greatest" else -1
+
+    @property
+    def turn(self) -> tuple[Quantity, QuestionEvent, int] | None:
+        if not self.of.is_of_state or not self.of.dimension:
+            return None
+        return self.of, Peak.of(self.of, f"{self.of!r} turns back"), self.side
 
     def sentence(self, system: Described) -> Sentence | None:
         of = self.of.sentence(system)

@@ -165,7 +165,11 @@ questions: {it: angular momentum of ball about ground.origin}
         if not has_name(self.along, self.basis):
             return None
         about = NOTHING if self.about is None else Sentence("what.about", {"point": str(self.about)})
-        args: dict[str, Argument] = {"of": said_of(self.body), "about": about, "along": said_along(self.along)}
+        args: dict[str, Argument] = {
+            "of": said_of(self.body),
+            "about": about,
+            "along": said_along(self.along, self.basis),
+        }
         return Sentence("what.spin", args)
 
 

@@ -166,7 +166,7 @@ questions: {it: acceleration of ball}
         if not has_name(self.along, self.basis):
             return None
         size = "size_" if self.size else ""
-        args: dict[str, Argument] = {"point": str(self.point), "along": said_along(self.along)}
+        args: dict[str, Argument] = {"point": str(self.point), "along": said_along(self.along, self.basis)}
         return Sentence(f"what.{size}point_{self.order}", args)
 
 
@@ -225,7 +225,11 @@ questions: {it: angular velocity of wheel at start}
         if not has_name(self.along, self.basis):
             return None
         size, relative = "size_" if self.size else "", said_relative(self.relative_to)
-        args: dict[str, Argument] = {"body": self.body, "relative": relative, "along": said_along(self.along)}
+        args: dict[str, Argument] = {
+            "body": self.body,
+            "relative": relative,
+            "along": said_along(self.along, self.basis),
+        }
         return Sentence(f"what.{size}turning_{self.order}", args)
 
 

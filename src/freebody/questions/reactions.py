@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import FORCE, TORQUE, Dimension
-from freebody.measures.geometry import RIGHT, UP, Direction, Point
+from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
 from freebody.model.elements import ConstraintRow
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
@@ -148,7 +148,7 @@ questions: {it: reaction of rod on bob}
         what, size = self.said_as[self.moment], "size_" if self.size else ""
         on = NOTHING if self.on is None else Sentence("what.on", {"body": self.on})
         about = NOTHING if self.about is None else Sentence("what.about", {"point": str(self.about)})
-        along = said_along(self.along)
+        along = said_along(self.along, self.basis)
         args: dict[str, Argument] = {"connection": self.connection, "on": on, "along": along, "about": about}
         return Sentence(f"what.{size}{what}", args)
 
@@ -224,7 +224,8 @@ def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
 def read_wrench(names: Names, found: Found, path: Path, kind: type[Wrench] = Wrench) -> Wrench | None:
     """The force of a connection, or a component of it: `of`, `part`, `on`, `along` and `basis` of what was found."""
     of = str(found["of"])
-    return _wrench(names, found, path, kind) if has_connection(names, of, path) and is_told(names, of, path) else None
+    is_known = has_connection(names, of, path) and acts_on(names, of, found["on"], path) and is_told(names, of, path)
+    return _wrench(names, found, path, kind) if is_known else None
 
 
 def _wrench(names: Names, found: Found, path: Path, kind: type[Wrench]) -> Wrench:
@@ -259,7 +260,7 @@ def read_moment(names: Names, found: Found, path: Path, kind: type[Wrench] = Wre
     """The moment of a connection, or a component of it: `of`, `size`, `on`, `about`, `along` and `basis` of what was
     found."""
     of = str(found["of"])
-    if not has_connection(names, of, path):
+    if not (has_connection(names, of, path) and acts_on(names, of, found["on"], path)):
         return None
     on = None if found["on"] is None else names.body(str(found["on"]), *path).name
     about = None if found["about"] is None else names.point(found["about"], *path)
@@ -268,6 +269,22 @@ def read_moment(names: Names, found: Found, path: Path, kind: type[Wrench] = Wre
         names.problem(Message("in the plane a moment has no direction; leave it out"), *path)
     basis = read_basis(names, found["basis"], path)
     return kind(of, on, along, found["size"] is not None, moment=True, about=about, basis=basis)
+
+
+def acts_on(names: Names, name: str, on: str | None, path: Path) -> bool:
+    """Whether a connection acts on a body, where one is named: what it joins, or what is led over it."""
+    if on is None or on == GROUND or on not in names.bodies or on in names.broken:
+        return True  # what there is not is told elsewhere
+    rows = [row for row in names.constraint_rows if row.connection == name]
+    named = {*names.connections[name].mentions(names)}
+    named |= {body for row in rows for body in (*row.measure.bodies(), *row.ends)}
+    touched = (named & names.bodies.keys()) - {GROUND}
+    if on in touched or not touched:
+        return True
+    joined = ", ".join(body for body in names.bodies if body in touched)
+    told = Message("{connection} does not act on {body}; it acts on {bodies}", connection=name, body=on, bodies=joined)
+    names.problem(told, *path)
+    return False
 
 
 def is_told(names: Names, name: str, path: Path) -> bool:

@@ -137,7 +137,8 @@ def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
     elif isinstance(given, list):
         pairs = [(f"q{k}", v) for k, v in enumerate(cast("list[Any]", given), 1)]
     else:
-        names.problem(Message("questions is a list, e.g. questions: [{{find: acceleration of x}}]"), "questions")
+        wanted = given if isinstance(given, str) else "acceleration of x"
+        names.problem(Message("questions is a list, e.g. questions: [{wanted}]", wanted=wanted), "questions")
         return ()
     found: list[Question] = []
     for k, (name, value) in enumerate(pairs):

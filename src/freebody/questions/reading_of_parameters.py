@@ -55,6 +55,8 @@ def read_turned_round(
     """For which value of a parameter an equation holds, or for which values an inequality does. end: of these values
     the one that is asked for."""
     parameter = names.parameters.get(name)
+    if parameter is None and name in names.measures and not end and when is None and inequality_of(relation) is None:
+        return read(names, f"{name} when {relation}", None)  # of what moves it is the value at an event
     if parameter is None or parameter.form is not None:
         told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
         names.unknown(name, told, "find")

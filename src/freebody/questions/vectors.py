@@ -47,13 +47,14 @@ def read_basis(names: Names, name: str | None, path: Path) -> Basis | None:
 
 def has_name(along: Direction | None, basis: Basis | None = None) -> bool:
     """Whether sentences can say along what a vector is asked for."""
-    return basis is None and (along is None or bool(along.name))
+    return bool(along.name) if along is not None else basis is None or bool(basis[0].name)
 
 
-def said_along(direction: Direction | None) -> Argument:
-    """'along up'; nothing where none is asked for."""
+def said_along(direction: Direction | None, basis: Basis | None = None) -> Argument:
+    """'along up', 'along the axes of shaft'; nothing where none is asked for."""
     if direction is None:
-        return NOTHING
+        frame = basis and basis[0].name.rpartition(".")[0]  # of shaft.x
+        return Sentence("what.along_axes", {"frame": frame}) if frame else NOTHING
     if direction.name in ("right", "up", "left", "down"):
         return Sentence(f"what.along_{direction.name}")
     return Sentence("what.along", {"direction": direction.name}) if direction.name else NOTHING

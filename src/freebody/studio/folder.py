@@ -9,6 +9,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from freebody.errors import InputError
+from freebody.examples_folder import write_beside
 from freebody.language.document.file import text_of
 from freebody.messages import Message
 from freebody.present.files import write_whole
@@ -91,6 +92,7 @@ class Folder:
             message = Message("{name} has been changed by another program since it was opened", name=request.name)
             return SaveAnswer(version=now, is_changed=True, message=message)
         write_whole(path, request.text)
+        write_beside(request.text, self.path)
         return SaveAnswer(version=_version(request.text), is_changed=False, message="")
 
 

@@ -14,6 +14,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing.process import BaseProcess
+from pathlib import Path
 
 from freebody.studio import nursery
 from freebody.studio.wire import Call, Reply
@@ -50,9 +51,10 @@ class Running:
 
 @dataclass(eq=False)
 class Worker:
-    """The process of a lane."""
+    """The process of a lane. folders: where the files are that models name"""
 
     lane: Lane
+    folders: tuple[str, ...] = ()
     running: Running | None = None
     waiting: list[_Piece] = field(default_factory=list[_Piece])
     current: _Piece | None = None
@@ -158,7 +160,8 @@ class Worker:
 
     async def _started(self) -> None:
         own, its = socket.socketpair()
-        process = await asyncio.to_thread(nursery.started, work, its, self.lane.name, self.lane.courtesy)
+        given = its, self.lane.name, self.lane.courtesy, self.folders
+        process = await asyncio.to_thread(nursery.started, work, *given)
         its.close()
         self.running = Running(process, *await asyncio.open_connection(sock=own, limit=_LONGEST))
 
@@ -183,11 +186,11 @@ _DONE = b'{"status":"done"'  # how a reply begins that has an answer
 
 
 class Lanes:
-    """All workers, by their lanes."""
+    """All workers, by their lanes. folders: where the files are that models name"""
 
-    def __init__(self) -> None:
+    def __init__(self, *folders: Path) -> None:
         lanes = {work.lane.name: work.lane for work in WORK.values()}
-        self.workers = {name: Worker(lane) for name, lane in lanes.items()}
+        self.workers = {name: Worker(lane, tuple(map(str, folders))) for name, lane in lanes.items()}
         self._foreseen: list[tuple[Call, asyncio.Task[bytes]]] = []
 
     def begin(self, foreseen: Iterable[Call] = ()) -> None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from difflib import SequenceMatcher
+from pathlib import Path
 from typing import Any, cast
 
 from freebody.errors import FreebodyError, ModelError, Problem
@@ -236,11 +237,18 @@ def _number(document: Document, places: Places, section: Any, path: Place, *, is
 
 
 _latest: list[Document] = []  # what was read last: a slider moves one number of it
+_folders: list[Path] = []  # in which the files are that a text names
+
+
+def look_in(folders: Iterable[str]) -> None:
+    """Where the files are that models name: set once, when a worker starts."""
+    _folders[:] = map(Path, folders)
+    _latest.clear()
 
 
 def document_of(text: str) -> Document:
     """The document of a text. Raises ModelError."""
-    _latest[:] = [_latest[0].reread(text) if _latest else Document.read(text)]
+    _latest[:] = [_latest[0].reread(text) if _latest else Document.read(text, folders=_folders)]
     return _latest[0]
 
 

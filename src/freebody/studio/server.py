@@ -64,7 +64,7 @@ def new_token() -> str:
 
 def studio(folder: Folder, token: str, port: int) -> Starlette:
     """The application. port: on which it is asked; only requests for it are answered."""
-    lanes = Lanes()
+    lanes = Lanes(folder.path, examples_folder())
     hosts = {f"{name}:{port}" for name in NAMES}
 
     @asynccontextmanager

@@ -11,7 +11,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from freebody.errors import FreebodyError
+from freebody.errors import BrokenInstallation, FreebodyError
 from freebody.studio import wire
 from freebody.studio.telling import told
 
@@ -95,7 +95,7 @@ def done(kind: str, body: dict[str, Any]) -> wire.Reply:
         return wire.Reply(status="refused", message=f"{'.'.join(map(str, first['loc']))}: {first['msg']}")
     try:
         return wire.Reply(status="done", answer=WORK[kind].run(request))
-    except FreebodyError as error:
+    except (FreebodyError, BrokenInstallation) as error:
         return wire.Reply(status="refused", message=told(str(error), request.language))
     except MemoryError:
         return wire.Reply(status="crashed", message=told("there is not enough memory for this", request.language))

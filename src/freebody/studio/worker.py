@@ -11,7 +11,7 @@ import os
 import signal
 import socket
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 MEMORY = 4 << 30  # [bytes] of addresses
 _PAUSE = 0.25  # [s] between two looks at what is done
@@ -22,17 +22,20 @@ def keep_to_one_core() -> None:
     os.environ.update({f"{name}_NUM_THREADS": "1" for name in ("OMP", "OPENBLAS", "MKL")})
 
 
-def work(calls: socket.socket, lane: str, courtesy: int) -> None:
-    """Until nobody calls any more. courtesy: how far it lets other processes go first, as `os.nice` counts"""
+def work(calls: socket.socket, lane: str, courtesy: int, folders: Sequence[str]) -> None:
+    """Until nobody calls any more. courtesy: how far it lets other processes go first, as `os.nice` counts; folders:
+    where the files are that models name"""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # of the terminal: the server is told, and ends its workers
     os.dup2(2, 1)
     keep_to_one_core()
     _limit_memory()
     if hasattr(os, "nice"):  # Windows has none
         os.nice(courtesy)
+    from freebody.studio.reading import look_in
     from freebody.studio.work import done, prepare
 
     prepare(lane)
+    look_in(folders)
     lines = calls.makefile("rw", encoding="utf-8", newline="\n")
     lock = threading.Lock()
 

@@ -96,8 +96,8 @@ class OverTurn(Result):
         """The torque over the angle, with its mean; saved if a path is given."""
         degrees = np.degrees(self.angles)
         curves = [
-            Curve("torque", f"torque of {self.along}", "N m", self.torque),
-            Curve("mean", "mean", "N m", np.full_like(self.torque, self.mean)),
+            Curve("torque", self.in_language(Message("torque of {name}", name=self.along)), "N m", self.torque),
+            Curve("mean", self.in_language(Message("mean")), "N m", np.full_like(self.torque, self.mean)),
         ]
         figure: Any = figure_over(degrees, {"N m": curves}, f"{self.along} [deg]", dark=dark)
         for axes in figure.axes:

@@ -254,6 +254,8 @@ class RestEquations:
             ways = [{s: x for s, x in self.gradients[row.name].items() if s[1] in "xyz"} for row in one.rows]
             return ways, self.coefficient(one, 1)
 
+        if not any(slot[1] in "xyz" for row in rub.rows for slot in self.gradients[row.name]):
+            return [rub]  # a moment
         alike = [other for other in self.turning(failure) if other.load and of(other) == of(rub)]
         return alike if rub in alike else [rub]
 
@@ -382,12 +384,15 @@ class RestEquations:
                     total[k] = total[k] + x if k in total else x
             rows.append({k: x for k, x in total.items() if not x.is_zero()})
         found = eliminate(self.field, rows, list(columns.values()))
-        if len(found.free) != 1:
-            return None
-        free = found.free[0]
-        v = {slot: found.pivots[k].get(free, self.field.zero) for slot, k in columns.items() if k in found.pivots}
-        v[self.slots[free]] = self.field.one
-        return v
+        motions: list[dict[Slot, Ratio]] = []
+        for free in found.free:
+            v = {slot: found.pivots[k].get(free, self.field.zero) for slot, k in columns.items() if k in found.pivots}
+            v[self.slots[free]] = self.field.one
+            motions.append(v)
+        if len(motions) > 1:  # what moves no row, as the spin of a can about its axis, has no part in a failure
+            moves = [any(not self.field.follow(self.rate(n, v), at).is_zero() for n in self.rows) for v in motions]
+            motions = [v for v, is_moved in zip(motions, moves, strict=True) if is_moved]
+        return motions[0] if len(motions) == 1 else None
 
     def _touching_planes(self, failure: Failure, at: Values) -> list[Row] | None:
         """Of every friction that slips in a plane, the plane that touches its cone at the forces of the limit."""

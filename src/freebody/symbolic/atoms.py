@@ -146,7 +146,8 @@ class _Of(dict[str, Any]):
     """The functions of an arithmetic (a module of them) by name."""
 
     def __init__(self, functions: Any) -> None:
-        super().__init__({"abs": abs, "sign": _sign, "number": float, "pi": math.pi})
+        exact = getattr(functions.__class__, "number", float)  # what an arithmetic makes of fractions, if it says so
+        super().__init__({"abs": abs, "sign": _sign, "number": exact, "pi": math.pi})
         self._functions = functions
 
     def __contains__(self, name: object) -> bool:

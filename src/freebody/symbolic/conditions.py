@@ -10,8 +10,20 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, Number, ProductOf, Sum, add, multiply, negate
-from freebody.language.notation import Stated, compared, reworded
+from freebody.language.expression import (
+    ZERO,
+    Expr,
+    Number,
+    ProductOf,
+    Sum,
+    Symbol,
+    add,
+    free_symbols,
+    multiply,
+    n_operations,
+    negate,
+)
+from freebody.language.notation import Stated, compared, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.field import Ratio
@@ -32,6 +44,7 @@ class Condition:
         return with_purposes(shown, [self.purpose] if self.purpose else [])
 
 
+_READABLE = 300  # operations of a comparison; some forty terms
 _FLIPPED = {">": "<", ">=": "<=", "!=": "!=", "<": ">", "<=": ">=", "=": "="}
 
 
@@ -50,7 +63,25 @@ def on_this_flank(connection: str) -> str:
 
 
 def relation_text(e: Expr, relation: str) -> Stated:
-    """a - b > 0 as a > b, without a number in front; for people and for machines."""
+    """a - b > 0 as a > b, without a number in front; for people and for machines. What nobody would read is told by its
+    size, and written out for machines alone."""
+    return readable_or_told(_related(e, relation))
+
+
+def readable_or_told(stated: Stated) -> Stated:
+    """A comparison, or of a wall of text how large it is and what is in it."""
+    sides = () if stated.sides is None else (stated.sides[0], stated.sides[2])
+    n = sum(map(n_operations, sides))
+    if n <= _READABLE:
+        return stated
+    names = sorted({name for side in sides for name in free_symbols(side)} - {"pi"})
+    words = Message(
+        "an inequality of {n} operations in {names}", n=n, names=in_turn([to_text(Symbol(x)) for x in names])
+    )
+    return Stated(words, stated.expression)
+
+
+def _related(e: Expr, relation: str) -> Stated:
     if isinstance(e, ProductOf) and isinstance(e.factors[0], Number) and len(e.factors) > 1:
         if e.factors[0].value < 0:
             relation = _FLIPPED[relation]

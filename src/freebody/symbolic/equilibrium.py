@@ -159,6 +159,8 @@ def _judged(model: SymbolicModel, at: dict[int, Ratio], sides: Sequence[Ratio] =
             return None
         conditions += [] if condition is None else [condition]
     state = SymbolicState(model, at | {c.speed: model.field.zero for c in model.coordinates})
+    if not _is_on_branch(model, state):
+        return None
     for row in model.system.constraint_rows:
         if row.unilateral:
             try:
@@ -172,6 +174,18 @@ def _judged(model: SymbolicModel, at: dict[int, Ratio], sides: Sequence[Ratio] =
     if not all(_at_first(model, c) for c in conditions):
         return None
     return _with_stability(model, at, tuple(conditions))
+
+
+def _is_on_branch(model: SymbolicModel, state: SymbolicState) -> bool:
+    """Whether the loops are put together as at the start, as the formulas take for granted, at the first sample."""
+    for x in model.samples.assumed:
+        try:
+            values = model.samples.at_starts(state.here(model.express(x)))
+        except (CannotAnswer, ZeroDivisionError):
+            continue
+        if values and values[0] < -ROUND_OFF:
+            return False
+    return True
 
 
 def _has_full_inertia(model: SymbolicModel, at: dict[int, Ratio]) -> bool:

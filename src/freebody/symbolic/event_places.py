@@ -26,7 +26,7 @@ from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import Indexed, reals, solve_linear, zeros_of
+from freebody.symbolic.zeros import Indexed, reals, solve_linear, turn_of, zeros_of
 from freebody.tolerances import ROUND_OFF
 
 Need = tuple[Ratio, str]
@@ -158,7 +158,7 @@ class EventPlaces:
         """Zeros, and those by whole periods from them, where F vanishes itself."""
         found: list[EventPlace] = []
         for zero in self._candidates():
-            period = self._period()
+            period = turn_of(self.gap, self.q.index)
             for n in _TURNS if period is not None else (0,):
                 at = zero if period is None else self.field.lowest_terms(zero + n * period)
                 numbers = tuple(
@@ -232,17 +232,6 @@ class EventPlaces:
             if len(x.num) > _MOST_TERMS:
                 raise CannotAnswer(Message("the event is a formula that is too long to look for its zeros"))
         return x, steps
-
-    def _period(self) -> Ratio | None:
-        """After which change of the variable F is the same: a turn of the one angle k q + d that it is made of."""
-        f = self.field
-        if self.q.index in self.gap.generators():
-            return None
-        angles = [f.angles[cos] for cos, _sin in f.pairs(f.ingredients(self.gap))]
-        slopes = [f.lowest_terms(f.partial(x, self.q.index)) for x in angles if self.q.index in f.ingredients(x)]
-        if not slopes or any(k != slopes[0] or self.q.index in f.ingredients(k) for k in slopes):
-            return None
-        return f.lowest_terms(2 * f.pi / slopes[0])
 
 
 def _next(places: Sequence[EventPlace], s: int, begin: float, way: int) -> int | None:

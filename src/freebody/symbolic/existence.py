@@ -58,7 +58,7 @@ def _needs(x: Ratio, seen: set[int]) -> Iterator[tuple[Ratio, str, str]]:
             yield 1 - k * k, ">", MODULUS
         elif g in f.arguments:
             name, u = f.arguments[g]
-            yield from _needs(u, seen)
+            yield from _needs(u, seen)  # Lambert's W is real wherever the motion gets, as its law says
             if name in ("asin", "acos"):
                 yield 1 - u, ">=", _ARC[0]
                 yield 1 + u, ">=", _ARC[1]

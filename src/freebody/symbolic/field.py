@@ -22,6 +22,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from typing import Any, Literal
 
 from freebody.errors import CannotAnswer
@@ -695,12 +696,12 @@ class Field(PolynomialRing):
         return top if x.den is None else divide(top, self.poly_expression(x.den))
 
     def poly_expression(self, poly: Poly) -> Expr:
+        powers = cache(self._power)  # few of them stand in many terms
         summands: list[Expr] = []
         ordered = sorted(self.terms(poly).items(), key=lambda item: declaration_order(item[0]))
         for monomial, coefficient in ordered:
-            factors: list[Expr] = [Number(Fraction(coefficient))]
-            for index, exponent in reversed(monomial):
-                base = self.generators[index].display
-                factors.append(base if exponent == 1 else power(base, number(exponent)))
-            summands.append(multiply(*factors))
+            summands.append(multiply(Number(Fraction(coefficient)), *(powers(g, n) for g, n in reversed(monomial))))
         return add(*summands)
+
+    def _power(self, index: int, exponent: int) -> Expr:
+        return power(self.generators[index].display, number(exponent))

@@ -41,6 +41,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.unknowns import Coordinate
+from freebody.tolerances import ROUND_OFF
 
 _DRIVEN = Message("a driver or a velocity constraint is at work, so energy is no first integral")
 _MOST_TERMS = 150  # of the square of a speed through a closed loop
@@ -53,6 +54,7 @@ class FirstIntegrals:
     def __init__(self, model: SymbolicModel, start: StartState) -> None:
         self.model = model
         self.start = start
+        self.keeps_side = False  # of a motion that is followed only as long as it stays on the side of its start
         self.field = model.field
 
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
@@ -67,7 +69,7 @@ class FirstIntegrals:
             for k, entry in enumerate(row):
                 total = total + f.follow(self._explicit(entry), self.start.values) * u0[j] * u0[k]
         before, now = (self.potential(values) for values in (self.start.values, {**self.resting, c.index: at}))
-        square = (total - rest + 2 * (before - now)) / mass
+        square = self.on_its_line((total - rest + 2 * (before - now)) / mass)
         if self.model.dependent and len(square.num) > _MOST_TERMS:
             raise FormulaTooLong(Message("through the closed loop the speed would be a formula that is too long"))
         return square
@@ -155,6 +157,19 @@ class FirstIntegrals:
         if self._in_time & self.field.ingredients(x):
             raise CannotAnswer(_DRIVEN)
         return x
+
+    def on_its_line(self, x: Ratio) -> Ratio:
+        """Where other coordinates stay at rest a distance in a plane may be one along a line, sqrt(y^2) = y, on the
+        side of the start."""
+        if not (self.keeps_side and self.resting):
+            return x
+        f, samples = self.field, self.model.samples
+        roots = {g: f.radicand(g) for g in x.generators() if f.generators[g].kind == "root" and f.generators[g].made_of}
+        plain = {g: x for g, x in roots.items() if all(n % 2 == 0 for _base, n in f.factor(x.num)[1])}
+        if any(abs(value) < ROUND_OFF for x in plain.values() for value in samples.at_starts(x)):
+            return x  # it begins where it has no side
+        taken = {g: f.sqrt(square, samples.is_negative) for g, square in plain.items()}
+        return f.lowest_terms(f.substitute(x, taken)) if taken else x
 
     def _explicit(self, x: Ratio) -> Ratio:
         """Without the angles that closed loops bind, and with what stays at rest where it is."""

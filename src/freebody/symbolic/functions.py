@@ -15,7 +15,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, Literal
 
-from freebody.language.expression import Call, Expr, GivenCall, evaluate
+from freebody.language.expression import LAMBERT, Call, Expr, GivenCall, evaluate
 from freebody.symbolic.atoms import elliptic_atom, function_atom, given_atom, unit_pair
 from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 
@@ -56,19 +56,22 @@ def cos_sin(field: Field, angle: Ratio) -> Complex:
 
 
 def _angle_terms(field: Field, angle: Ratio) -> list[tuple[Ratio, int]]:
-    """The angle as sum of multiple * base, bases in a standard form."""
+    """The angle as sum of multiple * base, bases in a standard form. What is constant is taken together by what the
+    denominator leaves of it: (R pi - r pi)/(R - r) is pi."""
     numerator = field.terms(angle.num)
     den = angle.denominator()
+    below = den.generators()
     moving = sorted(g for g in angle.generators() if not field.is_constant_generator(g))
     groups: dict[int | tuple[tuple[int, int], ...], dict[tuple[tuple[int, int], ...], int]] = {}
     for monomial, coefficient in numerator.items():
         own = [g for g, _e in monomial if g in moving]
         linear = len(own) == 1 and dict(monomial)[own[0]] == 1
-        key: int | tuple[tuple[int, int], ...] = own[0] if linear else (monomial if not own else -1)
+        apart = tuple(item for item in monomial if item[0] not in below)
+        key: int | tuple[tuple[int, int], ...] = own[0] if linear else (apart if not own else -1)
         groups.setdefault(key, {})[monomial] = coefficient
     if -1 in groups or any(g in moving for g in den.generators()):
         return [(angle, 1)]  # not linear in what moves: one opaque angle
-    return [_standard(field, field.polynomial(terms) / den) for terms in groups.values()]
+    return [_standard(field, field.lowest_terms(field.polynomial(terms) / den)) for terms in groups.values()]
 
 
 def _in_known_angles(field: Field, base: Ratio, multiple: int) -> tuple[Ratio, int]:
@@ -323,18 +326,22 @@ def _half_cosine(field: Field, x: Ratio) -> Ratio | None:
 
 
 def _without_logs(field: Field, x: Ratio, root: Callable[[Ratio], Ratio]) -> tuple[Ratio, Ratio]:
-    """(y, factor) with exp(x) = factor exp(y): whole multiples of logarithms, and halves of them, are taken out."""
+    """(y, factor) with exp(x) = factor exp(y): whole multiples of logarithms, and halves of them, are taken out, and
+    whole multiples of W(u), as e^W = u/W."""
     factor = field.one
     for g in x.generators():
         name, argument = field.arguments.get(g, ("", field.one))
-        if name != "log" or g in x.denominator().generators():
+        if name not in ("log", *LAMBERT) or g in x.denominator().generators():
             continue
         parts = x.numerator().coefficients(g)
         twice = (2 * parts[1] / x.denominator()).fraction() if len(parts) == 2 else None
         if twice is None or twice.denominator != 1 or abs(twice) > 2 * MAX_POWER:
             continue
         n = int(twice)
-        factor = factor * (argument ** (n // 2) if n % 2 == 0 else root(argument) ** n)
+        if n % 2 and name != "log":
+            continue
+        base = argument if name == "log" else argument / field.variable(g)
+        factor = factor * (base ** (n // 2) if n % 2 == 0 else root(base) ** n)
         x = field.lowest_terms(x - field.variable(g) * n / 2)
     return x, factor
 
@@ -411,6 +418,16 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
     def elliptic_f(phi: Ratio, k: Ratio) -> Ratio:
         return elliptic_atom(field, phi, k, elliptic_f, sin)
 
+    def lambert(name: str) -> Callable[[Ratio], Ratio]:
+        """A branch of w e^w = x: w' = w x'/(x (1 + w))."""
+
+        def call(x: Ratio) -> Ratio:
+            if x.is_zero() and name == "lambert_W0":
+                return field.zero
+            return function_atom(field, name, x, lambda w, u: w / (u * (1 + w)), call)
+
+        return call
+
     def given(call: GivenCall, x: Ratio) -> Ratio:
         return given_atom(field, call, x)
 
@@ -418,6 +435,7 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
     table: dict[str, Any] = {function.__name__: function for function in named}
     table |= {"fresnel_c": fresnel("fresnel_c", cos), "fresnel_s": fresnel("fresnel_s", sin)}
     table |= {"elliptic_K": elliptic_k, "elliptic_F": elliptic_f, "given": given}
+    table |= {name: lambert(name) for name in LAMBERT}
     return table | {"number": field.element, "pi": field.pi, "sqrt": root, "abs": absolute}
 
 

@@ -20,7 +20,7 @@ def extent_by_law(law: MotionLaw, name: str, side: int, c: Coordinate | None = N
     if known is None:
         raise CannotAnswer(Message("no closed form was found for how far it gets"))
     if known.is_boundless:
-        raise NeverHappens(Message("{x} gets farther and farther on that side", x=name))
+        raise NeverHappens(Message("{x} grows without bound on that side, so there is no farthest place", x=name))
     if known.is_limit:
         raise CannotAnswer(Message("{x} only tends to its farthest place: ask for {x} as t grows", x=name))
     if known.place is not None:

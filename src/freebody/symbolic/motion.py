@@ -135,7 +135,8 @@ class SmoothMotion(MotionCycles):
                 return together
         if not found and not bound and (driven := self._driven(value, target)) is not None:
             return driven
-        if not self.model.coordinates and (bound or present & self._in_time):
+        is_led = not found and not bound and present & self._in_time
+        if is_led or (bound and not self.model.coordinates):
             return self._by_the_clock(value, target)
         at, needs, given = None, list[Need](), dict[int, Ratio]()
         if len(found) == 1 and not bound:
@@ -239,7 +240,8 @@ class SmoothMotion(MotionCycles):
             together = self._together(place, target, speeds, event.text, order=1)
             if together is not None:
                 return together
-        if not self.model.coordinates and (inside or bound):
+        is_led = not (speeds or inside or bound) and self.field.ingredients(rate) & self._in_time
+        if is_led or (not self.model.coordinates and (inside or bound)):
             return self._by_the_clock(self.model.in_independent_speeds(rate), target)
         if len(self.model.coordinates) == 1 and target.is_zero() and (inside or bound):
             return self._reach_reversal(self.model.coordinates[0], rate, event)

@@ -68,7 +68,7 @@ class MotionLaws:
         k = self.model.coordinates.index(c)
         found = self.field.lowest_terms(self.model.dynamics.solved_accelerations[self.model.accelerations[k]])
         still = self.integrals.resting  # coordinates that stay where they start are no variables
-        return self.field.lowest_terms(self.field.follow(found, still)) if still else found
+        return self.integrals.on_its_line(self.field.lowest_terms(self.field.follow(found, still))) if still else found
 
     def law_of(self, c: Coordinate, *, takes_side: bool = False, keeps_sense: bool = False) -> MotionLaw | None:
         """How a coordinate moves by itself, where that is one of the laws that have closed forms. takes_side: whether

@@ -18,7 +18,7 @@ from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import Indexed, zeros_of
+from freebody.symbolic.zeros import Indexed, turn_of, zeros_of
 
 MOVING = ("coordinate", "speed", "acceleration", "time")
 _TURNS = range(-2, 3)  # by which a place of an angle may differ from the formula's
@@ -145,12 +145,11 @@ def _places_of_least(motion: SmoothMotion, variable: Indexed, x: Ratio, begin: R
     depends on the parameters."""
     f = motion.field
     slope, span = f.derivative(x, variable.index), end - begin
-    turn = 2 * f.pi
-    is_periodic = f.follow(x, {variable.index: f.variable(variable.index) + turn}) == x
+    turn = turn_of(x, variable.index)
     found = [begin, end]
     for zero in zeros_of(motion.model, slope.numerator(), variable, quadratic=True):
-        for n in _TURNS if is_periodic else (0,):
-            place = f.lowest_terms(zero + n * turn)
+        for n in _TURNS if turn is not None else (0,):
+            place = f.lowest_terms(zero if turn is None else zero + n * turn)
             sides = [sign_of(f.lowest_terms(d * span)) for d in (place - begin, end - place)]
             if Sign.NEGATIVE in sides or Sign.ZERO in sides:
                 continue

@@ -18,7 +18,7 @@ from freebody.language.expression import (
     power,
 )
 from freebody.language.notation import Stated, compared
-from freebody.symbolic.conditions import Condition, relation_text, require
+from freebody.symbolic.conditions import Condition, readable_or_told, relation_text, require
 from freebody.symbolic.decide import decide, implied, sign_given
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import Sign, sign_of
@@ -41,7 +41,7 @@ class SolvedRelation:
         if self.unknown is None or self.bound is None:
             return relation_text(readable(self.element), self.relation)
         field = self.element.field
-        return compared(field.generators[self.unknown].display, self.relation, readable(self.bound))
+        return readable_or_told(compared(field.generators[self.unknown].display, self.relation, readable(self.bound)))
 
 
 def readable(x: Ratio) -> Expr:

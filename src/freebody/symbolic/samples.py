@@ -17,6 +17,7 @@ from typing import Any
 from freebody.language.expression import evaluate
 from freebody.language.notation import to_text
 from freebody.symbolic.bodies import Bodies
+from freebody.symbolic.decide.refuting import is_proved_not_zero
 from freebody.symbolic.field import NoValue, Ratio
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
@@ -219,7 +220,7 @@ class Samples:
     # -- zeros and signs ----------------------------------------------------------------------
     def vanishes(self, x: Ratio) -> bool:
         """True if the element is zero on the motion: formally, or at all samples where coordinates are bound by
-        closed loops."""
+        closed loops; of parameters alone not where balls prove the contrary."""
         if x.is_zero():
             return True
         fraction = x.fraction()
@@ -230,7 +231,18 @@ class Samples:
         # poses in general position, since an entry may vanish at the start and nowhere else
         general = [k for k, s in enumerate(self.points) if not s.is_start]
         # what does not vanish shows it at the first of them, nearly always
-        return all(self._vanishes_at(x, k) for k in general or range(len(self.points)))
+        which = general or range(len(self.points))
+        return all(self._vanishes_at(x, k) for k in which) and not self._is_refuted(x, which[0])
+
+    def _is_refuted(self, x: Ratio, k: int) -> bool:
+        """Whether balls prove that an element is not zero at a sample, though its terms cancel in doubles: where it is
+        made of parameters alone, whose numbers are exact. Poses of loops are assembled to round-off only."""
+        generators = self.field.generators
+        free = [g for g in self.field.ingredients(x) if generators[g].compute is None]
+        if any(generators[g].kind not in ("parameter", "time") for g in free):
+            return False
+        values = self._values(k)
+        return is_proved_not_zero(x, {g: float(values[g]) for g in free if g in values})
 
     def vanishes_at_starts(self, x: Ratio) -> bool:
         """Whether the terms of an element cancel at every start."""

@@ -11,6 +11,7 @@ import math
 from enum import Enum
 from fractions import Fraction
 
+from freebody.language.expression import LAMBERT
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.waves import Terms, fourier, sine_form, square_variants
@@ -165,7 +166,8 @@ def _function(field: Field, terms: Terms) -> Sign:
     used = sorted({g for m in terms for g, _e in m if g in field.arguments}, reverse=True)
     x = field.polynomial(terms)
     for g in used:
-        if field.arguments[g][0] == "exp" and (found := _exponential(field, x, g)) is not Sign.UNKNOWN:
+        way = {"exp": _exponential, **dict.fromkeys(LAMBERT, _lambert)}.get(field.arguments[g][0])
+        if way is not None and (found := way(field, x, g)) is not Sign.UNKNOWN:
             return found
     names = {field.arguments[g][0] for g in used}
     if len(names) != 1 or not names <= _RISING.keys() or len(used) > 2:
@@ -268,6 +270,45 @@ def _exponential(field: Field, x: Ratio, g: int) -> Sign:
             at_zero = not shifted[0].is_zero() and signs[0] is sign
             return sign if at_zero or (argument.is_strict and sign in signs) else wide
     return Sign.UNKNOWN
+
+
+def _lambert(field: Field, x: Ratio, g: int) -> Sign:
+    """Of a (W + c), since W_0 >= -1 has the sign of its argument and W_-1 <= -1."""
+    name, argument = field.arguments[g]
+    parts = x.coefficients(g)
+    if len(parts) != 2:
+        return Sign.UNKNOWN
+    slope = sign_of(parts[1])
+    if name == "lambert_W0" and parts[0].is_zero():
+        return times(slope, sign_of(argument))
+    beyond = sign_of(field.lowest_terms(parts[0] / parts[1]) - 1)
+    if name == "lambert_W0" and beyond in (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO):
+        is_strict = beyond is Sign.POSITIVE or _is_off_branch_point(field, argument)
+        return times(slope, Sign.POSITIVE if is_strict else Sign.NONNEGATIVE)
+    if name == "lambert_Wm1" and beyond in (Sign.NEGATIVE, Sign.NONPOSITIVE, Sign.ZERO):
+        is_strict = beyond is Sign.NEGATIVE or _is_off_branch_point(field, argument)
+        return times(slope, Sign.NEGATIVE if is_strict else Sign.NONPOSITIVE)
+    return Sign.UNKNOWN
+
+
+def _is_off_branch_point(field: Field, z: Ratio) -> bool:
+    """Whether z > -1/e: z is not negative, or it is -k e^q with k > 0 and log k + q + 1 < 0, which log k <= k - 1 (with
+    equality for k = 1 only) shows where k + q < 0, or k + q = 0 and k is not 1."""
+    if sign_of(z) in (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO):
+        return True
+    atoms = [g for g in z.generators() if field.arguments.get(g, ("",))[0] == "exp"]
+    if len(atoms) != 1:
+        return False
+    g, q = atoms[0], field.arguments[atoms[0]][1]
+    for power in (1, -1):
+        k = field.lowest_terms(-z / field.variable(g) ** power)
+        if g in k.generators():
+            continue
+        rest, unit = sign_of(field.lowest_terms(k + power * q)), sign_of(k - 1)
+        return sign_of(k) is Sign.POSITIVE and (
+            rest is Sign.NEGATIVE or (rest in (Sign.ZERO, Sign.NONPOSITIVE) and unit.is_strict)
+        )
+    return False
 
 
 def _number(field: Field, terms: Terms) -> Sign:

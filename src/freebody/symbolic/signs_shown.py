@@ -21,13 +21,15 @@ from freebody.language.expression import (
     negate,
     number,
 )
+from freebody.symbolic.decimals_shown import decimals_of_root
 
 
 def root_shown(inside: Expr) -> Expr:
     """The root of an expression; that of a square is a size."""
     if isinstance(inside, PowerOf) and inside.exponent == number(2):
         return Call("abs", inside.base)
-    return Call("sqrt", inside)
+    outside, inside = decimals_of_root(inside)
+    return multiply(number(outside), Call("sqrt", inside))
 
 
 def fraction_shown(top: Expr, bottom: Expr, *, turns: bool = True) -> Expr:

@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.language.expression import Call, Expr, Sum, add, divide, multiply, n_operations, negate, number, power
+from freebody.symbolic.decimals_shown import in_decimals
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import complement_atom
 from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
@@ -82,10 +83,10 @@ def _as_it_is(x: Ratio) -> Expr:
     shorter = _root_of_a_quotient(x) or _over_a_root(x)
     if shorter is not None:
         return shorter
-    top = _poly(x.field, x.num)
+    top = in_decimals(_poly(x.field, x.num))
     if x.den is None:
         return top
-    bottom = _poly(x.field, x.den)
+    bottom = in_decimals(_poly(x.field, x.den))
     return with_halves(fraction_shown(top, bottom, turns=not sign_is_positive(x.denominator())))
 
 

@@ -19,7 +19,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import changes_sign, reals, zeros_of
+from freebody.symbolic.zeros import changes_sign, reals, turn_of, zeros_of
 
 Need = tuple[Ratio, str]
 Places = list[tuple[Ratio, list[float]]]  # a place as a formula, and at every sample
@@ -196,10 +196,10 @@ class EnergyPath:
 
     def span(self) -> PassedPlaces:
         """All places that the motion goes through. Raises CannotAnswer where it does not come back."""
-        f, turn = self.field, 2 * self.field.pi
-        if self._is_periodic(self.square):
-            begin = self.numbers(self.q0)[0]
-            steps = [begin + math.tau * k / _N_STEPS for k in range(_N_STEPS)]
+        f, turn = self.field, turn_of(self.square, self.c.index)
+        if turn is not None:
+            begin, whole = self.numbers(self.q0)[0], self.numbers(turn)[0]
+            steps = [begin + whole * k / _N_STEPS for k in range(_N_STEPS)]
             if all(self.model.samples.at_start_with(self.square, 0, {self.c.index: v}) > 0 for v in steps):
                 _way, needs = self._way
                 needs, says = self._over(self.q0, f.lowest_terms(self.q0 + turn), needs)
@@ -210,9 +210,11 @@ class EnergyPath:
     def round(self) -> tuple[list[Need], list[str]]:
         """What an angle needs to come all round, in formulas and in words."""
         way, needs = self._way
-        if not self._is_periodic(self.square):
+        whole, turn = 2 * self.field.pi, turn_of(self.square, self.c.index)
+        turns = None if turn is None else (whole / turn).fraction()
+        if turns is None or turns.denominator != 1:
             raise CannotAnswer(Message("no turn of {x} is as the one before", x=self.c.name))
-        return self._over(self.q0, self.field.lowest_terms(self.q0 + 2 * way * self.field.pi), needs)
+        return self._over(self.q0, self.field.lowest_terms(self.q0 + way * whole), needs)
 
     @property
     def turn(self) -> Ratio:
@@ -271,20 +273,14 @@ class EnergyPath:
         return [divisor if self.numbers(divisor)[0] > 0 else -divisor]
 
     # -- places -------------------------------------------------------------------------------
-    def _is_periodic(self, x: Ratio) -> bool:
-        """Whether a function of the coordinate is the same a whole turn on."""
-        f, index = self.field, self.c.index
-        return bool(f.pairs({index, *f.ingredients(x)})) and f.follow(x, {index: f.variable(index) + 2 * f.pi}) == x
-
     def places(self, x: Ratio) -> Places:
         """The zeros of a function of the coordinate; of an angle also those by whole turns from them."""
         f, found = self.field, Places()
-        turn = 2 * f.pi
-        is_periodic = self._is_periodic(x)
+        turn = turn_of(x, self.c.index)
         for zero in zeros_of(self.model, x.numerator(), self.c, quadratic=True):
             zero = f.lowest_terms(zero)
-            for n in _TURNS if is_periodic else (0,):
-                place = zero + n * turn
+            for n in _TURNS if turn is not None else (0,):
+                place = zero if turn is None else zero + n * turn
                 found.append((place, self.numbers(place)))
         return found
 

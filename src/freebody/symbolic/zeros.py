@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Protocol
 
 from freebody.symbolic.field import Field, Ratio
@@ -88,6 +89,24 @@ def zeros_of(model: SymbolicModel, F: Ratio, c: Indexed, *, quadratic: bool = Fa
             continue
         found += _trigonometric_zeros(model, base, c)
     return found
+
+
+def turn_of(x: Ratio, index: int) -> Ratio | None:
+    """After which change of a variable a function is the same: a turn of the angles k q + d in which alone it stands.
+    None where it stands elsewhere as well, or in angles that have no turn in common. Of either sign."""
+    f = x.field
+    if index in x.generators():
+        return None
+    angles = [f.angles[cos] for cos, _sin in f.pairs(f.ingredients(x))]
+    slopes = [f.lowest_terms(f.partial(a, index)) for a in angles if index in f.ingredients(a)]
+    if not slopes or any(index in f.ingredients(k) for k in slopes):
+        return None
+    shares = [f.lowest_terms(k / slopes[0]).fraction() for k in slopes]
+    known = [share for share in shares if share is not None]
+    if len(known) < len(shares):
+        return None
+    common = Fraction(math.gcd(*(k.numerator for k in known)), math.lcm(*(k.denominator for k in known)))
+    return f.lowest_terms(2 * f.pi / (slopes[0] * f.element(common)))
 
 
 def rooted_zeros(model: SymbolicModel, F: Ratio, c: Indexed) -> list[tuple[Ratio, Ratio]]:

@@ -30,6 +30,7 @@ from freebody.model.elements import (
 from freebody.model.glyphs import ShownGlyph
 from freebody.model.looks import Looks
 from freebody.model.names import Names
+from freebody.model.one_sided import LENGTH_OF_STRING
 from freebody.model.rotations import Columns
 from freebody.model.states import ControllerState
 from freebody.model.style import HouseStyle
@@ -179,6 +180,17 @@ class SystemDescription:
     def _rows(self) -> tuple[ConstraintRow, ...]:
         bounded = (*(bound.row for bound in self.bounds), *(row for rub in self.dry_friction for row in rub.rows))
         return (*self.constraint_rows, *bounded, *(row for blow in self.blows for row in blow.rows))
+
+    @cached_property
+    def borders(self) -> Mapping[str, ConstraintRow]:
+        """Of the loads that act beyond a border only, by name: rows that nothing holds, whose gap is positive on the
+        side where the load does nothing."""
+        sides = [(push.load, push.one_sided) for push in self.applied_loads if push.one_sided is not None]
+        rows = [
+            ConstraintRow(LENGTH_OF_STRING, "tension", it.measure, it.limit, -1, unilateral=True, connection=load)
+            for load, it in sides
+        ]
+        return {row.name: row for row in rows}
 
     @cached_property
     def glyphs(self) -> tuple[ShownGlyph[Point, Direction, Expr], ...]:

@@ -4,6 +4,7 @@
     past       a blow has happened: the rows that close in it are held
     sticking   the row of the slip is held where it is
     sliding    a load pushes the slip: -s c N, s the sign of its rate, c the kinetic coefficient, N the friction's load
+    acting     a load that has a border has the law that it has beyond it; short of it there is none
 
 N is a multiplier of the system itself; it enters as a symbol of its own, which the routes solve for.
 """
@@ -21,6 +22,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import ONE
 from freebody.model.elements import AppliedLoad, Component, ConstraintRow, DryFriction, NonholonomicForm, Parameter
+from freebody.model.one_sided import border_of
 from freebody.model.spins import constant
 from freebody.system.blows import BlowEvent
 from freebody.system.system import System
@@ -40,6 +42,7 @@ class ContactMode:
     dry_friction: tuple[tuple[str, int], ...] = ()  # 0 sticks, +1 slides with a growing measure, -1 with a falling one
     past: frozenset[str] = frozenset()  # the blows that have happened, by the words of their events
     ways: tuple[tuple[str, Way], ...] = ()  # of what slides in a plane the direction of its slip, which it keeps
+    acting: tuple[tuple[str, bool], ...] = ()  # of loads with a border, by that: whether they act
 
     @classmethod
     def of(
@@ -48,11 +51,12 @@ class ContactMode:
         dry_friction: Mapping[str, int],
         past: frozenset[str] = frozenset(),
         ways: Mapping[str, Way] | None = None,
+        acting: Mapping[str, bool] | None = None,
     ) -> ContactMode:
         along = {name: way for name, way in (ways or {}).items() if dry_friction.get(name)}
-        return cls(
-            frozenset(closed), tuple(sorted(dry_friction.items())), past, tuple(sorted(along.items(), key=_name))
-        )
+        sorted_ways = tuple(sorted(along.items(), key=_name))
+        acts = tuple(sorted((acting or {}).items()))
+        return cls(frozenset(closed), tuple(sorted(dry_friction.items())), past, sorted_ways, acts)
 
     @property
     def states(self) -> dict[str, int]:
@@ -141,7 +145,7 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
     held = [row for row in system.constraint_rows if is_held_in(row, mode)]
     held += [row for blow in system.blows if blow.name in mode.past for row in blow.rows]
     held += [bound.row for bound in system.bounds if bound.name in mode.closed]
-    applied_loads = list(system.applied_loads)
+    applied_loads = _on_their_sides(system, dict(mode.acting))
     parameters = dict(system.parameters)
     loads: dict[str, DryFriction] = {}
     for rub in system.dry_friction:
@@ -168,6 +172,18 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
         blows=(),
     )
     return alone, loads
+
+
+def _on_their_sides(system: System, acting: Mapping[str, bool]) -> list[AppliedLoad]:
+    """The loads, with the law of one side where it is known on which side of its border a load is."""
+    found: list[AppliedLoad] = []
+    for push in system.applied_loads:
+        acts = None if push.one_sided is None else acting.get(border_of(push.load))
+        if acts is None or push.one_sided is None:
+            found.append(push)
+        elif acts:
+            found.append(replace(push, measure=push.one_sided.pushed, law=push.one_sided.law, one_sided=None))
+    return found
 
 
 def at_blow(system: System, blow: BlowEvent, past: frozenset[str]) -> System:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from freebody.connections.base import Connection
 from freebody.language.document import Document
 from freebody.language.expression import ZERO
@@ -44,7 +42,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     """What a document describes. Raises ModelError with all its problems."""
     source = Source(document, file)
     names = source.names
-    names.folder = None if file is None else Path(file).parent
+    names.folders = document.folders
     check_sections(source)
     read_space(source)
     read_parameters(source)

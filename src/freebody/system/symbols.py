@@ -88,7 +88,10 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
         yield from (f"{letter}_{end}" for end in _telling_ends(row, system))
     elif len({_place(other.component) for other in alike}) > 1 and row.reaction in ("normal force", "friction force"):
         elsewhere = {_place(other.component) for other in system.rows if other.connection != connection}
-        yield f"{letter}_{_initials(connection) if component in elsewhere else ''}{_initials(component)}"
+        short = f"{letter}_{_initials(connection) if component in elsewhere else ''}{_initials(component)}"
+        yield short
+        if face := _face(row.component):  # of several that a corner may touch
+            yield f"{short}_{face}"
     if row.component.startswith("no slip "):  # one of two directions
         yield f"{letter}_{component}"
     else:
@@ -100,8 +103,15 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
 @cache
 def _place(component: str) -> str:
     """What touches in a row of a contact: its corner, without the body it belongs to; for others the component."""
-    short = component.removeprefix("slip of ").removeprefix("no slip ")
-    return re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
+    short = component.removeprefix("slip of ").removeprefix("tipping of ").removeprefix("no slip ")
+    flat = "flat_" if short.startswith("flat ") else ""  # beside the rim of the same end
+    return flat + re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
+
+
+def _face(component: str) -> str:
+    """Where on the other body a corner touches: top of `crate.top`."""
+    _what, on, other = component.partition(" on ")
+    return re.sub(r"\W", "_", other.split(".")[-1]) if on and "." in other else ""
 
 
 def _initials(name: str) -> str:

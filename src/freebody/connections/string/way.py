@@ -119,12 +119,14 @@ def _point(
 
 
 def is_held(names: Names, body: str) -> bool:
-    """Whether anything but strings holds a body, or one that it is welded to: what is welded to it and free otherwise
-    hangs on the string with it."""
+    """Whether anything but strings, and a floor on which it may land, holds a body, or one that it is welded to: what
+    is welded to it and free otherwise hangs on the string with it."""
     unit, welds = {body}, [c.mentions(names) for c in names.connections.values() if c.is_rigid]
     while any(joined & unit and joined - unit for joined in welds):
         unit = unit.union(*(joined for joined in welds if joined & unit))
     for other in names.connections.values():
+        if other.is_floor_below(names, body):
+            continue
         mentioned = set[str]() if other.is_rigid or other.keeps_flat(names) else other.mentions(names)
         if mentioned & (unit - {body} if other.lets_hang else unit):
             return True

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 from freebody.errors import ExpressionError
 from freebody.language.expression import (
+    LAMBERT,
     Call,
     Expr,
     Number,
@@ -103,6 +104,8 @@ class MaximaNames:
             modulus = call.modulus or call.argument
             inside = [self.written(x) for x in children(call)[:-1]] + [self.written(modulus**2)]
             return f"{_FUNCTIONS[call.function]}({','.join(inside)})"
+        if call.function in LAMBERT:
+            raise ExpressionError(Message("it has Lambert's W function"))
         return f"{_FUNCTIONS.get(call.function, call.function)}({argument})"
 
 

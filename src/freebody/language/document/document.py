@@ -7,7 +7,7 @@ character, comments included, stays as it was. The changed text is read again an
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -28,27 +28,36 @@ class Document:
     Made by `read`, `load` or `from_plain`; each raises ModelError with every problem found.
     """
 
-    __slots__ = ("_composed", "_has_places", "_plain", "_text", "file")
+    __slots__ = ("_composed", "_has_places", "_plain", "_text", "file", "folders")
 
     def __init__(
-        self, text: str, file: str | None, root: DocumentNode | None, has_places: bool, plain: Any = None
+        self,
+        text: str,
+        file: str | None,
+        root: DocumentNode | None,
+        has_places: bool,
+        plain: Any = None,
+        folders: Sequence[Path] | None = None,
     ) -> None:
-        """Without a root it is known what the text says (`plain`), and it is read when places in it are needed."""
+        """Without a root it is known what the text says (`plain`), and it is read when places in it are needed.
+        folders: where the files are that it names, that of the document unless it is said."""
         self._text = text
         self._composed = root
         self._plain = plain
         self._has_places = has_places
         self.file = file
+        own = () if file is None else (Path(file).parent,)
+        self.folders = own if folders is None else tuple(folders)
 
     # -- making -------------------------------------------------------------------------------
     @classmethod
-    def read(cls, text: str, file: str | None = None) -> Document:
-        """Reads YAML text; `file` is the name used in messages."""
-        return cls(text, file, compose(text, file), True)
+    def read(cls, text: str, file: str | None = None, folders: Sequence[Path] | None = None) -> Document:
+        """Reads YAML text; `file` is the name used in messages, and files beside it are looked for in `folders`."""
+        return cls(text, file, compose(text, file), True, folders=folders)
 
     def reread(self, text: str) -> Document:
         """The document of another text, as `read` makes it."""
-        return Document(text, self.file, self._root_of(text), True)
+        return Document(text, self.file, self._root_of(text), True, folders=self.folders)
 
     def _root_of(self, text: str) -> DocumentNode:
         """The tree of another text. Where that differs by one number, as it does while a value is being moved, the rest
@@ -202,7 +211,7 @@ class Document:
     def _verified(self, text: str, path: Place, expected: Any) -> Document:
         """The changed text read again; it must say what is expected: the old data with the one value changed."""
         try:
-            changed = Document(text, self.file, self._root_of(text), self._has_places)
+            changed = Document(text, self.file, self._root_of(text), self._has_places, folders=self.folders)
         except ModelError:
             changed = None
         if changed is None or repr(changed.data) != repr(expected):

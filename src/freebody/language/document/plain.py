@@ -51,6 +51,9 @@ def _as_plain(value: Any, path: Place, problems: list[Problem]) -> Any:
     if hasattr(value, "__index__"):
         value = operator.index(value)
     elif not isinstance(value, float):
+        if callable(value) and (name := getattr(value, "__name__", "")):
+            problems.append(Problem(path, Message("{name} is a function: call it, as {name}()", name=name)))
+            return None
         message = Message(
             "{kind} is not plain data; give a number, a text, a list or a mapping", kind=type(value).__name__
         )

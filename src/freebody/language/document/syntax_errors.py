@@ -16,6 +16,8 @@ from ruamel.yaml.reader import ReaderError
 from freebody.errors import Problem
 from freebody.messages import Message
 
+_BARE_NAME = re.compile(r"\s*(?:- )?(\w+)\s+([{\[].*?)\s*(?:#.*)?$")  # an entry of a mapping without its colon
+
 
 def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
     """YAML's own complaint, said for someone who does not know the words of its grammar."""
@@ -74,6 +76,8 @@ def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
             Message("'{here}' cannot stand here; begin a list on its own line, or put a text in quotes", here=here)
         )
     if "<block end>" in says:
+        if bare := _BARE_NAME.match(text.split("\n")[int(mark.line)]):
+            return problem(Message("a colon is missing after {name}: {name}: {rest}", name=bare[1], rest=bare[2]))
         if "<scalar>" in says or here in ",]}[{":
             return problem(Message("text after a closed quote or bracket; put the whole value in quotes"))
         return problem(Message("this line is indented like none of the lines above; align it with its neighbours"))

@@ -10,13 +10,22 @@ from __future__ import annotations
 
 from freebody.language.expression.calculus import differentiate, substitute
 from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key, value_of_given
-from freebody.language.expression.inspection import depth, domain, free_symbols, has_jump, in_one_order, n_operations
+from freebody.language.expression.inspection import (
+    depth,
+    domain,
+    free_symbols,
+    has_jump,
+    in_one_order,
+    n_operations,
+    stands_in,
+)
 from freebody.language.expression.rates import replace_rates
 from freebody.language.expression.tree import (
     ELEMENTARY,
     ELLIPTIC,
     FRESNEL,
     FUNCTIONS,
+    LAMBERT,
     MAX_EXPONENT,
     MINUS_ONE,
     ONE,
@@ -51,6 +60,7 @@ __all__ = [
     "FLOAT_FUNCTIONS",
     "FRESNEL",
     "FUNCTIONS",
+    "LAMBERT",
     "MAX_EXPONENT",
     "MINUS_ONE",
     "ONE",
@@ -85,6 +95,7 @@ __all__ = [
     "power",
     "rate_key",
     "replace_rates",
+    "stands_in",
     "substitute",
     "symbol",
     "value_of_given",

@@ -14,6 +14,7 @@ from freebody.errors import ExpressionError
 from freebody.language.expression.inspection import free_symbols
 from freebody.language.expression.tree import (
     ELLIPTIC,
+    LAMBERT,
     MINUS_ONE,
     ONE,
     PI,
@@ -107,6 +108,11 @@ def _differentiate_power(base: Expr, exponent: Expr, name: str) -> Expr:
     return add(*terms)
 
 
+def _of_lambert(name: str) -> Callable[[Expr], Expr]:
+    """W' = W/(u (1 + W))."""
+    return lambda u: Call(name, u) / (u * (1 + Call(name, u)))
+
+
 _DERIVATIVES: Mapping[str, Callable[[Expr], Expr]] = {
     "sqrt": lambda u: 1 / (2 * Call("sqrt", u)),
     "sin": lambda u: Call("cos", u),
@@ -122,6 +128,7 @@ _DERIVATIVES: Mapping[str, Callable[[Expr], Expr]] = {
     "tanh": lambda u: 1 - Call("tanh", u) ** 2,
     "fresnel_c": lambda u: Call("cos", PI * u**2 / 2),
     "fresnel_s": lambda u: Call("sin", PI * u**2 / 2),
+    **{name: _of_lambert(name) for name in LAMBERT},
     "abs": lambda u: Call("sign", u),
     "sign": lambda u: ZERO,
 }

@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 from freebody.errors import ExpressionError
 from freebody.language.expression.elliptic import elliptic_F, elliptic_K
 from freebody.language.expression.fresnel import fresnel_c, fresnel_s
+from freebody.language.expression.lambert import lambert_W0, lambert_Wm1
 from freebody.language.expression.tree import (
     ELEMENTARY,
     PLACE,
@@ -40,6 +41,8 @@ FLOAT_FUNCTIONS: Mapping[str, Any] = {
     "fresnel_s": fresnel_s,
     "elliptic_K": elliptic_K,
     "elliptic_F": elliptic_F,
+    "lambert_W0": lambert_W0,
+    "lambert_Wm1": lambert_Wm1,
     "abs": abs,
     "sign": _sign,
     "pi": math.pi,

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from dataclasses import fields, is_dataclass
 
 from freebody.language.expression.tree import (
     ELLIPTIC,
+    LAMBERT,
     MINUS_ONE,
     Call,
     Expr,
@@ -16,6 +18,7 @@ from freebody.language.expression.tree import (
     Symbol,
     add,
     children,
+    multiply,
     negate,
     number,
     power,
@@ -32,6 +35,26 @@ def free_symbols(expr: Expr) -> frozenset[str]:
             names.add(part.name)
         waiting.extend(children(part))
     return frozenset(names - {"pi"})
+
+
+def stands_in(name: str, value: object) -> bool:
+    """Whether a symbol stands anywhere in what is described: in dataclasses, tuples and mappings of expressions."""
+    waiting, seen = [value], set[int]()
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, (str, bytes, int, float, type(None))) or id(part) in seen:
+            continue
+        seen.add(id(part))
+        if isinstance(part, Symbol):
+            if part.name == name:
+                return True
+        elif isinstance(part, Mapping):
+            waiting.extend(part.values())  # pyright: ignore[reportUnknownArgumentType, reportUnknownMemberType]
+        elif isinstance(part, (tuple, list, frozenset, set)):
+            waiting.extend(part)  # pyright: ignore[reportUnknownArgumentType]
+        elif is_dataclass(part):
+            waiting.extend(getattr(part, field.name) for field in fields(part))
+    return False
 
 
 def has_jump(expr: Expr, names: Collection[str]) -> bool:
@@ -67,6 +90,10 @@ def domain(expr: Expr) -> list[tuple[Expr, str]]:
         case Call(function) if function in ELLIPTIC:
             k = children(expr)[-1]
             found += [(add(one, negate(k)), ">"), (add(one, k), ">")]
+        case Call(function, argument) if function in LAMBERT:
+            found.append((add(one, multiply(argument, Call("exp", one))), ">="))
+            if function == "lambert_Wm1":
+                found.append((negate(argument), ">"))
         case _:
             pass
     return [(part, relation) for part, relation in dict.fromkeys(found) if free_symbols(part)]

@@ -23,7 +23,8 @@ from freebody.messages import Message
 ELEMENTARY = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh")
 FRESNEL = ("fresnel_c", "fresnel_s")  # int_0^x cos(pi t^2/2) dt, and of the sine
 ELLIPTIC = ("elliptic_K", "elliptic_F")  # of a modulus k; of an angle and a modulus
-FUNCTIONS = frozenset({*ELEMENTARY, *FRESNEL, *ELLIPTIC, "abs", "sign", "rate"})
+LAMBERT = ("lambert_W0", "lambert_Wm1")  # w with w e^w = x, on the real branches 0 and -1
+FUNCTIONS = frozenset({*ELEMENTARY, *FRESNEL, *ELLIPTIC, *LAMBERT, "abs", "sign", "rate"})
 
 # A number raised to a larger constant exponent stays a Power: 9^(9^9) is never computed.
 MAX_EXPONENT = 64

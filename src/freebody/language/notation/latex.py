@@ -42,8 +42,9 @@ class _Latex(Typesetter):
     def applied(self, argument: str, is_bare: bool) -> str:
         return f" {argument}" if is_bare else self.in_brackets(argument)
 
-    def integral(self, letter: str, arguments: Sequence[str]) -> str:
-        return rf"{letter}\!{self.in_brackets(', '.join(arguments))}"
+    def special(self, letter: str, index: str, arguments: Sequence[str]) -> str:
+        written = f"_{{{index}}}" if index else ""
+        return rf"{letter}{written}\!{self.in_brackets(', '.join(arguments))}"
 
     def name(self, name: str, n_dots: int, *, is_vector: bool = False) -> tuple[str, int]:
         """The letter, which carries the dots of a rate, and its index: theta1 -> \\theta, _{1}."""

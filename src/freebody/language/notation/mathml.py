@@ -58,8 +58,11 @@ class _MathML(Typesetter):
     def applied(self, argument: str, is_bare: bool) -> str:
         return _APPLIED + (_THIN_SPACE + argument if is_bare else in_brackets(argument))
 
-    def integral(self, letter: str, arguments: Sequence[str]) -> str:
-        return f"<mi>{letter}</mi>{_APPLIED}{in_brackets('<mo>,</mo>'.join(arguments))}"
+    def special(self, letter: str, index: str, arguments: Sequence[str]) -> str:
+        size = f"<mn>{index.lstrip('-')}</mn>"
+        written = f"<mrow>{_MINUS}{size}</mrow>" if index.startswith("-") else size
+        name = f"<msub><mi>{letter}</mi>{written}</msub>" if index else f"<mi>{letter}</mi>"
+        return f"{name}{_APPLIED}{in_brackets('<mo>,</mo>'.join(arguments))}"
 
     def name(self, name: str, n_dots: int, *, is_vector: bool = False) -> tuple[str, int]:
         letter, index = _letter_and_index(name, n_dots)

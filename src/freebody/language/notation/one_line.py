@@ -25,10 +25,10 @@ from freebody.language.expression import (
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
-    LETTER_OF_INTEGRAL,
     MINUS,
     POWER,
     PRODUCT,
+    SPECIAL,
     SUM,
     as_decimal,
     is_whole,
@@ -38,7 +38,7 @@ from freebody.language.notation.parts import (
     with_sign,
 )
 
-_SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_SUBSCRIPT = str.maketrans("-0123456789", "₋₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -125,7 +125,7 @@ def _python_call(call: Call, argument: str) -> str:
     return f"{call.function}({argument})"
 
 
-_TEXT_CALLS = {"sqrt": "√", **LETTER_OF_INTEGRAL}
+TEXT_CALLS = {"sqrt": "√", **{name: letter + index.translate(_SUBSCRIPT) for name, (letter, index) in SPECIAL.items()}}
 
 
 def _text_call(call: Call, argument: str) -> str:
@@ -133,7 +133,7 @@ def _text_call(call: Call, argument: str) -> str:
         return argument + "'"
     if call.function == "abs":
         return f"|{argument}|"
-    return f"{_TEXT_CALLS.get(call.function, call.function)}({argument})"
+    return f"{TEXT_CALLS.get(call.function, call.function)}({argument})"
 
 
 def _text_name(name: str) -> str:

@@ -33,6 +33,7 @@ from freebody.language.parser import GREEK
 _BETWEEN_WORDS = re.compile(r"(?<=[a-z]{2})_(?=[a-z]{2})")
 
 MOST_HALVED = 1024  # the largest denominator of what comes of halving again and again
+MOST_ZEROS = 6  # behind the point of a long decimal
 
 # Binding strength of what stands at the top of a written expression.
 SUM, MINUS, PRODUCT, POWER, ATOM = range(5)
@@ -40,8 +41,12 @@ SUM, MINUS, PRODUCT, POWER, ATOM = range(5)
 # Greek letters by name, without those that look like Latin ones.
 LETTER_OF = {name: letter for letter, name in GREEK.items() if letter not in "ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοϒ"}
 
-# Of Legendre's elliptic integrals of the first kind, K(k) and F(phi, k) with the modulus k, and of Fresnel's.
-LETTER_OF_INTEGRAL = {"elliptic_K": "K", "elliptic_F": "F", "fresnel_c": "C", "fresnel_s": "S"}
+# Letter and index of Legendre's elliptic integrals of the first kind, K(k) and F(phi, k) with the modulus k, of
+# Fresnel's, and of the branches of Lambert's function.
+SPECIAL = {
+    **{"elliptic_K": ("K", ""), "elliptic_F": ("F", ""), "fresnel_c": ("C", ""), "fresnel_s": ("S", "")},
+    **{"lambert_W0": ("W", "0"), "lambert_Wm1": ("W", "-1")},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +118,8 @@ def as_decimal(value: Fraction) -> str | None:
     stripped = digits.rstrip("0")
     if len(stripped) > MAX_DIGITS:
         return None
-    if places == 0 or places > 15 or len(digits) > 20:
+    is_short = places <= 15 and len(digits) <= 20
+    if places == 0 or not (is_short or places - len(digits) <= MOST_ZEROS):
         return f"{stripped}e{len(digits) - len(stripped) - places}"
     digits = digits.rjust(places + 1, "0")
     return f"{digits[:-places]}.{digits[-places:]}"

@@ -10,13 +10,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum
-from freebody.language.notation.one_line import TEXT
+from freebody.language.notation.one_line import TEXT, TEXT_CALLS
 from freebody.language.notation.parts import (
     ATOM,
-    LETTER_OF_INTEGRAL,
     MINUS,
     POWER,
     PRODUCT,
+    SPECIAL,
     SUM,
     as_decimal,
     quotient,
@@ -63,9 +63,9 @@ def stacked(expr: Expr) -> tuple[TextBox, int]:
             inner = stacked(argument)[0]
             bar = TextBox(("│",) * len(inner.lines), inner.baseline)
             return beside([bar, inner, bar]), ATOM
-        case Call(function, argument, modulus) if function in LETTER_OF_INTEGRAL:
+        case Call(function, argument, modulus) if function in SPECIAL:
             arguments = [stacked(argument)[0]] + ([] if modulus is None else [flat(", "), stacked(modulus)[0]])
-            return beside([flat(LETTER_OF_INTEGRAL[function]), in_brackets(beside(arguments))]), ATOM
+            return beside([flat(TEXT_CALLS[function]), in_brackets(beside(arguments))]), ATOM
         case Call(function, argument) if function != "rate":
             return beside([flat(function), in_brackets(stacked(argument)[0])]), ATOM
         case _:

@@ -24,10 +24,10 @@ from freebody.language.expression import (
 )
 from freebody.language.notation.parts import (
     ATOM,
-    LETTER_OF_INTEGRAL,
     MINUS,
     POWER,
     PRODUCT,
+    SPECIAL,
     SUM,
     as_decimal,
     is_whole,
@@ -74,8 +74,8 @@ class Typesetter(ABC):
         """An argument behind the name of its function, in brackets unless it is bare."""
 
     @abstractmethod
-    def integral(self, letter: str, arguments: Sequence[str]) -> str:
-        """An elliptic integral or function by its letter."""
+    def special(self, letter: str, index: str, arguments: Sequence[str]) -> str:
+        """A special function by its letter and index."""
 
     @abstractmethod
     def name(self, name: str, n_dots: int, *, is_vector: bool = False) -> tuple[str, int]:
@@ -129,9 +129,9 @@ class Typesetter(ABC):
                 return self.size(self.write(argument)[0]), ATOM
             case Call("exp", argument):
                 return self.superscript(self.e, self.write(argument)[0]), POWER
-            case Call(function) if function in LETTER_OF_INTEGRAL:
+            case Call(function) if function in SPECIAL:
                 arguments = [self.write(x)[0] for x in children(expr)]
-                return self.integral(LETTER_OF_INTEGRAL[function], arguments), ATOM
+                return self.special(*SPECIAL[function], arguments), ATOM
             case GivenCall(function, argument):  # a name of one's own before a bare letter would be a product
                 return self.operator(function) + self.applied(self.write(argument)[0], False), PRODUCT
             case Call(function, argument):

@@ -43,8 +43,9 @@ class _Typst(Typesetter):
     def applied(self, argument: str, is_bare: bool) -> str:
         return f" {argument}" if is_bare else f" ({argument})"
 
-    def integral(self, letter: str, arguments: Sequence[str]) -> str:
-        return f"{letter}({', '.join(arguments)})"
+    def special(self, letter: str, index: str, arguments: Sequence[str]) -> str:
+        written = f"_({index})" if index else ""
+        return f"{letter}{written}({', '.join(arguments)})"
 
     def name(self, name: str, n_dots: int, *, is_vector: bool = False) -> tuple[str, int]:
         """theta1' -> dot(θ)_1."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from freebody.errors import ExpressionError
+from freebody.language.expression import LAMBERT
 from freebody.language.parser import GREEK
 from freebody.language.sentences import Message
 
@@ -21,7 +22,7 @@ FUNCTIONS = {
     },
     **{"arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctg": "atan", "tg": "tan", "ln": "log", "abs": "abs"},
     **{"cot": "cot", "ctg": "cot", "sec": "sec", "csc": "csc", "sgn": "sign", "sign": "sign", "√": "sqrt"},
-    **{name: name for name in ("elliptic_K", "elliptic_F", "fresnel_c", "fresnel_s", "rate")},
+    **{name: name for name in ("elliptic_K", "elliptic_F", "fresnel_c", "fresnel_s", *LAMBERT, "rate")},
 }
 _VARIANTS = {"ς": "sigma", "ϑ": "theta", "ϕ": "phi", "ϵ": "epsilon", "\u00b5": "mu", "\u2126": "Omega"}
 _LETTERS = {**GREEK, **_VARIANTS}

@@ -142,6 +142,14 @@ def _named_unit(name: str, *, with_rare: bool = True) -> Unit:
         if prefix is not None and rest is not None:
             return replace(rest, factor=rest.factor * Fraction(10) ** prefix)
     if parts := _RUN_TOGETHER.fullmatch(name):
+        if parts[2] == "s" and not parts[3]:
+            raise UnitError(
+                Message(
+                    "the unit '{name}' is not known: write {unit}, or {unit} s for {unit} times seconds",
+                    name=name,
+                    unit=parts[1],
+                )
+            )
         raise UnitError(
             Message(
                 "the unit '{name}' is not known: write {names}", name=name, names=" ".join(filter(None, parts.groups()))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
@@ -11,7 +12,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DENSITY, LENGTH, MASS, parse_quantity
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.elements import Edge
-from freebody.model.meshes import Exact, Triangulated, read_mesh
+from freebody.model.meshes import Triangulated, read_mesh, read_silhouette
 from freebody.model.shapes.base import Build, Shape
 from freebody.model.solids import HOLLOWED_MESH, MESH
 from freebody.model.spec import Formula
@@ -24,14 +25,13 @@ class Mesh(Shape, kind="mesh"):
     """`mesh: {file: part.stl, unit: mm, mass: 2 kg}`: a homogeneous body whose surface is a file of triangles, in the
     folder of the model: STL, OBJ, PLY or OFF. Its mass, or its `density`, is given; its mass centre and its moments of
     inertia follow from the triangles, which must be closed and go counter-clockwise as seen from outside. Such files
-    have no unit: `unit` says it. For models in space; needs the extra `mesh`.
+    have no unit: `unit` says it. Needs the extra `mesh`.
 
     Its frame is that of the file, its reference point the `origin` there. In contacts its convex hull touches, where
-    that has at most 40 corners: they are points of the body, `corner1`, `corner2` ... , its faces `face1`,
-    `face2` ..."""
+    that has at most 40 corners: they are points of the body, `corner1`, `corner2` ... , in space its faces `face1`,
+    `face2` ... A planar model sees it against the z axis of the file and takes its moment of inertia about that;
+    `normal: x` or `normal: y` for another axis, then x is the file's y or z."""
 
-    space_only = True
-    in_plane_take = "body"
     needs_file = True
 
     called: ClassVar[tuple[str, ...]] = ("part", "casting", "component")
@@ -40,15 +40,26 @@ class Mesh(Shape, kind="mesh"):
     unit: str = ""
     mass: Formula | None = None
     density: Formula | None = None
+    normal: str = ""
 
     example = "{file: part.stl, unit: mm, mass: 2 kg}"
 
     def build(self, names: Names) -> Build:
-        unit, given = self._unit(names), self._given(names)
-        found = None if unit is None else read_mesh(names, self.file, unit)
-        if found is None or given is None:
-            mass = given if self.mass is not None and given is not None else ZERO
-            return Build(mass, ZERO, points={"origin": names.origin}, default_point="origin", tensor=(ZERO,) * 6)
+        unit, given, normal = self._unit(names), self._given(names), self._normal(names)
+        if unit is None or given is None or normal is None:
+            return self._nothing(names, given)
+        return self._in_space(names, unit, given) if names.space else self._in_plane(names, unit, given, normal)
+
+    def _nothing(self, names: Names, given: Expr | None) -> Build:
+        """In place of what cannot be read."""
+        mass = ZERO if self.mass is None or given is None else given
+        tensor = (ZERO,) * 6 if names.space else ()
+        return Build(mass, ZERO, names.origin, {"origin": names.origin}, default_point="origin", tensor=tensor)
+
+    def _in_space(self, names: Names, unit: Fraction, given: Expr) -> Build:
+        found = read_mesh(names, self.file, unit)
+        if found is None:
+            return self._nothing(names, given)
         if found.is_drawn_coarsely:
             told = Message("pictures show {file} by a coarse hull: it has many triangles", file=self.file)
             names.assumptions.append(told)
@@ -58,13 +69,50 @@ class Mesh(Shape, kind="mesh"):
             mass,
             tensor[2],
             _components(found.center),
-            {"origin": names.origin, **_corners(found)},
+            {"origin": names.origin, **_corners(found.hull[0])},
             default_point="origin",
             tensor=tensor,
             solid=MESH if found.is_convex else HOLLOWED_MESH,
             edges=tuple(Edge(tuple(_components(at) for at in triangle)) for triangle in found.drawn),
             faces=_faces(found),
         )
+
+    def _in_plane(self, names: Names, unit: Fraction, given: Expr, normal: int) -> Build:
+        found = read_silhouette(names, self.file, unit, normal)
+        if found is None:
+            return self._nothing(names, given)
+        if found.leans:
+            told = Message(
+                "{file} is not alike on both sides of the plane: what guides it in the plane also bears moments about "
+                "axes in the plane, which are not looked at",
+                file=self.file,
+            )
+            names.assumptions.append(told)
+        mass = given if self.mass is not None else given * number(found.volume)
+        corners = _corners(found.hull)
+        return Build(
+            mass,
+            mass * number(found.spread),
+            _components(found.center),
+            {"origin": names.origin, **corners},
+            default_point="origin",
+            corners=tuple(corners),
+            edges=tuple(
+                Edge(tuple(_components(at) for at in places), "hole" if is_hole else "area")
+                for places, is_hole in found.drawn
+            ),
+        )
+
+    def _normal(self, names: Names) -> int | None:
+        """The number of the axis against which a planar model sees it; None with a problem noted."""
+        if self.normal and names.space:
+            names.problem(Message("normal is for planar models: in space all axes of the file count"), "normal")
+            return None
+        if self.normal not in ("", "x", "y", "z"):
+            told = Message("the normal of the plane is an axis of the file: x, y or z, not {x}", x=self.normal)
+            names.problem(told, "normal")
+            return None
+        return "xyz".index(self.normal or "z")
 
     def _unit(self, names: Names) -> Fraction | None:
         """[m]; None with a problem noted."""
@@ -90,12 +138,12 @@ class Mesh(Shape, kind="mesh"):
         return names.optional(self, "mass", MASS) or names.optional(self, "density", DENSITY)
 
 
-def _components(at: Exact) -> Components:
+def _components(at: Sequence[Fraction]) -> Components:
     return tuple(number(c) for c in at)
 
 
-def _corners(found: Triangulated) -> dict[str, Components]:
-    return {f"corner{k}": _components(at) for k, at in enumerate(found.hull[0], 1)}
+def _corners(hull: Iterable[Sequence[Fraction]]) -> dict[str, Components]:
+    return {f"corner{k}": _components(at) for k, at in enumerate(hull, 1)}
 
 
 def _faces(found: Triangulated) -> tuple[tuple[str, tuple[str, ...]], ...]:

@@ -13,6 +13,8 @@ from freebody.narrative.principles.sides import ZERO, parted
 from freebody.present.report.blocks import Relation as Sign
 from freebody.study.phases.result import relations
 from freebody.study.phases.words import label
+from freebody.symbolic.conditions import require
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.tidy import tidy
 
@@ -61,6 +63,9 @@ def tell_sticking(script: Script, way: PhaseSequence, leg: PhaseSegment) -> list
 def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryFriction) -> int:
     f, newton = leg.phase.model.field, leg.newton
     names = newton.acting.symbols
+    connection = label(rub.of or rub.name)
+    with script.stage("stage.supposed", "hint.supposed", connection=connection):
+        script.say("condition.supposed", connection=connection)
     with on_the_way(script, leg.glossary):
         unknowns = [newton.acting.generator(n) for n in (*(row.name for row in rub.rows), *rub.load)]
         values = newton.write(script, newton.plan(unknowns), unknowns)
@@ -69,13 +74,18 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
     lines = tuple(line for _v, line in values.values())
     here = leg.phase.start_instant.here
 
-    def carried(direction: int) -> tuple[Expr, Expr]:
+    def strongest(direction: int) -> tuple[Expr, Ratio]:
         """What it can carry against slip in a direction, by what presses it and at the start of the phase."""
         c = f.lowest_terms(leg.phase.coefficient(rub, direction, at_rest=True))
         written: Expr = tidy(c) * Symbol(names[rub.load[0]].name) if rub.load else tidy(c)
-        return written, readable(way.home(leg, f.lowest_terms(here(c * pressing))))
+        return written, way.home(leg, f.lowest_terms(here(c * pressing)))
 
-    with script.stage("stage.holds", "hint.holds", connection=label(rub.of or rub.name)):
+    def carried(direction: int) -> tuple[Expr, Expr]:
+        written, most = strongest(direction)
+        return written, readable(most)
+
+    solved: SolvedRelation | None = None
+    with script.stage("stage.holds", "hint.holds", connection=connection):
         symbols = [Symbol(names[row.name].name) for row in rub.rows]
         parts = [way.home(leg, f.lowest_terms(here(friction))) for friction in frictions]
         symbol, force = symbols[0], parts[0]
@@ -90,7 +100,10 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
             signs: tuple[Sign, ...] = ("=", "≤")
         elif falls or rises or rub.static_back is None:
             shown = readable(-force if falls else force)
-            written, most = carried(-1 if rises else 1)
+            written, limit_force = strongest(-1 if rises else 1)
+            most = readable(limit_force)
+            if falls or rises:
+                solved = _solved(way, limit_force + (force if falls else -force))
             first = (Call("abs", symbol), written)
             then = (Call("abs", symbol), shown if falls or rises else Call("abs", shown), most)
             signs = ("=", "≤")
@@ -100,10 +113,10 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
             then = (negate(least), readable(force), most)
             signs = ("≤", "≤")
         with on_the_way(script, leg.course):
-            args: dict[str, Argument] = {"connection": label(rub.of or rub.name)}
+            args: dict[str, Argument] = {"connection": connection}
             bounds: tuple[Sign, ...] = ("≤",) * (len(first) - 1)
             limit = script.line(*first, relations=bounds, why="condition.coulomb", args=args, uses=lines, when="start")
-            return script.line(
+            found = script.line(
                 *then,
                 relations=signs,
                 why="condition.put_in",
@@ -111,6 +124,17 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
                 uses=(limit, *lines),
                 when="start",
             )
+            if solved is None:
+                return found
+            left, sign, right = _sides(solved)
+            return script.line(left, right, relations=(sign,), why="condition.hence", uses=(found,), when="start")
+
+
+def _solved(way: PhaseSequence, reserve: Ratio) -> SolvedRelation | None:
+    """reserve >= 0 solved for a coefficient of friction; None where that is not possible."""
+    condition, _possible = require(reserve, ">=", "")
+    found = [] if condition is None else relations(way.tree, [condition])
+    return found[0] if len(found) == 1 and found[0].bound is not None else None
 
 
 def tell_conditions(script: Script, way: PhaseSequence, lines: Mapping[str, tuple[int, ...]]) -> None:

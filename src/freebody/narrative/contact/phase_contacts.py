@@ -48,6 +48,8 @@ def _states(leg: PhaseSegment) -> list[Sentence]:
         elif row.name not in rubbing:
             grips = any(h.needs and f"{h.connection}.{h.needs}" == row.name for h in phase.base.constraint_rows)
             found.append(Sentence("contact.grips" if grips else "contact.touches", args))
+    for name, acts in phase.mode.acting:
+        found.append(Sentence("contact.taut" if acts else "contact.slack", {"connection": label(name)}))
     for name, state in phase.mode.states.items():
         rub = phase.dry_friction[name]
         key = "slides" if state else "rolls" if rolls(rub) else "sticks"

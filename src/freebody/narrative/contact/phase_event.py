@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol
 from freebody.language.notation.stated import compared
 from freebody.language.sentences import Argument, Message
+from freebody.language.units import AREA
 from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import MotionLines, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -15,8 +17,8 @@ from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.questions.clock import Clock
-from freebody.questions.event import AskedEvent, Meeting, OfQuantity, QuestionEvent
-from freebody.study.phases.phase import PhaseWatch
+from freebody.questions.event import AskedEvent, Meeting, OfQuantity, Peak, QuestionEvent
+from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
@@ -39,7 +41,8 @@ def tell_event(
     course = leg.phase.course
     with script.stage("stage.phase_event", "hint.phase_event", phase=f"@{leg.number}"):
         comes = said_event(way, leg, watch)
-        script.say(f"event.{watch.kind.replace(' ', '_')}", connection=label(watch.name), event=comes)
+        key = at_border(leg.phase, watch) or watch.kind.replace(" ", "_")
+        script.say(f"event.{key}", connection=label(watch.name), event=comes)
         symbol, element = _watched(script, way, leg, watch)
         base = lines.get(watch.name, 0)
         uses = tuple(n for n in dict.fromkeys((base, *_lines_of(leg, told, element))) if n)
@@ -51,6 +54,13 @@ def tell_event(
             else:
                 raise CannotAnswer(Message("of this law of motion the time of an event is derived by no line here"))
             return {**found, **_state(script, way, leg, told, found)}
+
+
+def at_border(phase: Phase, watch: PhaseWatch) -> str:
+    """What an event at the border of a load is called in keys; nothing for others."""
+    if watch.name not in phase.base.borders:
+        return ""
+    return {"opens": "goes_slack", "touches": "comes_taut"}[watch.kind]
 
 
 def _lines_of(leg: PhaseSegment, told: MotionLines, element: Ratio) -> tuple[int, ...]:
@@ -72,6 +82,8 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
         case "slip ends":
             rub = phase.dry_friction[watch.name]
             return slip_symbol(leg, rub), phase.state.rate(rub.row.measure)
+        case "opens" | "touches" if watch.name in phase.base.borders:
+            return _stretch(script, leg, watch), watch.element
         case "opens":
             return Symbol(symbols[watch.name].name), watch.element
         case "slips":
@@ -83,6 +95,8 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
             if isinstance(event, Clock):
                 return _CLOCK, f.time
             assert event is not None
+            if isinstance(event, Peak):
+                raise CannotAnswer(Message("where a quantity is greatest is derived from no line here"))
             name = next((n for n, m in phase.base.measures.items() if m == event.measure), "")
             if not name:
                 name = leg.free_name("q")
@@ -126,6 +140,23 @@ def _gap(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
         return symbol
     assert row.target is not None
     return (symbol**2 - row.target**2) * row.sign
+
+
+def _stretch(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
+    """How far a load is from its border, positive until it gets there: of a straight string by squares."""
+    row = leg.phase.base_row(watch.name)
+    assert row.target is not None
+    by_squares = row.measure.dimension == AREA
+    symbol, what = Symbol(leg.free_name("d")), Sentence("symbol.length_of", {"string": label(watch.name)})
+
+    def read(world: World) -> float:
+        value = float(world.snapshot.value(row.measure))  # type: ignore[arg-type]
+        return math.sqrt(value) if by_squares else value
+
+    leg.glossary.introduce(Meaning(symbol, what, read, "m"))
+    script.add(Legend(((symbol, what, "m"),)))
+    long: Expr = symbol**2 if by_squares else symbol
+    return long - row.target if watch.kind == "opens" else row.target - long
 
 
 def said_event(way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> Argument:

@@ -12,7 +12,7 @@ from freebody.narrative.contact.phase_answer import asked_side, tell_answer
 from freebody.narrative.contact.phase_blow import tell_sudden_blow
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
-from freebody.narrative.contact.phase_event import said_event, tell_event
+from freebody.narrative.contact.phase_event import at_border, said_event, tell_event
 from freebody.narrative.contact.phase_impact import tell_impact
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -153,7 +153,8 @@ def _end_words(way: PhaseSequence, leg: PhaseSegment) -> Sentence:
         return Sentence("phases.lasts")
     watch = leg.first.watch
     what: Argument = said_event(way, leg, watch) if watch.kind == "is reached" else f"@{watch.connection}"
-    return Sentence(f"phases.until_{watch.kind.replace(' ', '_')}", {"connection": what})
+    key = at_border(leg.phase, watch) or watch.kind.replace(" ", "_")
+    return Sentence(f"phases.until_{key}", {"connection": what})
 
 
 def _tell_phase(
@@ -226,7 +227,7 @@ def _wanted(way: PhaseSequence, leg: PhaseSegment, moving: set[str]) -> list[int
     watch, newton, found = leg.first.watch, leg.newton, list[int]()
     if isinstance(leg.phase.course, UniformMotion):
         found += [a for c, a in _accelerations(leg) if c.name in moving]
-    if watch.kind in ("opens", "slips"):
+    if watch.kind in ("opens", "slips") and watch.name not in leg.phase.base.borders:
         found.append(newton.acting.generator(watch.name))
     if watch.kind == "slips":
         found += [newton.acting.generator(n) for n in leg.phase.dry_friction[watch.name].load]

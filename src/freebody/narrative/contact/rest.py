@@ -15,7 +15,7 @@ from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, 
 from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_conditions import sides_of, told_purpose
 from freebody.narrative.contact.phase_event import solved_argument
-from freebody.narrative.contact.rest_cone import tell_cone, turning
+from freebody.narrative.contact.rest_cone import tell_cone, tell_feet, turning
 from freebody.narrative.contact.rest_forces import acting_at_rest
 from freebody.narrative.contact.rest_newton import RestNewton
 from freebody.narrative.contact.rest_worlds import RestGlossary
@@ -38,6 +38,7 @@ from freebody.symbolic.active_set import Failure, RestEquations
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS
 from freebody.symbolic.tidy import tidy
+from freebody.system.corners import in_words
 
 _AT: dict[int, Relation] = {1: "≤", -1: "≥"}
 
@@ -100,10 +101,10 @@ class _RestTelling:
             if row.unilateral:
                 symbol = Symbol(symbols[row.name].name)
                 key = "rest.taut" if row.reaction == "tension" else "rest.touches"
-                found.append(Sentence(key, {"place": place_of(row), "force": symbol}))
+                found.append(Sentence(key, {"place": in_words(self.touching.system, place_of(row)), "force": symbol}))
         for rub in self.touching.dry_friction:
             symbol = Symbol(symbols[rub.name].name)
-            place = place_of(rub.row)
+            place = in_words(self.touching.system, place_of(rub.row))
             if rub.static_back is not None:
                 found.append(Sentence("rest.string", {"connection": rub.row.connection, "drum": rub.row.ends[0]}))
             elif len(rub.load) <= 1:
@@ -174,7 +175,10 @@ class _RestTelling:
         if not row and (rub := turning(equations, case.failure)) is not None:
             names = (*(r.name for r in rub.rows), *rub.load)
             symbols: dict[str, Expr] = {name: Symbol(self.symbols[name].name) for name in names}
-            line, rest = tell_cone(script, newton, equations, rub, symbols)
+            if len(equations.together(rub, case.failure)) > 1:
+                line, rest = tell_feet(script, newton, equations, rub, case.failure)
+            else:
+                line, rest = tell_cone(script, newton, equations, rub, symbols)
             with script.stage("stage.solution", "hint.solution", n=len(names)):
                 line = self._solved(case, symbol, line, is_root=_has_roots(rest, ends.index))
             self._conditions(case, newton, equations, line)

@@ -38,8 +38,13 @@ def first_mode(system: System) -> Setup:
     return KeptMode(tree, tree.roots[0])
 
 
+def changes_at_borders_alone(system: System) -> bool:
+    """Whether nothing but loads that act beyond a border changes the law of motion on the way."""
+    return bool(system.borders) and not (system.bounds or system.dry_friction or system.blows)
+
+
 def has_phases(system: System) -> bool:
     """Whether the law of motion may change on the way."""
-    return bool(system.bounds or system.dry_friction or system.blows) or any(
+    return bool(system.bounds or system.dry_friction or system.blows or system.borders) or any(
         q.transition is not None for q in system.questions
     )

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Literal
@@ -44,6 +45,7 @@ from freebody.system.system import System
 
 EQUATIONS = ("equations of motion", "equations", "eom")  # asked for instead of a question
 FORMS: tuple[Form, ...] = ("any", "formula", "number")
+_OF_OPTION = re.compile(r"\((\w+)\)|(\w+)[.)]?")  # (b), b or b)
 _LONGEST = 100_000  # characters that are looked at at all
 
 
@@ -90,10 +92,17 @@ def check(
         return CheckedAnswer(asked, shortened(plain(answer), 300), found, language, title=system.title)
     marked = marked_question(system, question)
     text = plain(answer)
-    judgement = marked.judge(answer[:_LONGEST], policy)
-    said = marked.mistake(judgement)
+    letter, is_sure = marked.letter_of(text)
+    judgement = TypedJudgement("unreadable") if is_sure else marked.judge(answer[:_LONGEST], policy)
+    chosen = ("", "")
+    if letter and judgement.verdict == "unreadable":
+        chosen = (letter, marked.options[letter])
+        judgement, said = marked.chosen(letter)
+    else:
+        said = marked.mistake(judgement)
     leads = "" if said is None else Catalogue(language).plain(said)
-    return CheckedAnswer(marked.question, shortened(text, 300), judgement, language, leads, system.title)
+    shown = shortened(text, 300)
+    return CheckedAnswer(marked.question, shown, judgement, language, leads, system.title, chosen=chosen)
 
 
 def _policy(form: str, unit: str, tolerance: str, gravity: Sequence[float]) -> Policy:
@@ -107,12 +116,48 @@ def _policy(form: str, unit: str, tolerance: str, gravity: Sequence[float]) -> P
 
 @dataclass(frozen=True)
 class MarkedQuestion:
-    """A solved question that answers are compared with. judging: None where there is no formula."""
+    """A solved question that answers are compared with. judging: None where there is no formula; options: among which
+    one may choose by the letter."""
 
     system: System
     question: Question
     answer: Answer
     judging: AnswerJudge | None
+    options: Mapping[str, str] = field(default_factory=dict[str, str])
+
+    def letter_of(self, text: str) -> tuple[str, bool]:
+        """The letter of the option that is chosen by (b) or b, and whether nothing else can be meant: b alone is also
+        the quantity of that name, where the problem has one. Nothing for any other answer."""
+        found = _OF_OPTION.fullmatch(text.strip())
+        if found is None:
+            return "", False
+        in_brackets, alone = found.groups()
+        letters = {letter.lower(): letter for letter in self.options}
+        letter = letters.get((in_brackets or alone).lower(), "")
+        return letter, bool(letter) and alone not in {*self.system.parameters, *self.system.measures}
+
+    def chosen(self, letter: str) -> tuple[TypedJudgement, Sentence | None]:
+        """The verdict on an option, and the mistake that leads to it where one is known."""
+        found = self._verdicts.get(letter)
+        if found is None:
+            return TypedJudgement("undecided", Message("there is nothing to compare it with")), None
+        verdict = "correct" if found.verdict == "right" else "incorrect"
+        return TypedJudgement(verdict, found.reason), self._behind_options.get(letter)
+
+    @property
+    def right_option(self) -> str:
+        """Its letter; nothing where there is none, or several are."""
+        right = [letter for letter, v in self._verdicts.items() if v.verdict == "right"] if self.options else []
+        return right[0] if len(right) == 1 else ""
+
+    @cached_property
+    def _verdicts(self) -> Mapping[str, Verdict]:
+        return self._options_judged(replace(self.question, options=dict(self.options)))
+
+    @cached_property
+    def _behind_options(self) -> Mapping[str, Sentence]:
+        wrong = {k: self.options[k] for k, v in self._verdicts.items() if v.verdict == "wrong"}
+        return {} if self.answer.expression is None or not wrong else self._known.behind(wrong)
 
     def judge(self, text: str, policy: Policy) -> TypedJudgement:
         if self.judging is not None:
@@ -180,8 +225,10 @@ def marked_question(system: System, question: str) -> MarkedQuestion:
             "there is no question with the id {question}.{hint}", question=question, hint=did_you_mean(question, known)
         )
         raise InputError(told)
-    asked = replace(known.get(question) or system.question(question), options={}, key=None)
-    return marked_by(system, asked, solve(replace(system, questions=(asked,))).answers[0])
+    as_set = known.get(question) or system.question(question)
+    asked = replace(as_set, options={}, key=None)
+    marked = marked_by(system, asked, solve(replace(system, questions=(asked,))).answers[0])
+    return replace(marked, options=as_set.options)
 
 
 def marked_by(system: System, question: Question, answer: Answer) -> MarkedQuestion:

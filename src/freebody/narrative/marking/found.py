@@ -10,8 +10,19 @@ from freebody.assess.typed import TypedJudgement
 from freebody.language.expression import Expr
 from freebody.language.notation import to_latex, to_python
 from freebody.language.typed import TypedNumber
+from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.present.report.blocks import Block, Emphasis, Entry, Equation, Equations, Formula, Paragraph, Report
+from freebody.present.report.blocks import (
+    Block,
+    Choices,
+    Emphasis,
+    Entry,
+    Equation,
+    Equations,
+    Formula,
+    Paragraph,
+    Report,
+)
 from freebody.present.report.results import Result, entries, entry, line
 from freebody.questions.reading import Question
 
@@ -30,6 +41,7 @@ class CheckedAnswer(Result):
     leads: str = ""
     title: str = ""
     is_brief: bool = False  # in a quiz: what would give the answer away is not shown
+    chosen: tuple[str, str] = ("", "")  # the option that was chosen by its letter, as the file has it
 
     @property
     def verdict(self) -> str:
@@ -100,7 +112,10 @@ class CheckedAnswer(Result):
     def _blocks(self, catalogue: Catalogue) -> Iterator[Block]:
         yield line(Emphasis(self.question.id, "code"), f"  {self.question.text}")
         answer, equations = self.judgement.answer, self.judgement.equations
-        if equations:
+        letter, option = self.chosen
+        if letter:
+            yield Choices(((f"({letter})", shown(option, catalogue.option(option))),))
+        elif equations:
             yield Paragraph((catalogue.word("marking.read_as"),))
             yield from (Paragraph(("    ", Formula(sides, ("=",)))) for sides in equations)
         elif self.judgement.forces:
@@ -119,7 +134,9 @@ class CheckedAnswer(Result):
         yield from entries(*self._said_of(catalogue))
 
     def _said_of(self, catalogue: Catalogue) -> Iterator[Entry]:
-        gives_away = self.is_brief and self.verdict == "incorrect"
+        gives_away = (
+            self.is_brief and self.verdict == "incorrect" and not self.chosen[0] and not self.judgement.is_of_form
+        )
         yield entry(catalogue.word("marking.reason"), *filter(None, ["" if gives_away else self.reason]))
         yield entry(catalogue.word("marking.mistake"), *filter(None, [self.mistake]))
         if self.is_brief:

@@ -7,7 +7,7 @@ when the first one is asked for.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from freebody.errors import FreebodyError, InputError
@@ -16,8 +16,11 @@ from freebody.narrative.explain import explain
 from freebody.narrative.marking.check import check, marked_question
 from freebody.narrative.marking.found import CheckedAnswer
 from freebody.narrative.sheets.asking import asking
+from freebody.narrative.sheets.statement import ExerciseStatement, title_of
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.present.report.results import Result
+from freebody.narrative.telling.house import in_style
+from freebody.narrative.telling.reports import ReportTeller
+from freebody.present.report.blocks import Block, Choices, Emphasis, Paragraph, Report
 from freebody.questions.reading import Question
 from freebody.system.system import System
 
@@ -40,6 +43,18 @@ class QuizQuestion:
     def words(self) -> str:
         """The question as an exercise asks it."""
         return self.question.words or Catalogue(self.language).plain(asking(self.system, self.question))
+
+    @property
+    def report(self) -> Report:
+        """The question with its options, as a sheet has it."""
+        catalogue = Catalogue(self.language)
+        statement = ExerciseStatement(self.system, catalogue, 1, 1)
+        blocks: list[Block] = [Paragraph((Emphasis(self.question.id, "code"), "  ", *statement.prompt(self.question)))]
+        options = tuple((f"({k})", statement.option(text)) for k, text in self.question.options.items())
+        blocks += [Choices(options)] if options else []
+        title = title_of(self.system, catalogue)
+        shown = in_style(tuple(blocks), self.system.style)
+        return Report(title, self.language, "", shown, catalogue.report_words, is_summary=True)
 
     @property
     def n_left(self) -> int:
@@ -90,9 +105,16 @@ class QuizQuestion:
             if stage.hint is not None:
                 yield catalogue.plain(stage.hint)
 
-    def solution(self) -> Result:
-        """The answer, when the attempts are used up."""
-        return marked_question(self.system, self.question.id).answer
+    def solution(self) -> Report:
+        """The right option and the answer, when the attempts are used up."""
+        catalogue = Catalogue(self.language)
+        marked = marked_question(self.system, self.question.id)
+        told = ReportTeller(self.language).tell(replace(marked.answer, evidence=None).report)
+        blocks = told.blocks
+        if letter := marked.right_option:
+            option = ExerciseStatement(self.system, catalogue, 1, 1).option(marked.options[letter])
+            blocks = (Choices(((f"({letter})", option),)), *blocks)
+        return replace(told, title=catalogue.word("quiz.solution"), blocks=blocks)
 
 
 def quiz(

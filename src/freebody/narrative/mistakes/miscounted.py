@@ -3,22 +3,21 @@ dependent constraints counted as if they were independent."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from freebody.narrative.lines.script import Sentence
-from freebody.questions.reading import Question
 from freebody.study.mobility.gruebler import Gruebler, gruebler
 from freebody.system.system import System
 
 
-def miscounted(system: System, question: Question, wrong: Sequence[str]) -> dict[str, Sentence]:
+def miscounted(system: System, wrong: Mapping[str, str]) -> dict[str, Sentence]:
     """By letter: the mistake that gives the number of an option."""
     counts = list(_counts(system, gruebler(system)))
     found: dict[str, Sentence] = {}
-    for letter in wrong:
+    for letter, text in wrong.items():
         try:
-            wanted = Fraction(question.options[letter].strip())
+            wanted = Fraction(text.strip())
         except (ValueError, ZeroDivisionError):
             continue
         said = next((s for s, n in counts if n == wanted), None)

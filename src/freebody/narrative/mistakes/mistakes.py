@@ -51,7 +51,7 @@ class KnownMistakes:
     def behind(self, wrong: Mapping[str, str]) -> Mapping[str, Sentence]:
         """The mistake that leads to each of these formulas, by their letters; none is named that is not known."""
         if self.question.quantity.scope == "structure":
-            return miscounted(self.context.system, self.question, list(wrong))
+            return miscounted(self.context.system, wrong)
         try:
             with working_precision():
                 return _MistakeSearch(self, wrong).found()

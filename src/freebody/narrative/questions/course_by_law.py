@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
+from freebody.language.expression import LAMBERT, Call, Expr, Symbol, add, multiply, number, power
 from freebody.language.sentences import Message
 from freebody.narrative.lines.script import Argument, ready
 from freebody.narrative.principles.sides import positive_first
@@ -153,7 +153,7 @@ def _linear(way: EventWay) -> list[int]:
     assert reached.time is not None
     f = way.acceleration.field
     q0, u0 = at_start(way)
-    beta, gamma = f.partial(way.acceleration, c.index), f.partial(way.acceleration, c.speed)
+    beta = f.partial(way.acceleration, c.index)
     x, u = Symbol(c.name), rates_of(c.name, 1)
     event = way.question.event
     assert isinstance(event, QuestionEvent)
@@ -161,26 +161,55 @@ def _linear(way: EventWay) -> list[int]:
     with script.stage("stage.integration", "hint.integration"):
         if not isinstance(way.law, Oscillation | Growth | Decay):
             lines += by_law(way)
-        elif gamma.is_zero():
+        elif not isinstance(way.law, Decay):
             alpha = way.acceleration - beta * f.variable(c.index)
             center = f.lowest_terms(-alpha / beta)
             lines += _oscillation(way, beta, center, q0 - center, u0, x, u)
         else:
-            alpha = way.acceleration - gamma * f.variable(c.speed)
-            decayed = Call("exp", multiply(tidy(gamma), TIME))
-            end = f.lowest_terms(-alpha / gamma)
-            right = add(tidy(end), multiply(tidy(f.lowest_terms(u0 - end)), decayed))
-            lines.append(
-                script.line(u, right, why="course.decay", args={"line": way.line}, uses=(way.line,), when="event")
-            )
+            lines += _decay(way, way.law)
         more = [line for other in way.beside for line in law_lines(other)]
     with script.stage("stage.event", "hint.event"):
         at = place_line(way)
         uses = (*lines, at)
-        script.line(TIME, tidy(reached.time), why="course.first_time", args={"lines": uses}, uses=uses, when="event")
+        why, args = "course.first_time", dict[str, Argument](lines=uses)
+        if isinstance(way.law, Decay) and event.order == 0 and (solved := _lambert(way, way.law, lines[-1], at)):
+            why, args, uses = "course.time", {"line": solved[-1]}, tuple(solved)
+        script.line(TIME, tidy(reached.time), why=why, args=args, uses=uses, when="event")
         for note in reached.notes:
             script.say("course.note", text=ready(note))
     return [*lines, *more]
+
+
+def _decay(way: EventWay, law: Decay) -> list[int]:
+    """u = end + (u0 - end) e^(gamma t), and where a place is asked for its integral."""
+    script, c, f = way.script, way.coordinate, way.acceleration.field
+    over, decayed = f.lowest_terms(law.u0 - law.end), Call("exp", multiply(tidy(law.gamma), TIME))
+    right = add(tidy(law.end), multiply(tidy(over), decayed))
+    u = script.line(
+        rates_of(c.name, 1), right, why="course.decay", args={"line": way.line}, uses=(way.line,), when="event"
+    )
+    event = way.question.event
+    if not isinstance(event, QuestionEvent) or event.order != 0 or law.end.is_zero():
+        return [u]
+    grown = multiply(tidy(f.lowest_terms(over / law.gamma)), add(decayed, number(-1)))
+    place = add(sum_of(law.q0, (law.end, TIME)), grown)
+    return [u, script.line(Symbol(c.name), place, why="course.place", args={"line": u}, uses=(u,), when="event")]
+
+
+def _lambert(way: EventWay, law: Decay, place: int, at: int) -> list[int]:
+    """The equation for the time as w e^w = z, and why its solution is by this branch of Lambert's W."""
+    time, f, lines = way.reached.time, way.acceleration.field, list[int]()
+    assert time is not None
+    for g in sorted(time.generators() & f.arguments.keys()):
+        name, z = f.arguments[g]
+        if name not in LAMBERT:
+            continue
+        w = sum_of(f.lowest_terms(law.gamma * time + f.variable(g)), (-law.gamma, TIME))
+        args: dict[str, Argument] = {"given": at, "line": place}
+        left = multiply(w, Call("exp", w))
+        lines.append(way.script.line(left, tidy(z), why="course.lambert", args=args, uses=(at, place), when="event"))
+        way.script.say(f"course.{name.lower()}", line=lines[-1], rate=rates_of(way.coordinate.name, 1))
+    return lines
 
 
 def by_law(way: EventWay) -> list[int]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from freebody.language.expression import Expr
 from freebody.narrative.lines.script import Sentence, ready
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.raising import raised
+from freebody.narrative.telling.raising import raised, typeset
 from freebody.present.report.blocks import Emphasis, Formula, Table, Text
 from freebody.study.answering.answer import Answer
 
@@ -60,7 +60,7 @@ def _key_row(catalogue: Catalogue, key: KeyEntry) -> tuple[Text, ...]:
     elif key.expression is None and key.conditions:
         formula = (", ".join(map(catalogue.said, key.conditions)),)
     values = key.value if isinstance(key.value, tuple) else (() if key.value is None else (key.value,))
-    value = ", ".join(f"{v:.4g}" for v in values)
+    value = ", ".join(typeset(f"{v:.4g}") for v in values)
     if len(values) > 1:
         value = f"({value})"
     return (Emphasis(key.label),), letter, formula, (f"{value} {raised(key.unit)}".strip(),) if value else ()

@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from freebody.errors import FreebodyError
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
 from freebody.language.parser import parse
-from freebody.narrative.telling.raising import raised
+from freebody.narrative.sheets.variants import rounded
+from freebody.narrative.telling.raising import raised, typeset
 from freebody.present.report.blocks import Text
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -28,7 +29,7 @@ def options_in_numbers(system: System, question: Question, answer: Answer) -> Ma
         return {}
     unit = "" if answer.unit in ("", "1") else f" {raised(answer.unit)}"
     for digits in _DIGITS:
-        shown = {text: f"{x:.{digits}g}" for text, x in found.items() if math.isfinite(x)}
+        shown = {text: typeset(rounded(x, digits)) for text, x in found.items() if math.isfinite(x)}
         if len(set(shown.values())) == len(question.options):
-            return {text: (f"{number}{unit}".replace("-", "−"),) for text, number in shown.items()}
+            return {text: (f"{number}{unit}",) for text, number in shown.items()}
     return {}

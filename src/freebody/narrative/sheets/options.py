@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer, ExpressionError, ModelError
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, Symbol
 from freebody.language.parser import parse
+from freebody.narrative.telling.catalogue import SYMBOL
 from freebody.narrative.telling.dollars import with_rates
 from freebody.present.report.blocks import Formula, Text
 
@@ -20,6 +21,8 @@ def shown(option: str, said: str) -> Text:
             return (Formula((parts,)),)
         if " " in text and not any(sign in text for sign in "+-*/^()="):
             return tuple(with_rates(text))
-        return (Formula((parse(text),)),)
+        found = parse(text)
+        is_word = isinstance(found, Symbol) and not SYMBOL.fullmatch(found.name)  # always, never, infinity
+        return (text,) if is_word else (Formula((found,)),)
     except (ExpressionError, CannotAnswer, ModelError):
         return tuple(with_rates(text))

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
 from typing import Any, cast
 
 from freebody.errors import ExpressionError, FreebodyError
-from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols
+from freebody.language.expression import Call, Expr, Symbol, free_symbols
 from freebody.language.parser import parse
-from freebody.language.units import DIMENSIONLESS, TIME
+from freebody.language.units import DIMENSIONLESS, TIME, quantities_within
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
@@ -19,8 +18,19 @@ from freebody.narrative.sheets.asking import asking
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.raising import raised
-from freebody.present.report.blocks import Block, Choices, Emphasis, Figure, Formula, Paragraph, Room, Text, Unbroken
+from freebody.narrative.telling.raising import raised, typeset
+from freebody.present.report.blocks import (
+    Block,
+    Choices,
+    Emphasis,
+    Figure,
+    Formula,
+    Paragraph,
+    Piece,
+    Room,
+    Text,
+    Unbroken,
+)
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.mobility.gruebler import gruebler
@@ -98,35 +108,48 @@ class ExerciseStatement:
 
     # -- the model ----------------------------------------------------------------------------
     def _bodies(self) -> Iterator[Block]:
-        """The bodies with shape, mass, size and moment of inertia, in one sentence."""
+        """The bodies with shape, mass, size and moment of inertia, in one sentence; those alike together."""
         given = cast("dict[str, Any]", self.system.document.data.get("bodies") or {})
-        told: list[Text] = []
+        alike: dict[Text, list[Piece]] = {}
         for body in self.system.moving:
-            entry = given.get(body.name)
-            shape = next(iter(cast("dict[str, Any]", entry)), "") if isinstance(entry, dict) else ""
-            parts: list[Text] = [self._say("sheet.shape_of", shape=f"@shape.{shape}")]
-            if body.mass != ZERO:
-                parts.append((self.catalogue.word("sheet.mass"), " ", *_with_unit(body.mass, "kg")))
-            sizes = self._sizes(cast("dict[str, Any]", entry).get(shape) if isinstance(entry, dict) else None)
-            parts += sizes
-            inertia = _inertia(body) if body.turns and not sizes else ()
-            if inertia:
-                parts.append((self.catalogue.word("sheet.inertia"), " ", *inertia))
-            elif body.mass == ZERO:
-                parts.append(self._say("sheet.massless"))
-            told.append((self.catalogue.name(body.name), " (", *_in_turn(parts), ")"))
+            alike.setdefault(self._described(body, given.get(body.name)), []).append(self.catalogue.name(body.name))
+        told = [(*_in_turn([(name,) for name in names]), " (", *what, ")") for what, names in alike.items()]
         if told:
             yield Paragraph((*self._say("sheet.bodies"), " ", *_in_turn(told, "; "), "."))
 
-    def _sizes(self, entry: object) -> list[Text]:
+    def _described(self, body: RigidBody, entry: object) -> Text:
+        """What a body is. entry: as the file has it."""
+        given = cast("dict[str, Any]", entry) if isinstance(entry, dict) else {}
+        shape = next(iter(given), "")
+        of_shape: object = given.get(shape)
+        own = cast("dict[str, Any]", of_shape) if isinstance(of_shape, dict) else {}
+        sizes = self._sizes(own)
+        # that of a homogeneous body follows from its mass and its size
+        inertia = _inertia(body) if body.turns and ("inertia" in own or not sizes) else ()
+        is_massless = body.mass == ZERO and not inertia
+        bare = f"massless.{shape}" if is_massless and self.catalogue.has(f"massless.{shape}") else f"shape.{shape}"
+        parts: list[Text] = [self._say("sheet.shape_of", shape=f"@{bare}")]
+        if body.mass != ZERO:
+            parts.append((self.catalogue.word("sheet.mass"), " ", *_with_unit(body.mass, "kg")))
+        parts += sizes
+        if inertia:
+            parts.append((self.catalogue.word("sheet.inertia"), " ", *inertia))
+        elif is_massless and bare.startswith("shape."):
+            parts.append(self._say("sheet.massless"))
+        return _in_turn(parts)
+
+    def _sizes(self, given: Mapping[str, Any]) -> list[Text]:
         """Radius, length and so on, as the file has them."""
         found: list[Text] = []
-        for key, value in (cast("dict[str, Any]", entry) if isinstance(entry, dict) else {}).items():
-            if self.catalogue.has(f"size.{key}") and isinstance(value, str):
-                try:
-                    found.append((self.catalogue.word(f"size.{key}"), " ", Formula((parse(value),))))
-                except ExpressionError:  # a number with a unit
-                    found.append((self.catalogue.word(f"size.{key}"), " ", value))
+        for key, value in given.items():
+            if not self.catalogue.has(f"size.{key}") or not isinstance(value, str):
+                continue
+            _rest, quantities = quantities_within(value, self.system.parameters)
+            try:
+                size: Piece = raised(value) if quantities else Formula((parse(value),))
+            except ExpressionError:
+                size = raised(value)
+            found.append((self.catalogue.word(f"size.{key}"), " ", size))
         return found
 
     def _connections(self) -> Iterator[Block]:
@@ -231,14 +254,12 @@ def _in_turn(texts: Sequence[Text], between: str = ", ") -> Text:
 def _value(name: str, text: str) -> Text:
     """name = value unit, as the file writes it."""
     digits, _space, unit = text.strip().partition(" ")
+    shown = "°" if unit == "deg" else f" {raised(unit)}" if unit else ""
     try:
-        value = Number(Fraction(digits))
+        float(digits)
     except ValueError:
-        return Formula((Symbol(name),)), f" = {text}"
-    if value.value.denominator > 1:  # as the file has it, not as a fraction
-        shown = "°" if unit == "deg" else f" {raised(unit)}" if unit else ""
-        return Formula((Symbol(name),)), f" = {digits}{shown}"
-    return (Formula((Symbol(name), value), ("=",), "°" if unit == "deg" else unit),)
+        return Formula((Symbol(name),)), f" = {raised(text)}"
+    return Formula((Symbol(name),)), f" = {typeset(digits)}{shown}"
 
 
 def _with_unit(value: Expr, unit: str) -> Text:

@@ -31,6 +31,8 @@ class Angles:
         self.bound = {c.name for c in self.model.dependent}
         self.lines: dict[tuple[str, bool], tuple[int, ...]] = {}  # where a rate is told, with its angle or without
         self.tangents: dict[str, int] = {}  # by angle: where it is told by its tangent
+        self._pending: dict[str, ConstraintRow] = {}  # what is being told, and by which row
+        self._n_left_open = 0  # how often the telling of one angle came upon another one that is being told
         self._introduced: set[str] = set(introduced)
         self.vectors = VectorSums(frames, {n for n, m in self.bodies.tree.angles.items() if self._is_given(n, m)})
 
@@ -80,10 +82,16 @@ class Angles:
         for name in names:
             if name in self.independent or name in self.bound:
                 continue
-            key = name, rates_only
-            if key not in self.lines:
-                self.lines[key] = (self._by_vectors(name) if rates_only else None) or self._explained(name)
-            found += self.lines[key]
+            if name in self._pending:
+                self._n_left_open += 1
+                continue
+            key, n_before = (name, rates_only), self._n_left_open
+            lines = self.lines.get(key)
+            if lines is None:
+                lines = (self._by_vectors(name) if rates_only else None) or self._explained(name)
+                if n_before == self._n_left_open or not self._pending:
+                    self.lines[key] = lines
+            found += lines
         return tuple(dict.fromkeys(found))
 
     def value(self, name: str) -> Ratio:
@@ -116,7 +124,12 @@ class Angles:
         equation = self.model.equation(row)
         others = [n for n in self._angles_in(equation) if n != name]
         self.introduce([name, *others])
+        # several that equations bind together are solved for with the last of these: the others are left open in it
+        n_before = self._n_left_open
+        self._pending[name] = row
         before = self.explain(others)
+        del self._pending[name]
+        is_left_open = bool(self._pending) and n_before != self._n_left_open
         args: dict[str, Argument] = {"connection": row.connection, "component": f"@{row.component}"}
         is_driven = row.reaction.startswith("driving ")
         why = f"constraint.{row.reaction.replace(' ', '_')}" if is_driven else "space.loop"
@@ -129,6 +142,8 @@ class Angles:
         raw = self.field.lowest_terms(self.field.rate(equation))
         sides, value = balanced(tidy(raw.numerator())), readable(self.rate(name))
         rate_line = self.frames.script.line(*sides, why="space.loop_rate", args={"line": place}, uses=(place,))
+        if is_left_open:
+            return (*before, rate_line)
         if sides == (rates_of(name, 1), tidy(value)):
             return (rate_line,)
         places = (self.tangents[n] for n in others if n in self.tangents)
@@ -161,6 +176,8 @@ class Angles:
         for row in self.system.constraint_rows:
             if isinstance(row.measure, NonholonomicForm) or row.name in self.bodies.tree.rows:
                 continue
+            if any(row is other for other in self._pending.values()):
+                continue
             try:
                 equation = self.model.equation(row)
             except (CannotAnswer, ZeroDivisionError):
@@ -168,6 +185,8 @@ class Angles:
             angles = self._angles_in(equation)
             if name not in angles or not self._only_angles(equation):
                 continue
+            if row.if_needed and angles[0] == name:
+                continue  # that others are like it tells these
             rank = len([a for a in angles if a not in self.independent and a != name]), len(equation.num)
             if best is None or rank < best[0]:
                 best = rank, row

@@ -18,6 +18,7 @@ from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTa
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.narrative.space.spatial import SpatialTelling
+from freebody.narrative.steady.superposed import tell_superposed
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
@@ -34,6 +35,7 @@ from freebody.study.steady.extremes import (
     is_of_motion,
     told,
     turning_with,
+    waves_of,
 )
 from freebody.study.steady.phase import Phase, extremes_of_period
 from freebody.study.steady.round_turn import STEP, DrawnTurn
@@ -61,6 +63,8 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
         if q.what not in ("least", "greatest"):
             raise CannotAnswer(Message("of a motion the greatest and the least value are derived one by one"))
         return tell_extreme(context, question, ExtremeOfMotion(q.of, q.what), "auto")
+    if (waves := waves_of(setup, question, q, x)) is not None:
+        return tell_superposed(context, lead, q, waves, by_the_drive(context, lead, q.of))
     general = x
     turning, x = turning_with(setup, question, q, x)
     is_phase = isinstance(turning, Phase)

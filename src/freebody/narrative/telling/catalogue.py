@@ -34,7 +34,7 @@ _KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
 _PLACE = re.compile(r"\{(\w+)\}")
 _OF_MODELS = "en"  # the language of model files and of the layers below
 _FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
-_LETTER = re.compile(rf"(?:[A-Za-z]|{'|'.join(sorted(GREEK, key=len, reverse=True))})(?:_?\d+|_[A-Za-z0-9])?")
+SYMBOL = re.compile(rf"(?:[A-Za-z]|{'|'.join(sorted(GREEK, key=len, reverse=True))})(?:_?\d+|_[A-Za-z0-9])?")
 _EXPRESSIONS = (Number, Symbol, Sum, ProductOf, PowerOf, Call)
 
 
@@ -180,7 +180,7 @@ class Catalogue:
             return name
         if "." in name and (said := self._phrases.said(name, "place")) is not None:
             return said
-        return Formula((Symbol(name),)) if _LETTER.fullmatch(name) else Emphasis(name.replace("_", " "), "name")
+        return Formula((Symbol(name),)) if SYMBOL.fullmatch(name) else Emphasis(name.replace("_", " "), "name")
 
     def _worded(self, text: str, place: str) -> str:
         """A word of the catalogue; a key that it lacks says its last part; anything else is a ready-made sentence."""

@@ -52,6 +52,10 @@ class ReportTeller:
             blocks=words.blocks(report.blocks),
         )
 
+    def said(self, text: str) -> str:
+        """A text that is drawn."""
+        return Catalogue(self.language).said(text)
+
 
 class _Words:
     def __init__(self, catalogue: Catalogue) -> None:

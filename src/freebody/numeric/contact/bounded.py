@@ -236,6 +236,9 @@ class Bounded:
                         if np.isfinite(limit):
                             guards.append(Guard(OF_VALUE, row, sign=sign, offset=limit))
                             about.append(("foot", k))
+                if barrier.lost >= 0:
+                    guards.append(Guard(OF_VALUE, barrier.lost))
+                    about.append(("foot", k))
             for k, state in enumerate(mode.drags):
                 # sticking friction: what is left of its limit, shared in a group; sliding friction: its slip rate
                 if state == 0 and k not in mode.followers:
@@ -346,8 +349,13 @@ class Bounded:
     def spread_out(self, closed: Iterable[int]) -> UnilateralConstraint | None:
         """Of closed contacts at the same instant one that is not in a single place."""
         rows = self.free.room.rows
-        lost = (b for k in closed if (b := self.barriers[k]).lost >= 0 and rows[b.lost, kinematics.VALUE] <= 0.0)
+        lost = (b for k in closed if (b := self.barriers[k]).lost >= 0 and rows[b.lost, kinematics.VALUE] <= TOUCHING)
         return next((barrier.bound for barrier in lost), None)
+
+    def tipping(self, drags: Sequence[int | None]) -> FrictionRow | None:
+        """A flat end that tips about its rim."""
+        tips = (drag for drag, state in zip(self.drags, drags, strict=True) if drag.rub.is_tipping and state)
+        return next(tips, None)
 
     def problem(
         self, now: ContactInstant, closed: Sequence[int], drags: dict[int, int], *, of_rates: bool

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -108,11 +108,20 @@ class Hybrid:
             if not self.phases:
                 self.phases.append(self._no_phase(at.result.y, t))
             return Status.INCONSISTENT, contradiction(self.bounded, at.result, t)
-        if (spread := self.bounded.spread_out(at.result.mode.closed)) is not None:
+        if (spread := self._spread_out(at.result.mode.closed, t)) is not None:
             if not self.phases:
                 self.phases.append(self._no_phase(at.result.y, t))
-            what = Message("{what} at t = {t:.9g} s", what=spread.pitfall or spread.name, t=t)
-            return Status.INCONSISTENT, without_direction(what, spread)
+            return spread
+        if (tips := self.bounded.tipping(at.result.mode.drags)) is not None:
+            if not self.phases:
+                self.phases.append(self._no_phase(at.result.y, t))
+            return Status.INCONSISTENT, Message(
+                "{end} tips about its rim on {face} at t = {t:.9g} s. From standing flat that is not followed: start "
+                "it tilted",
+                t=t,
+                end=tips.rub.row.ends[0],
+                face=tips.rub.row.ends[1],
+            )
         if t >= until:
             return Status.FINISHED, ""
         left, steps_left = self._left(began)
@@ -188,8 +197,21 @@ class Hybrid:
             return self._struck_by(blow, at, course, mode, y)
         if course.violated < 0:
             return self._stopped(course, mode)
-        self._violated(*about[course.violated], at, course, mode, y)
+        what, k = about[course.violated]
+        if what == "foot":
+            self.bounded.instant(y, course.t_end, at.near)
+            if (spread := self._spread_out((k,), course.t_end)) is not None:
+                return spread
+        self._violated(what, k, at, course, mode, y)
         return None
+
+    def _spread_out(self, closed: Iterable[int], t: float) -> Ended | None:
+        """How a motion ends where a contact is not in a single place."""
+        spread = self.bounded.spread_out(closed)
+        if spread is None:
+            return None
+        what = Message("{what} at t = {t:.9g} s", what=spread.pitfall or spread.name, t=t)
+        return Status.INCONSISTENT, without_direction(what, spread)
 
     def _stopped(self, course: Trajectory, mode: ModeOf) -> Ended:
         """How a motion ends with a phase that no guard ended."""

@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
-from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.reference import Reference
@@ -66,18 +65,13 @@ def _spans_hold(
     bound: UnilateralConstraint,
     slack: float | None = None,
     only: Dimension | None = None,
-    known: dict[Measure, float] | None = None,
 ) -> bool:
-    """Whether the measures that say where a place exists are between their ends; only: those of one dimension; known:
-    values that places share."""
-    known = {} if known is None else known
+    """Whether the measures that say where a place exists are between their ends; only: those of one dimension."""
     beyond = PENETRATION * reference.sizes.length if slack is None else slack
     for span in bound.within:
         if only is not None and span.measure.dimension != only:
             continue
-        if span.measure not in known:
-            known[span.measure] = reference.jet(g, span.measure, bound.name).value
-        value = known[span.measure]
+        value = reference.jet(g, span.measure, bound.name).value
         tolerance = beyond if span.measure.dimension == LENGTH else beyond / reference.sizes.length
         low = -math.inf if span.low is None else reference.number(span.low) - tolerance
         high = math.inf if span.high is None else reference.number(span.high) + tolerance
@@ -92,7 +86,6 @@ def parting(
     """Of convex bodies, by family: the widest of the narrowest gaps [m], and the places that have it, by the face, or
     the edges, that parts them; several where it is the same along several directions."""
     system = reference.system
-    known: dict[Measure, float] = {}
     apart: dict[str, dict[str, list[tuple[float, UnilateralConstraint]]]] = {}
     for bound in bounds:
         ends = bound.row.ends
@@ -101,7 +94,7 @@ def parting(
         if not system.space and any(len(system.bodies[name].corners) < 2 for name in ends[2:4]):
             continue
         # of a face all corners; of two edges themselves, where they are the outermost ones along their normal
-        if not bound.is_crossing or _spans_hold(reference, g, bound, only=DIMENSIONLESS, known=known):
+        if not bound.is_crossing or _spans_hold(reference, g, bound, only=DIMENSIONLESS):
             of = apart.setdefault(bound.family, {})
             of.setdefault(bound.name if bound.is_crossing else ends[1], []).append((gap_of(reference, g, bound), bound))
     found: dict[str, tuple[float, list[list[UnilateralConstraint]]]] = {}

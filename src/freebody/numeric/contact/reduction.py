@@ -4,7 +4,7 @@
 
 Redundant held rows are consistent, so the pseudo-inverse loses nothing; their forces are those of least norm, by
 `lengths` where these are given. With
-D = diag(A)^(-1/2) the problem D A D, D b in l/D has a unit diagonal: units and masses of the rows are gone.
+D = diag(A)^(-1/2) of what is left the problem D A D, D b in l/D has a unit diagonal: units and masses are gone.
 """
 
 from __future__ import annotations
@@ -90,13 +90,16 @@ def reduced(problem: ContactProblem) -> ReducedProblem:
     held = np.array(problem.held_rows, dtype=np.intp)
     diagonal = A.diagonal()
     D = 1.0 / np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0))
-    scale = D[rows]
     # Schur complement on the free rows (n_free, n_free), with the sizes of the terms by which it is rounded
     coupling = A[np.ix_(rows, held)]
     p, Q, is_consistent = _held_forces(A, b, D, rows, held, problem.lengths)
     free, right, size = A[np.ix_(rows, rows)], b[rows], np.abs(b[rows])
     if len(held):
         free, right, size = free + coupling @ Q, right + coupling @ p, size + np.abs(coupling) @ np.abs(p)
+        # what is left of a row that pushes a light body which is held, a roller without mass, is far below its diagonal
+        left = free.diagonal()
+        D[rows] = 1.0 / np.sqrt(np.where(left > ROUNDED * diagonal[rows], left, D[rows] ** -2.0))
+    scale = D[rows]
     scaled = scale[:, None] * (0.5 * (free + free.T)) * scale
     return ReducedProblem(
         problem=problem,

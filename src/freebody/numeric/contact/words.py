@@ -101,7 +101,9 @@ def _rest(row: UnilateralRow) -> tuple[str, str]:
 
 def _slips(d: FrictionRow, old: int, new: int) -> tuple[str, str]:
     turns = d.rub.row.reaction == "rolling resistance"
-    if new == 0:
+    if d.rub.is_tipping:
+        what = Message("stands again" if new == 0 else "starts to tip")
+    elif new == 0:
         what = Message("stops rolling" if turns else "stops slipping")
     elif old == 0:
         what = Message("starts to roll" if turns else "starts to slip")

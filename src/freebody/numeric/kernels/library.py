@@ -25,7 +25,7 @@ from typing import Any
 
 import numpy as np
 
-from freebody.errors import FreebodyError
+from freebody.errors import BrokenInstallation
 from freebody.messages import Message
 from freebody.numeric.kernels.entries import N_DIMENSIONS, RUNNING, Entry, Function, fields_of
 
@@ -36,7 +36,7 @@ _RAISED = 1  # the status of an entry that has raised; kernels raise nothing but
 _SUFFIX = {"darwin": "dylib", "win32": "dll"}
 
 
-class KernelsMissing(FreebodyError):
+class KernelsMissing(BrokenInstallation):
     """There is no library of kernels for these sources and this machine."""
 
 

@@ -20,8 +20,10 @@ _PALEST = 0.08
 _NOTHING = Ink("muted", -1, 1.0, 0.25)
 
 
-def heat_map(title: str, x_label: str, x: Array, y_label: str, y: Array, z_label: str, z: Array) -> Picture:
-    """z: (n_y, n_x), NaN where there is no number."""
+def heat_map(
+    title: str, x_label: str, x: Array, y_label: str, y: Array, z_label: str, z: Array, *, missing: str = "no number"
+) -> Picture:
+    """z: (n_y, n_x), NaN where there is no number, which is called `missing`."""
     frame, x, y, z = _framed(x_label, x, y_label, y, z)
     scale = Scale.of(z_label, z)
     level = np.clip((scale.part(np.nan_to_num(z)) * _SHADES).astype(int), 0, _SHADES - 1)
@@ -40,23 +42,31 @@ def heat_map(title: str, x_label: str, x: Array, y_label: str, y: Array, z_label
     word = small(z_label, (0.0, 0.0))
     words.append(small(z_label, (bar + 10.0 - float(word.half[0]) + 20.0, HEIGHT + 12.0), "ink"))
     if (level < 0).any():
-        more, told = legend([("no number", _NOTHING)], -38.0)
+        more, told = legend([(missing, _NOTHING)], -38.0)
         shapes, words = shapes + more, words + told
-    return picture(title, f"{z_label} over {x_label} and {y_label}", shapes, words)
+    return picture(title, f"{title}: {z_label}", shapes, words)
 
 
 def kinds_map(
-    title: str, x_label: str, x: Array, y_label: str, y: Array, kinds: Sequence[str], index: NDArray[np.int64]
+    title: str,
+    x_label: str,
+    x: Array,
+    y_label: str,
+    y: Array,
+    kinds: Sequence[str],
+    index: NDArray[np.int64],
+    *,
+    missing: str = "not known",
 ) -> Picture:
-    """index: (n_y, n_x) which of the kinds holds, -1 where none is known."""
+    """index: (n_y, n_x) which of the kinds holds, -1 where none is known, which is called `missing`."""
     frame, x, y, found = _framed(x_label, x, y_label, y, index.astype(np.float64))
     level = found.astype(int)
     inks = [Ink("body", k, 1.0, 0.45) for k in range(len(kinds))]
     present = [k for k in range(len(kinds)) if (level == k).any()]
     named = [(kinds[k], inks[k]) for k in present]
-    more, told = legend(named + ([("not known", _NOTHING)] if (level < 0).any() else []), -38.0)
+    more, told = legend(named + ([(missing, _NOTHING)] if (level < 0).any() else []), -38.0)
     shapes = [*_cells(frame, x, y, level, inks), *frame.shapes(), *more]
-    says = f"which case holds over {x_label} and {y_label}: {', '.join(kinds[k] for k in present)}"
+    says = f"{title}: {', '.join(kinds[k] for k in present)}"
     return picture(title, says, shapes, [*frame.words(), *told])
 
 

@@ -37,7 +37,7 @@ def line_chart(
         more, told = legend([(name, Ink("body", k)) for k, (name, _y) in enumerate(curves)], -38.0)
         shapes, words = shapes + more, words + told
     names = ", ".join(name for name, _y in curves)
-    return picture(title, f"{y_label} over {x_label}" + (f": {names}" if len(curves) > 1 else ""), shapes, words)
+    return picture(title, f"{title}: {names if len(curves) > 1 else y_label}", shapes, words)
 
 
 def _thinned(x: Array, curves: Sequence[tuple[str, Array]]) -> tuple[Array, list[tuple[str, Array]]]:

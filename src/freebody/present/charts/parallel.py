@@ -36,5 +36,5 @@ def parallel_chart(title: str, labels: Sequence[str], values: Array) -> Picture:
         shapes.append(line(np.array(((x[k], 0.0), (x[k], HEIGHT))), "ink", -1, 1.0, 1.0, 1.0))
         ends = ((scale.low, -9.0), (scale.high, HEIGHT + 10.0))
         words += [small(number_text(float(f"{value:.4g}")), (float(x[k]), y)) for value, y in ends]
-    says = f"{len(chosen)} of {len(known)} cases as lines across {', '.join(labels)}"
+    says = f"{title} ({len(chosen)}/{len(known)}): {', '.join(labels)}"
     return picture(title, says, shapes, words)

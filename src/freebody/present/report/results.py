@@ -24,6 +24,7 @@ class Teller(Protocol):
     """Who tells a report in another language."""
 
     def tell(self, report: Report) -> Report: ...
+    def said(self, text: str) -> str: ...
 
 
 class Result:
@@ -40,6 +41,10 @@ class Result:
     def told(self) -> Report:
         """The report in the language in which the result is read: what every writer writes."""
         return self.report if self._teller is None else self._teller.tell(self.report)
+
+    def in_language(self, text: str) -> str:
+        """A text in the language in which the result is read: for pictures, whose words are drawn."""
+        return text if self._teller is None else self._teller.said(text)
 
     def told_by(self: R, teller: Teller) -> R:
         """The same result, read in another language. Names and plain data stay as they are."""

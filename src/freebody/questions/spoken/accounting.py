@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining
+from freebody.language.units import LENGTH
+from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.in_the_impact import is_of_impact
 from freebody.questions.spoken.lexicon import Word
@@ -27,11 +28,27 @@ _PUSHES = frozenset(
     }
 )
 _TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
+PLACED = ("high", "far")  # how high, how far, something acts: where
+_BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
 _OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
 _MOVED = re.compile(_OF_MOTION.pattern + r"(?P<body>\w+)(?! relative)")
+# kinds of quantities, and how words of the grammar ask for one of them, or say when something is so of it
+_SAID = (
+    (
+        _PUSHES,
+        re.compile(
+            r"\b(?:force|tension|reaction|impulse|moment|torque|opens|leaves|slack|contact is lost|phase lag)\b"
+        ),
+    ),
+    (
+        frozenset({"energy", "kinetic energy", "potential energy", "total energy", "spring energy", "power"}),
+        re.compile(r"\b(?:energy|power|work)\b|\^2 / \(2"),
+    ),
+    (frozenset({"acceleration", "angular acceleration"}), re.compile(r"\b(?:acceleration|deceleration|rate)\b")),
+)
 _TORQUE = re.compile(r"\b(?:torque|moment) (?:of|on) ")
 _OF_TORQUE = re.compile(r"\b(?:torque|moment|impulse|power)\b|\bforce in |/|\*")
 _COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while|tension)\b")
@@ -56,10 +73,14 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     moved = _MOVED.match(text)
     if moved and moved["body"] in names.bodies and names.bodies[moved["body"]].fixed:
         return False
+    if any(asked & kinds and not said.search(text) for kinds, said in _SAID):
+        return False
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):
         return False
     if is_turn and not is_push and not _OF_TORQUE.search(text):
+        return False
+    if is_push and not _is_between_all(names, words, text):
         return False
     main = [*takewhile(lambda word: word.kind != "mark", words)]
     goes = any(word.kind in ("part", "updown") and word.what in _WAYS for word in main)
@@ -69,11 +90,29 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     return not (is_place and text.startswith(("greatest ", "least ")))
 
 
+def _is_between_all(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether a force that is said to be between both bodies is of what joins them."""
+    said = [word for word in words if word.kind != "filler"]
+    both = any(said[k : k + 2] == [_BETWEEN, _ALL] for k in range(len(said)))
+    bodies = lookup.massive(names)
+    if not both or len(bodies) != 2:
+        return True
+    joints = [name for name in names.connections if re.search(rf"\b{re.escape(name)}\b", text)]
+    return all(joining.touches(names, joint, body) for joint in joints for body in bodies)
+
+
 def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     """Whether a parameter that nobody names is of a kind that is named before what is to be so."""
+    is_placed = any(word.kind == "ask" and word.what in PLACED for word in words) and Word("verb", "exert") in words
+    if is_placed and parameter in names.parameters:
+        return names.parameters[parameter].dimension == LENGTH or any(
+            word.kind == "name" and word.what == parameter for word in words
+        )
     if parameter not in names.parameters or any(word.kind == "name" and word.what == parameter for word in words):
         return True
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]
     if not kinds or any(kind.written for kind in kinds):
         return True
+    if parameter in joining.drive_parameters(names):  # the speed of what turns
+        kinds += [given.KIND_OF["angular velocity"]] if given.KIND_OF["speed"] in kinds else []
     return any(kind.has(names.parameters[parameter]) for kind in kinds)

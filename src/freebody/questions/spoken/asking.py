@@ -7,7 +7,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining, lookup, of_forces, of_motion, of_systems, poses
+from freebody.questions.spoken import given, joining, lookup, losing, of_forces, of_motion, of_systems, poses, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
 from freebody.questions.spoken.frames import MOTION, framed
 from freebody.questions.spoken.lexicon import Word
@@ -35,6 +35,11 @@ def quantities(names: Names, clause: Clause) -> Groups:
     place = clause.has("quantity", "height", "position", "angle") and clause.has("ask", "with", "where")
     if place and clause.has("degree") and clause.has("verb", "move"):
         return  # at which height does it move fastest: the place is not what is greatest
+    named = next((name for _, name in clause.names), "")
+    if clause.has("ask", "where") and clause.all("degree") == ["greatest"] and not clause.has("quantity"):
+        if clause.only("ask", "degree", "name", "verb", *SILENT) and set(clause.all("verb")) <= {"move", "turn"}:
+            yield losing.fastest_at(names, named)  # where is it fastest
+        return
     if clause.has("ask", "with", "where") and clause.has("degree") and _is_of_another(clause):
         return  # at which speed is the vibration greatest: the speed is not what is greatest
     clause = framed(names, clause)
@@ -109,13 +114,21 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     if clause.has("quantity", "position", "distance", "angle", "deflection") and len(of) <= 1:
         found = lookup.angles if clause.has("quantity", "angle") else lookup.places
         found = lookup.deflections if clause.has("quantity", "deflection") else found
-        yield [f"{degree} {measure}{whole}" for measure in found(names, next(iter(of), ""))]
+        who = next(iter(of), "")
+        hung = lookup.hung(names, who) if clause.has("quantity", "angle") else []
+        yield [f"{degree} {measure}{whole}" for measure in found(names, who) or hung]
         return
     if clause.has("quantity", "horizontal range"):  # over what can be chosen: the angle
         angles = given.of_kind(names, "angle")
         end = "largest" if degree == "greatest" else degree
         for group in _plain(names, clause) if len(angles) == 1 else ():
             yield [f"{end} {text} over {angles[0]}" for text in group]
+        return
+    belts = of_forces.having(names, "greatest belt force") if degree == "greatest" else []
+    is_torque = clause.all("quantity") in (["torque"], ["moment"], ["driving torque"])
+    is_torque = is_torque and clause.without("verb", "carry").only("quantity", "name", "ask", *SILENT)
+    if is_torque and (torques := strings.greatest_torques(names, belts, of)):
+        yield [JOINT.join(torques)]
         return
     if degree == "greatest" and clause.has("quantity", "power") and not clause.names:
         yield [f"greatest power of {belt}" for belt in of_forces.having(names, "greatest power")]

@@ -50,6 +50,8 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         return
     if not doing and dimensions.is_angle(value) and who not in names.measures:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
+    elif doing == {"reach"} and dimensions.is_angle(value) and not turns and who in lookup.turning(names):
+        yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]  # the crank has reached 90 deg
     elif turns or doing == {"turn"}:
         yield [f"{angle} = {value}" for angle in joining.turned(names, who)]
     elif doing == {"fall"}:

@@ -12,6 +12,7 @@ from functools import cache
 
 from freebody.questions.spoken.lexicon import (
     endings,
+    is_verb_of,
     no_nouns,
     phrases_at,
     quantity_words,
@@ -38,9 +39,11 @@ def in_english_nouns(text: str, language: str, taken: Container[str] = ()) -> st
         word = found[0]
         if word.lower() in taken:
             return word
+        if word[0].islower() and is_verb_of(word.lower().replace("ß", "ss"), language):
+            return word  # to swing, which is no rocker
         if (stem := _bare(word, language)) in taken:
             return stem
-        return _noun(word, language) or _apart(word, language, taken) or word
+        return _noun(word, language, taken) or _apart(word, language, taken) or word
 
     return _WORD.sub(told, text)
 
@@ -50,14 +53,21 @@ def _bare(word: str, language: str) -> str:
     return re.sub(rf"(?<=\w{{3}})(?:{endings(language)})$", "", word.lower())
 
 
-def _noun(word: str, language: str) -> str:
-    """What something is called in English; nothing where a word is no noun for a thing."""
+def _noun(word: str, language: str, taken: Container[str]) -> str:
+    """What something is called in English, if it can be by a name that is taken; nothing where a word is no noun for a
+    thing."""
     word = word.replace("ß", "ss")
     singular = word.lower()
     for letter, plain in umlauts(language).items() if word[0].isupper() else ():  # of a plural: Räder
         singular = singular.replace(letter, plain)
     found = _nouns(language).fullmatch(word) or _nouns(language).fullmatch(singular)
-    return translated(language)[found[1].lower()] if found else ""
+    return _fitting(found[1].lower(), language, taken) if found else ""
+
+
+def _fitting(noun: str, language: str, taken: Container[str]) -> str:
+    """The first of the English words for a thing that the model has, or the commonest."""
+    words = translated(language)[noun].split("|")
+    return next((word for word in words if word in taken), words[0])
 
 
 @cache
@@ -80,7 +90,7 @@ def _apart(word: str, language: str, taken: Container[str]) -> str:
     for k in range(_SHORTEST, len(said) - _SHORTEST + 1):
         last = said[k:]
         is_quantity = last in quantity_words(language) or _bare(last, language) in quantity_words(language)
-        head = last if is_quantity else _noun(last, language)
+        head = last if is_quantity else _noun(last, language, taken)
         first = _first(said[:k], language, taken, is_quantity=is_quantity) if head else None
         if first is not None:
             return f"{first} {head}".strip()
@@ -98,5 +108,5 @@ def _first(part: str, language: str, taken: Container[str], *, is_quantity: bool
         if not is_quantity and stem in silent_of_thing(language):
             return ""
         if stem in translated(language):
-            return translated(language)[stem]
+            return _fitting(stem, language, taken)
     return None

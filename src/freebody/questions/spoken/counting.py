@@ -59,6 +59,10 @@ def time(names: Names, sentence: Sentence) -> Groups:
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and joining.rough(names, next(iter(of), "")):
             yield [f"time when {of[0]} begins to slip" if of else "time when slipping begins"]
         return
+    if head.has("verb", "return") and not sentence.others and not lookup.ways(names, "") and lookup.rests(names):
+        if head.only("verb", "name", *SILENT) and set(head.all("verb")) <= {"return", "move", "turn"}:
+            yield ["period of the motion"] if lookup.swings(names) else []  # it is let go from where it comes back to
+        return
     rises = "rise" in head.all("verb") and set(head.all("verb")) <= {"rise", *GOES_ON} and not head.has("value")
     if main.has("ask", "long") and not sentence.others and rises:
         of = next((name for _, name in head.names), "")

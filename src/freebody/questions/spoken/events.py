@@ -11,6 +11,7 @@ from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.course import can_change
 from freebody.questions.event import leads_to
 from freebody.questions.spoken import dimensions, joining, lookup, losing, poses, strings
+from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.coming import come_so_far
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
@@ -149,7 +150,10 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
     for quantity in clause.all("quantity")[-1:]:
         if quantity == "angle":
             found = lookup.angles(names, of) or lookup.hung(names, of)
-            led = [] if of else [angle for angle in found if angle in joining.driven(names)]  # that of the motor
+            is_joint = of in names.connections and not found  # the cam angle
+            led = (
+                [] if of and not is_joint else [angle for angle in found if angle in joining.driven(names)]
+            )  # that of the motor
             yield [f"{angle} = {value}" for angle in led or found]
         elif quantity == "height":
             yield lookup.lifted(names, of, value)
@@ -173,6 +177,9 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             yield [f"{joint} goes slack" for joint in joining.joints(names, of, "", "tension")]
         elif quantity in ("normal force", "contact force") and is_zero:
             yield [f"{joint} opens" for joint in joining.joints(names, of, "", "normal force")]
+        else:  # what has no shorter name
+            for group in quantities(names, clause):
+                yield [f"{text} = {value}" for text in group]
 
 
 def _grows(names: Names, measure: str) -> bool:
@@ -188,7 +195,7 @@ def _happening(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         return
     doing = frozenset(verbs) - ({"move", "reach"} if len(set(verbs)) > 1 else set())
     doing = frozenset(doing & {"top", "bottom"}) or doing  # it swings through the lowest point
-    lines = names.bodies[GROUND].lines
+    lines = {*names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
     if not doing and len(clause.names) == 1 and clause.names[0][1] in lines and joining.strikes(names):
         yield [f"it hits {clause.names[0][1]}"]  # the time of fall to the floor
         return

@@ -34,7 +34,7 @@ def how_high(names: Names, main: Clause) -> Groups:
     who = next((name for _, name in main.names), "")
     if not (main.has("name") or main.has("pronoun")):  # somebody climbs, who is nothing of the model
         return
-    if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide"} and len(main.names) <= 1:
+    if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide", "reach"} and len(main.names) <= 1:
         yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in poses.tops(names, who)]
         yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
 

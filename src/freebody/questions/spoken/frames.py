@@ -50,6 +50,9 @@ _RATES = {
 }
 
 
+_HAPPENING = {"end", "leave", "hit", "slack", "taut", "begin_roll", "turn_back", "return", "stop"}
+
+
 @dataclass(frozen=True)
 class Frame:
     """asks: question words, of which one leads it ("" where none need); verbs: of which one is in it; beside: verbs
@@ -63,7 +66,7 @@ class Frame:
     def fits(self, asks: set[str], verbs: set[str]) -> bool:
         is_asked = asks <= self.asks if asks else "" in self.asks
         is_done = bool(verbs & self.verbs) if self.verbs else True
-        is_beside = "end" not in verbs if self.beside is None else verbs <= self.verbs | self.beside
+        is_beside = not verbs & _HAPPENING if self.beside is None else verbs <= self.verbs | self.beside
         return is_asked and is_done and is_beside
 
 

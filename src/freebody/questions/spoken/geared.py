@@ -76,15 +76,23 @@ def _parted(sentence: Sentence) -> tuple[Clause, Clause] | None:
 def per_turn(names: Names, sentence: Sentence) -> Groups:
     """How far something comes for each turn of something else: 2 pi v/omega."""
     main = sentence.main
-    if sentence.others or main.all("instant") != ["over a turn"] or not (main.has("ask", "far", "much", "high")):
+    is_counted = main.has("ask", "many") or main.has("quantity", "turns")
+    is_asked = is_counted or main.has("ask", "far", "much", "high")
+    if sentence.others or main.all("instant") != ["over a turn"] or not is_asked:
         return
+    main = main.without("quantity", "turns")
     cut = main.words.index(Word("instant", "over a turn"))
     who, of = (Clause(words).names for words in (main.words[:cut], main.words[cut:]))
-    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= _RUNS - {"turn"}
+    runs = _RUNS if is_counted else _RUNS - {"turn"}
+    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= runs
     if len(who) != 1 or len(of) != 1 or not known or _n_freedoms(names) > 1:
         return
     [(_, thing)], turned = who, lookup.acted_on(names, of[0][1])
     if turned not in lookup.turning(names):
+        return
+    if is_counted:
+        both = thing in lookup.turning(names)
+        yield [f"ratio of angular velocity of {thing} to angular velocity of {turned}"] if both else []
         return
     ways = lookup.places(names, thing)
     speeds = [f"velocity of {way}" for way in ways] or [f"speed of {thing}"]

@@ -184,7 +184,11 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
         pushed = frozenset[str]().union(*(law for law in laws if law <= names.parameters.keys() | {_TIME}))
         return [name for name in found if name in pushed]
     sizes = frozenset[str]().union(
-        *(free_symbols(body.inertia) | free_symbols(body.radius or ZERO) for body in names.bodies.values())
+        *(
+            free_symbols(size)
+            for body in names.bodies.values()
+            for size in (body.inertia, body.radius or ZERO, *body.sizes)
+        )
     )
     held = frozenset(
         symbol

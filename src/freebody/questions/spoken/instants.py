@@ -78,7 +78,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
-    if main.has("ask", "when", "soon", "long", "for", "from", "up_to") or main.has("quantity", *COUNTED):
+    is_range = main.has("ask", "up_to") and set(main.all("quantity")) <= {"angle", "height"} and not main.has("not")
+    asks = ("when", "soon", "long", "for", "from", *(() if is_range and main.has("quantity") else ("up_to",)))
+    if main.has("ask", *asks) or main.has("quantity", *COUNTED):
         return
     if (
         main.has("ask", "high")
@@ -92,6 +94,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if farthest.is_settled(main) and not others:
         yield from farthest.where_it_settles(names, main)
         return
+    if main.has("ask", "high") and main.all("degree") == ["greatest"] and not main.has("quantity"):
+        main = main.without("degree") if set(main.all("verb")) & {*GOES_ON, "reach"} else main  # how high at most
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from farthest.how_high(names, main)
         return
@@ -104,8 +108,16 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
     if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
         main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
-    if others and main.has("quantity") and not joining.strikes(names):  # with what speed does it arrive after 3 m
+    is_so_far = any(mark == "after" and clause.has("value") for mark, clause in others)
+    if (
+        others and main.has("quantity") and (is_so_far or not joining.strikes(names))
+    ):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach")
+    if main.has("instant", "after the impact") and main.has("ask", "fast"):
+        main = main.without("verb", "leave")  # how fast does it leave
+    begins = {"start"} < set(main.all("verb")) <= {"start", *GOES_ON}
+    if begins and main.all("instant") == ["after the impact"] and main.has("quantity") and not others:
+        main = main.without("verb")  # with what speed does it begin to swing
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
     accelerates = accelerates and not joining.is_still(names)
     if (
@@ -126,7 +138,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
-        struck = {GROUND, *names.bodies[GROUND].lines}
+        struck = {GROUND, *names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
         landing = Clause([*(w for w in main.words if w.kind == "name" and w.what in struck), *_LANDS])
         main = Clause([w for w in main.words if w not in landing.words])
         tails = tails or (
@@ -209,7 +221,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in lookup.moving(names) or name in names.measures), "")
             main = _without_owner(names, main, instant)
-            if (instant == "at the top" and poses.begins_uppermost(names, of)) or (
+            if (instant in ("at the top", "at the top of the loop") and poses.begins_uppermost(names, of)) or (
                 instant == "at the bottom" and not lookup.rests(names) and poses.begins_at(names, of, lowest=True)
             ):
                 tails.append([" at start"])
@@ -329,7 +341,7 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         return None
     if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
         return None
-    if main.has("ask", "with", "where") and (found_at := _where_it_is(names, main)) is not None:
+    if main.has("ask", "with", "where") and (found_at := within.where_it_is(names, main)) is not None:
         return found_at
     if not set(verbs) & set(HAPPENS) and not (main.has("ask", "with") and set(verbs) & {"slide", "roll"}):
         return None
@@ -345,11 +357,16 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
     event = Clause(
         [w for w in main.words if w.kind in ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")]
     )
+    goes = [w for w in main.words if w.kind == "verb" and w.what in GOES_ON and set(verbs) & set(HAPPENS)]
     found = list(conditions(names, event.without("degree")))
+    if not found and goes:  # how fast does it turn as it leaves: turning is of the question
+        found = list(conditions(names, Clause([w for w in event.words if w not in goes and w.kind != "degree"])))
+    else:
+        goes = []
     if not found:
         return None
     who = next((name for _, name in event.names if name in lookup.moving(names) or name in names.measures), None)
-    head = [w for w in main.words if w.kind in ("ask", "quantity", "part")]
+    head = [w for w in main.words if w.kind in ("ask", "quantity", "part") or w in goes]
     if who is None:
         who = next((name for _, name in main.names if name in lookup.moving(names)), None)
     if who is None and len(lookup.massive(names)) == 1:
@@ -370,22 +387,6 @@ def _is_of_drive(names: Names, main: Clause) -> bool:
     rates = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
     turned = [name for _, name in main.names if joining.axle_of(names, name)]
     return main.has("quantity", "angular velocity") and bool(rates) and not turned
-
-
-def _where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
-    """At what angle is the speed 4 m/s? The angle, when that is so."""
-    places = [
-        k
-        for k, word in enumerate(main.words)
-        if word.kind == "quantity" and word.what in ("angle", "position", "height")
-    ]
-    if len(main.all("quantity")) != 2 or not places or not (main.has("value") or main.has("verb", "vanish")):
-        return None
-    k = places[0]
-    named = k + 1 < len(main.words) and main.words[k + 1].kind == "name" and main.words[k + 1].what in names.measures
-    head = [main.words[k], *main.words[k + 1 : k + 1 + named]]
-    found = list(conditions(names, Clause([w for w in main.words[k + 1 + named :] if w.kind != "ask"])))
-    return (Clause(head), found) if found else None
 
 
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:

@@ -249,6 +249,12 @@ def axles(names: Names) -> list[str]:
     return [name for name in names.connections if "axle" in names.called.get(name, ())]
 
 
+def bearings(names: Names) -> list[str]:
+    """Connections that carry something: no drive, and nothing that is made one with another thing."""
+    no_bearings = {"driver", "weld"}
+    return axles(names) or [name for name in names.connections if not no_bearings & {*names.called.get(name, ())}]
+
+
 def axle_points(names: Names, body: str) -> set[Components]:
     """The points of a body at which axles of the ground hold it, in its own axes."""
     found: set[Components] = set()

@@ -98,7 +98,7 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
     body = thing.partition(".")[0]
     if not things and thing in names.bodies and names.bodies[thing].fixed:
         return True  # the period in the bowl
-    if body == GROUND or thing in names.bodies[GROUND].lines:
+    if body == GROUND or thing in names.bodies[GROUND].lines or thing in names.bodies[GROUND].planes:
         return _ground_stands(names, thing, things)
     if any(other.partition(".")[0] == body for other in things):
         return True
@@ -114,7 +114,7 @@ def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:
     """Whether a thing of the ground is what a contact touches, or the only one of its kind."""
     if any(other in names.connections and joining.touches(names, other, thing) for other in things):
         return True
-    return len(names.bodies[GROUND].lines) <= 1
+    return len(names.bodies[GROUND].lines) + len(names.bodies[GROUND].planes) <= 1
 
 
 def n_freedoms(names: Names) -> int:

@@ -1,7 +1,8 @@
 """The words of each language, a file `xx.toml` each: kinds of words, what each means, and the phrases for it.
 
 A phrase is words, with choices (a|b), parts that may be left out (a)?, an open end (turn*), a gap, for what stands
-between its words (comes _ back), and verbs in all their forms (~tug, inflecting.py). The table `spelling` is of rules
+between its words (comes _ back), verbs in all their forms (~tug, inflecting.py), and families of words that stand for
+one another (<keeps>). The table `spelling` is of rules
 for the whole text, before its words are looked up.
 A file other than the English one says what things are called in English (`nouns`), with their endings, and which words
 are written as one with them (`compounds`).
@@ -25,6 +26,7 @@ MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 GAP = "_"
 _NO_WORDS = (
     "spelling",
+    "families",
     "several",
     "nouns",
     "endings",
@@ -36,6 +38,7 @@ _NO_WORDS = (
     "compared",
     "adjectives",
     "adverbs",
+    "values",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass) "  # words that begin a clause, into which no gap goes
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
@@ -112,9 +115,15 @@ def _file(language: str) -> dict[str, Any]:
 def tables(language: str) -> dict[str, dict[str, list[str]]]:
     """The phrases of a language by kind and by what they mean, with all forms of their verbs."""
     found = {kind: table for kind, table in _file(language).items() if kind not in _NO_WORDS}
+    families = cast("dict[str, list[str]]", _file(language).get("families", {}))
+
+    def spread(text: str) -> str:
+        return re.sub(r"<(\w+)>", lambda family: f"({'|'.join(families[family[1]])})", text)
+
     return {
         kind: {
-            what: [form for text in written for form in inflected(text, language)] for what, written in table.items()
+            what: [form for text in written for form in inflected(spread(text), language)]
+            for what, written in table.items()
         }
         for kind, table in found.items()
     }
@@ -161,6 +170,13 @@ def is_verb(token: str) -> bool:
 
 
 @cache
+def is_verb_of(token: str, language: str) -> bool:
+    """Whether a word alone is an infinitive, or a third person, of another language."""
+    ends = token.endswith(("en", "et", "t"))
+    return ends and any(word.kind == "verb" for word, _ in phrases_at(token, 0, language))
+
+
+@cache
 def stands_for_all(token: str) -> bool:
     """Whether a word alone, in any language, stands for the whole system: the machine."""
     return any(word == Word("pronoun", "system") for own in languages() for word, _ in phrases_at(token, 0, own))
@@ -181,7 +197,8 @@ def vocabulary(language: str) -> frozenset[str]:
 
 def goes_beside(token: str, where: str, language: str) -> bool:
     """Whether a word may stand `before` or `behind` a name, and says no more than the name does."""
-    return any(_is_word(word, token) for word in _file(language)[where]["name"])
+    own = (*_file(language)[where]["name"], *_file(ENGLISH)[where]["name"])  # into whose nouns others are put
+    return any(_is_word(word, token) for word in own)
 
 
 @cache
@@ -243,9 +260,14 @@ def is_adverb(token: str, language: str) -> bool:
     return token.endswith(tuple(table["endings"])) and not any(_is_word(word, token) for word in table["telling"])
 
 
+def changes_value(token: str, language: str) -> bool:
+    """Whether a word before a value makes it another one: the double load."""
+    return any(_is_word(word, token) for word in _file(language)["values"]["changed"])
+
+
 @cache
 def translated(language: str) -> dict[str, str]:
-    """What things are called in a language, and in English."""
+    """What things are called in a language, and in English: the commonest word first, others behind bars."""
     return cast("dict[str, str]", _file(language).get("nouns", {}))
 
 

@@ -11,7 +11,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, of_forces
+from freebody.questions.spoken.accounting import PLACED
 from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -53,7 +55,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     parameter = _parameter(names, head, [name for _, name in state.names if name in names.loads])
     if lasts is None or parameter is None or _is_lifted_by_choice(names, clause, parameter):
         return
-    end = _end(head, state, modal, lasts)
+    end = _end(names, head, state, modal)
     if end in ("least", "largest"):
         yield [f"{end} {parameter} so that {lasts}"]
     elif end == "range" and lasts not in (_REST, _NO_SLIP):
@@ -84,12 +86,19 @@ def _grip(names: Names, words: list[Word]) -> Groups:
     head, state = _parted(names, words)
     rough = [*joining.rough(names, ""), *of_forces.having(names, "greatest belt force")]
     joints = [name for _, name in state.names if name in rough]
+    alone = not joints and len(rough) == 1 and is_all_of(names, rough[0], [*head.names, *state.names])
+    joints = rough if alone else joints
     parameter = _parameter(names, head)
     is_over = head.has("ask", "from", "with") or head.has("degree", "least")
-    is_up_to = head.has("degree", "greatest") or head.has("ask", "up_to", "large")
+    is_up_to = head.has("degree", "greatest") or head.has("ask", "up_to", "large", "far", "fast", "high")
     is_end = is_up_to if _is_denied(state) else is_over
     if parameter and is_end and len(joints) == 1 and set(state.all("verb")) <= {"slide", "start"}:
         yield [f"largest {parameter} so that {joints[0]} does not slip"]
+
+
+def is_all_of(names: Names, joint: str, named: list[tuple[str, str]]) -> bool:
+    """Whether all things that are named are parameters, or touch in a connection."""
+    return all(name in names.parameters or joining.touches(names, joint, name) for _, name in named)
 
 
 def _parted(names: Names, words: list[Word]) -> tuple[Clause, Clause]:
@@ -114,6 +123,8 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if state.has("quantity") and set(state.all("quantity")) != {"equilibrium"}:
         return None
     bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
+    is_moved = verbs == {"move"} and not state.has("part") and not state.has("updown")
+    bodies = [] if is_moved and n_freedoms(names) == 1 else bodies  # where one moves, all do
     joints = [
         name for _, name in state.names if "." in name or (name in names.connections and name not in names.bodies)
     ]
@@ -141,6 +152,8 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         return _REST if modal and is_bounded and not state.words and joining.is_rough(names) else None
     if not ends:
         return None
+    if {"tip", "slide"} <= ends <= _ENDS_REST:  # it neither slips nor tips
+        return _REST if is_denied and all(joining.is_all_that_slips(names, body) for body in bodies) else None
     if "tip" in ends:
         return _NO_TIP if ends <= {"tip", "start", "move"} and len(lookup.massive(names)) == 1 else None
     if "slide" in ends:
@@ -173,6 +186,8 @@ def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> 
         return named[0]
     by_asking = [given.ASKED_BY[ask] for ask in head.all("ask") if ask in given.ASKED_BY]
     kinds = [given.KIND_OF[word] for word in asked] or by_asking
+    if by_asking and head.has("ask", *PLACED) and head.has("verb", "exert", "act"):  # at which height may it act
+        kinds = by_asking
     loads = [name for name in others if name in names.loads]
     if not kinds and (head.has("verb", "exert") or loads):
         kinds = [given.KIND_OF["force"]]
@@ -184,14 +199,16 @@ def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> 
     return found[0] if len(found) == 1 else None
 
 
-def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
+def _end(names: Names, head: Clause, state: Clause, modal: set[str]) -> str:
     """Which end of the values is meant; `range` where the words leave it open, nothing where they contradict."""
     [degree] = head.all("degree")[:1] or state.all("degree")[:1] or [""]
     ends_rest = set(state.all("verb")) & _ENDS_REST
     is_denied = _is_denied(state)
     starts = bool(ends_rest) and not is_denied
     if state.has("part", "only") and is_denied and not degree:  # it just does not move
-        degree = "greatest" if _is_push(head) else ""
+        named = [names.parameters[name] for _, name in head.names if name in names.parameters]
+        pushes = all(kind.is_push for kind in given.KINDS for one in named if kind.dimension and kind.has(one))
+        degree = "greatest" if _is_push(head) and pushes and "must" not in modal else ""
     if degree in ("least", "greatest"):
         if starts and "fall" in ends_rest and not is_denied and _is_push(head):
             return degree if degree == "least" else ""
@@ -211,7 +228,9 @@ def _end(head: Clause, state: Clause, modal: set[str], lasts: str) -> str:
         return "least"
     if starts and _is_push(head) and "fall" not in ends_rest and not state.has("updown", "down"):
         return "largest"
-    if starts and _is_push(head) and (state.has("mark", "to") or ends_rest == {"fall"}):  # needed to lower the load
+    if (
+        starts and _is_push(head) and (state.has("mark", "to") or ends_rest - {"start"} == {"fall"})
+    ):  # needed to lower the load
         return "least"
     return "range"
 

@@ -244,7 +244,8 @@ def rises(names: Names, measure: str, sense: int) -> bool:
 
 def is_known(names: Names, name: str) -> bool:
     """Whether a name is that of a thing that the model has."""
-    things = (names.bodies, names.connections, names.loads, names.measures, names.bodies[GROUND].lines)
+    ground = names.bodies[GROUND]
+    things = (names.bodies, names.connections, names.loads, names.measures, ground.lines, ground.planes)
     return any(name.partition(".")[0] in own for own in things)
 
 

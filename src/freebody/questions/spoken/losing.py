@@ -50,7 +50,8 @@ def clutches(names: Names) -> list[str]:
 
 def engaged(names: Names, _body: str = "") -> list[str]:
     """The condition that what a clutch joins turns alike: it no longer slips."""
-    return [f"slipping of {name} ends" for name in clutches(names)]
+    ends = [f"slipping of {name} ends" for name in clutches(names)]
+    return ends or (["slipping ends"] if comes_to_roll(names) else [])
 
 
 def in_balance(names: Names, of: str) -> list[str]:
@@ -59,6 +60,16 @@ def in_balance(names: Names, of: str) -> list[str]:
     free = not (damped(names) or joining.is_rough(names) or lookup.is_forced(names))
     measures = lookup.places(names, of) or lookup.angles(names, of) or lookup.hung(names, of)
     return [f"acceleration of {name} = 0" for name in measures if free and len(names.measures) == 1]
+
+
+def fastest_at(names: Names, of: str) -> list[str]:
+    """Where the only body that moves is fastest: where it passes its equilibrium, for what it has of kinetic energy has
+    come from there."""
+    free = not (damped(names) or joining.is_rough(names) or lookup.is_forced(names) or lookup.is_controlled(names))
+    free = free and not joining.strikes(names)
+    measures = list(names.measures)
+    swings = len(measures) == 1 and lookup.is_all_that_moves(names, of or next(iter(lookup.moving(names)), ""))
+    return [f"equilibrium of {name}" for name in measures if free and swings and lookup.swings(names)]
 
 
 def separated(names: Names, _body: str = "") -> list[str]:

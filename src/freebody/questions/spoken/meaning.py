@@ -51,7 +51,8 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
     words = _stretched(names, _from_rest(names, words))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
-    said = rewording.bounded(_without_auxiliary(said))
+    said = rewording.in_turns(rewording.runs_slack(rewording.enough_to(said)))
+    said = rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said)))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
@@ -292,6 +293,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if not growing and whole.has("verb", "grow") and all(lookup.is_all_that_moves(names, name) for name in bodies):
         growing = given.growing(names, [name for _, name in whole.names])
     doing = set(whole.all("verb")) - {"start", "move"}
+    if {"tip", "slide", "rise"} == doing:  # when the ramp is raised
+        doing, growing = {"tip", "slide", "grow"}, growing or given.growing(names, [])
+        bodies = []
     if joining.is_still(names) and whole.has("degree", "first"):  # whether wheels spin, or others lift off first
         spin = {"turn"} if whole.has("quantity", "angular velocity") else set[str]()
         doing = {_FAILS.get(verb, verb) for verb in doing | spin}

@@ -43,6 +43,7 @@ _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
 _PINION = "pinion"  # the smaller of two gears, which is called the wheel only where it is alone
+_BEFORE_VERBS = ("to", "will", "would", "can", "could", "must", "should", "may", "might")
 _ARTICLES = ("the", "a", "an", "it")
 
 
@@ -94,7 +95,7 @@ def elements_of(names: Names) -> Elements:
             found.add(name, _ROPES)
     for name in names.loads:
         found.add(name, (*names.called.get(name, ()), *_stems(name)))
-    for name in names.bodies[GROUND].lines:
+    for name in (*names.bodies[GROUND].lines, *names.bodies[GROUND].planes):
         found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
         found.add(name)
@@ -154,7 +155,7 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
         yield tokens[k], 1, WRITTEN
         return
     around = tokens[k - 2].lower() if k > 1 else "", tokens[k + 2].lower() if k + 2 < len(tokens) else ""
-    if around[0] == "to" and around[1] in _ARTICLES and is_verb(tokens[k].lower()):
+    if around[0] in _BEFORE_VERBS and around[1] in _ARTICLES and is_verb(tokens[k].lower()):
         yield tokens[k], 1, WRITTEN  # the force to lower the load, where a pulley is called lower
         return
     seen: dict[str, int] = {}

@@ -127,7 +127,7 @@ def _of_joint(names: Names, kind: str, rest: Clause) -> Groups:
     of = rest.names
     bearings: list[str] = []
     if kind == "bearing reaction":
-        kind, bearings = "reaction", joining.axles(names)
+        kind, bearings = "reaction", joining.bearings(names)
     joints = [name for _, name in of if name in names.connections]
     loads = [name for _, name in of if name in names.loads]
     things = [(before, name) for before, name in of if name not in names.connections and name not in names.loads]

@@ -50,7 +50,8 @@ def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
         [f" in {name}" for name in frames] + [f" about {name}" for name in about] + [f" along {name}" for name in along]
     )
     whose = f" of {' and '.join(of)}" if of else ""
-    yield [f"{quantity}{whose}{''.join(ends)}"]
+    size = "size of " if rest.has("part", "size") else ""
+    yield [f"{size}{quantity}{whose}{''.join(ends)}"]
 
 
 @said_of("period")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining
+from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.lexicon import Word
@@ -23,6 +23,9 @@ _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 def for_what(names: Names, words: list[Word]) -> list[Word]:
     """The least k for stability is that with which it is stable; the angle for the farthest throw is that for which
     the range is largest."""
+    throw = [Word("degree", "greatest"), Word("verb", "exert")]
+    if words[-2:] == throw and _SO_THAT in words:  # the angle that gives the farthest throw
+        words = [*words[:-1], Word("quantity", "horizontal range")]
     k = next((k for k, word in enumerate(words) if word == _FOR and k > 0), 0)
     head, tail = Clause(words[:k]), Clause(words[k + 1 :])
     if k and tail.words == [Word("degree", "greatest"), Word("verb", "exert")]:  # for the farthest throw
@@ -37,6 +40,49 @@ def for_what(names: Names, words: list[Word]) -> list[Word]:
     if is_angle and tail.has("degree", "greatest") and tail.all("quantity") == ["horizontal range"]:
         return [Word("ask", "for"), *kept, *tail.without("degree").words, Word("degree", "greatest")]
     return words
+
+
+def in_turns(words: list[Word]) -> list[Word]:
+    """While it turns once is over a turn."""
+    leads = [Word("mark", "while"), *(Word("preposition", what) for what in ("of", "in", "over"))]
+    ones = [[lead, Word("turns", "1")] for lead in leads]
+    is_counted = Word("ask", "many") in words or Word("quantity", "turns") in words
+    ones = ones if is_counted else ones[:1]
+    k = next((k for k in range(1, len(words)) if words[k : k + 2] in ones), None)
+    return words if k is None else [*words[:k], Word("instant", "over a turn"), *words[k + 2 :]]
+
+
+def kept_steady(names: Names, words: list[Word]) -> list[Word]:
+    """What a controller holds, or does not let tip, has a stable motion."""
+    chosen = any(word.kind == "degree" or (word.kind == "name" and word.what in names.parameters) for word in words)
+    is_asked = chosen or words[:1] == [Word("filler", "does")] or (words and words[0].kind == "verb")
+    rubs = any("contact" in names.called.get(name, ()) for name in joining.rough(names, ""))
+    if not is_asked or rubs or not lookup.is_controlled(names):
+        return words
+    meant = {"hold": "stable", "tip": "unstable"}
+    if Word("not", "not") in words and Word("verb", "tip") in words:
+        words = [Word("verb", "hold") if w == Word("verb", "tip") else w for w in words if w != Word("not", "not")]
+    return [Word("verb", meant[w.what]) if w.kind == "verb" and w.what in meant else w for w in words]
+
+
+def enough_to(words: list[Word]) -> list[Word]:
+    """Large enough to hold it is what is needed to; whether it is enough is no limit."""
+    enough = Word("verb", "suffice")
+    k = words.index(enough) if enough in words[2:] else 0
+    behind = [word for word in words[k + 1 :] if word not in (Word("preposition", "to"), Word("preposition", ","))]
+    is_asked = words[:1] and (words[0].kind == "degree" or words[0] in (Word("ask", "what"), Word("ask", "with")))
+    if not k or not is_asked or not behind or Clause(words[:k]).has("mark"):
+        return words
+    head = [word for word in words[:k] if word != Word("part", "only")]
+    behind = behind if behind[0].kind != "mark" else behind[1:]
+    return [*head, _TO, *behind]
+
+
+def runs_slack(words: list[Word]) -> list[Word]:
+    """A run of a belt that goes slack pulls with nothing."""
+    runs = [k for k, w in enumerate(words) if w.kind == "quantity" and w.what in ("slack tension", "tight tension")]
+    slack = Word("verb", "slack")
+    return [Word("verb", "vanish") if runs and word == slack else word for word in words]
 
 
 def spinning(names: Names, words: list[Word]) -> list[Word]:
@@ -84,6 +130,7 @@ def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Wor
 def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     """The torque needed to turn the crank, where a motor says how it turns, is that of the motor."""
     kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}
+    words = _as_driven(names, words)
     k = words.index(_TO) if _TO in words else 0
     goes = words[k + 1 : k + 2] and words[k + 1].kind == "verb" and words[k + 1].what in ("move", "turn", "exert")
     who = words[k + 2 : k + 3]
@@ -94,6 +141,19 @@ def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     if not driven:
         return words
     return [Word("quantity", kinds[words[0].what]), *words[1:k], Word("name", driven[0]), *words[k + 3 :]]
+
+
+def _as_driven(names: Names, words: list[Word]) -> list[Word]:
+    """The torque of the motor, so that the hoop turns uniformly, where that is how the motor turns it."""
+    marks = [k for k, word in enumerate(words) if word in (_TO, _SO_THAT)]
+    if len(marks) != 1:
+        return words
+    head, tail = Clause(words[: marks[0]]), Clause(words[marks[0] + 1 :])
+    drivers = [name for _, name in head.names if "driver" in names.called.get(name, ())]
+    goes = tail.only("verb", "name", "not", *SILENT) and set(tail.all("verb")) <= {*GOES_ON, "hold", "no_accel"}
+    steady = not tail.has("not") or tail.has("verb", "accelerate")
+    is_push = bool(set(head.all("quantity")) & {*_PUSHES}) and not head.has("degree")
+    return head.words if drivers and goes and steady and is_push and tail.has("verb") else words
 
 
 def heaviest(names: Names, words: list[Word]) -> list[Word]:
@@ -139,7 +199,12 @@ def signs_between(words: list[Word]) -> list[Word]:
     found = list(words)
     for k in range(1, len(found)):
         ends = k + 1 == len(found) or found[k + 1].kind in ("mark", "preposition")
-        if found[k].kind == "relation" and found[k - 1].kind == "value" and ends:
+        is_bound = found[k - 1].kind == "value" or (
+            k > 1
+            and [word.kind for word in found[k - 2 : k]] == ["quantity", "name"]
+            and any(word.kind == "mark" for word in found[:k])
+        )  # that the side force F is not exceeded
+        if found[k].kind == "relation" and is_bound and ends:
             found[k - 1], found[k] = found[k], found[k - 1]
     return found
 

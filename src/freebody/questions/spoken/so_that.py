@@ -211,7 +211,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} stays taut"]
     elif verbs == {"turn_fully"} and not negated and who:
         yield [f"{who} turns fully"]
-    elif verbs == {"stable"} and not negated:
+    elif (verbs == {"stable"} and not negated) or (verbs == {"unstable"} and negated):
         yield ["the equilibrium is stable"] if not lookup.is_controlled(names) else []
         yield ["the steady motion is stable"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
@@ -266,6 +266,7 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
         words, tail = clause.without("instant", "at start").words, " at start"
     if _is_negated_motion(clause):
         left = [w for w in words if w.kind in ("name", "part")]
+        left = [Word(w.kind, lookup.acted_on(names, w.what)) if w.kind == "name" else w for w in left]
         of = [word.what for word in left if word.kind == "name"][:1] or lookup.massive(names)
         kind = "angular acceleration" if all(joining.axle_of(names, body) for body in of) else "acceleration"
         return Clause([Word("quantity", kind), *left]), "=", "0", tail

@@ -9,9 +9,9 @@ from freebody.language.notation import to_python
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import lookup
-from freebody.questions.spoken.joining import given_of
+from freebody.questions.spoken.joining import given_of, joined_by
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -79,3 +79,23 @@ def _is_along(names: Names, measure: Displacement, *, level: bool) -> bool:
         and across is not None
         and abs(across) <= _LEVEL
     )
+
+
+def greatest_torques(names: Names, belts: list[str], of: list[str]) -> list[str]:
+    """The greatest torque that a belt can transmit, on each of its pulleys, or on that which is named."""
+    named = [name for name in of if name not in belts]
+    belts = [belt for belt in belts if belt in of or (not set(of) & {*belts} and named)]
+    found: list[str] = []
+    for belt in belts:
+        pulleys = [body for body in joined_by(names, belt) if names.bodies[body].radius is not None]
+        pulleys = [body for body in pulleys if body in named] if named else pulleys
+        if not set(named) <= {*pulleys}:
+            return []
+        sizes = dict.fromkeys(to_python(names.bodies[body].radius or ZERO).replace("**", "^") for body in pulleys)
+        found += [
+            f"greatest belt force of {belt} * ({size})"
+            if not size.isidentifier()
+            else f"greatest belt force of {belt} * {size}"
+            for size in sizes
+        ]
+    return found

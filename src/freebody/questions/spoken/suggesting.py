@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Iterable, Iterator
-from itertools import permutations
+from collections.abc import Callable, Container, Iterable, Iterator
+from itertools import islice, permutations
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
@@ -15,6 +15,8 @@ from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import is_verb, languages, quantity_words, things
+from freebody.questions.spoken.naming import linked
+from freebody.questions.spoken.words import Unknown, words_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -95,6 +97,26 @@ def absent(elements: Elements, text: str) -> str:
             if is_thing and any(form in things() for form in (said, said.removesuffix("s"))):
                 return word if said.removesuffix("s") not in known else ""
     return ""
+
+
+def not_understood(parameters: Container[str], elements: Elements, text: str) -> list[str]:
+    """The words of a text, as they are typed, that nothing is known of in the language that knows most of them."""
+    found: list[set[str]] = []
+    for language in languages():
+        for way in islice(linked(elements, in_english_nouns(text, language, elements.taken)), MOST):
+            try:
+                words_of(way.text, language, parameters=parameters)
+                return []  # each has a meaning, but not all of them together
+            except Unknown as error:
+                strange = set(error.words)
+                typed = {
+                    word
+                    for word in re.findall(r"[^\W\d_][\w’'-]*", text)
+                    if strange & {*in_english_nouns(word, language, elements.taken).lower().replace("ß", "ss").split()}
+                }
+                found.append(typed or strange)
+    fewest = min(found, key=len, default=set[str]())
+    return [word for word in dict.fromkeys(re.findall(r"[^\W\d_][\w’'-]*", text)) if word in fewest] or sorted(fewest)
 
 
 def _askable(names: Names) -> Iterator[str]:
@@ -187,10 +209,14 @@ def _advantages(names: Names, text: str) -> Iterator[str]:
 
 
 def _efficiencies(names: Names, text: str) -> Iterator[str]:
-    """The power of one load over that of another, if an efficiency is what a text is about."""
+    """The power of one load over that of another, and the efficiency of a planetary train, if an efficiency is what a
+    text is about."""
     if _EFFICIENCY.search(text) is not None:
         pairs = permutations(names.loads, 2)
         yield from (f"ratio of power of {load} to power of {other}" for load, other in pairs)
+        members = [name for name, body in names.bodies.items() if name != GROUND and body.turns]
+        for driving, driven, held in permutations(members, 3) if joining.planets(names) else ():
+            yield f"efficiency from {driving} to {driven} with {held} held and basic efficiency 0.97"
 
 
 def _time_ratios(names: Names, text: str) -> Iterator[str]:

@@ -63,6 +63,7 @@ def _leaving_at_top(names: Names, clause: Clause) -> Groups:
     """At what speed does the car leave the road at the top: with which nothing presses there. With which it does not
     leave it is one end of the speeds with which something presses."""
     is_speed = clause.all("quantity") in (["speed"], ["velocity"]) or clause.has("ask", "fast")
+    clause = clause.without("part", "only")  # at which it only just leaves
     known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", "not", *SILENT)
     doing = {"leave" if verb == "fall" else verb for verb in clause.all("verb") if verb != "move"}
     if not (is_speed and known and doing in ({"leave"}, {"stay_on"}) and clause.all("instant") == ["at the top"]):
@@ -104,6 +105,8 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     named = [name for _, name in clause.names if name in names.parameters]
     things = [name for _, name in clause.names if name not in named]
     chosen = named or given.of_kind(names, asked[0])
+    if not chosen and asked[0] in ("speed", "velocity"):  # that of the drive
+        chosen = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
     if len(chosen) != 1 or not 1 <= len(things) <= 2:
         return
     if is_before and doing != {"slide"}:

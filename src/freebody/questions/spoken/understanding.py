@@ -22,7 +22,7 @@ from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.several import each_of, paired, parts
-from freebody.questions.spoken.suggesting import MOST, absent, suggestions
+from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
 if TYPE_CHECKING:
@@ -132,6 +132,13 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
                 "cannot read '{text}': there is no {thing} in this model. One can ask for\n    {askable}",
                 text=text,
                 thing=thing,
+                askable=askable,
+            )
+        elif strange := not_understood(names.parameters, elements_of(names), text):
+            none = Message(
+                "cannot read '{text}' (not understood: {words}). One can ask for\n    {askable}",
+                text=text,
+                words=", ".join(strange),
                 askable=askable,
             )
         names.unknown(text, none, "find")
@@ -315,7 +322,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
         told = paired(elements, in_english_nouns(text, language, elements.taken), language)
         for way in linked(elements, told):
             try:
-                words = words_of(way.text, language, guess=guess)
+                words = words_of(way.text, language, guess=guess, parameters=names.parameters.keys())
             except Unknown:
                 continue
             found.append(Meaning(meanings(names, words), way.distance, tuple(words)))
@@ -335,7 +342,7 @@ def _known(names: Names, text: str) -> Iterator[tuple[int, list[Word]]]:
     for language in languages():
         for way in islice(linked(elements, in_english_nouns(text, language, elements.taken)), MOST):
             try:
-                found.append((0, words_of(way.text, language)))
+                found.append((0, words_of(way.text, language, parameters=names.parameters.keys())))
             except Unknown as error:
                 found.append((len(error.words), list(error.known)))
     yield from sorted(found, key=lambda one: one[0])

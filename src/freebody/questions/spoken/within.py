@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import dimensions
+from freebody.questions.spoken.events import conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -62,3 +63,19 @@ def place_within(main: Clause, value: str) -> tuple[Clause, Clause] | None:
         is_alone = not any(word.kind == "name" for word in inner)
         inner = [Word("quantity", "speed"), *inner] if is_speed and is_alone else inner
     return Clause(words[:begin]), Clause(inner)
+
+
+def where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
+    """At what angle is the speed 4 m/s? The angle, when that is so."""
+    places = [
+        k
+        for k, word in enumerate(main.words)
+        if word.kind == "quantity" and word.what in ("angle", "position", "height")
+    ]
+    if len(main.all("quantity")) != 2 or not places or not (main.has("value") or main.has("verb", "vanish")):
+        return None
+    k = places[0]
+    named = k + 1 < len(main.words) and main.words[k + 1].kind == "name" and main.words[k + 1].what in names.measures
+    head = [main.words[k], *main.words[k + 1 : k + 1 + named]]
+    found = list(conditions(names, Clause([w for w in main.words[k + 1 + named :] if w.kind != "ask"])))
+    return (Clause(head), found) if found else None

@@ -13,11 +13,13 @@ from freebody.language.units.reader import parse_unit
 from freebody.questions.spoken.lexicon import (
     MARKED,
     Word,
+    changes_value,
     goes_beside,
     is_adjective,
     is_adverb,
     phrases_at,
     spelt,
+    translated,
     vocabulary,
 )
 from freebody.questions.spoken.naming import plain_names
@@ -105,9 +107,9 @@ class Clause:
         return self.placed("value")
 
 
-def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
+def words_of(text: str, language: str, *, guess: bool = False, parameters: Container[str] = frozenset()) -> list[Word]:
     """The words of a text in which names are marked. Raises Unknown for those that the language does not have, unless
-    one alone is to be taken for a name (guess)."""
+    one alone is to be taken for a name (guess). parameters: names before which a word only says what they are."""
     found = _without_parentheses(list(_tokens(spelt(text, language))), language)
     tokens = [token if isinstance(token, str) else _NO_WORD for token in found]
     words: list[Word] = []
@@ -121,7 +123,9 @@ def words_of(text: str, language: str, *, guess: bool = False) -> list[Word]:
         line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
         meant = [] if _is_letter(token) and k > 0 else phrases_at(line, begins[k], language)
         means = next((m for m in meant if _fits(m[0], words)), None)
-        if means is None and (_describes(found, k, language) or is_adverb(token, language)):
+        if means is None and (
+            _describes(found, k, language) or is_adverb(token, language) or _is_title(found, k, language, parameters)
+        ):
             continue
         if means is None:
             last = next((word for word in reversed(words) if word.kind != "filler"), None)
@@ -152,6 +156,16 @@ def _is_beside_name(token: str, found: Sequence[str | Word], k: int, language: s
     )
 
 
+def _is_title(found: Sequence[str | Word], k: int, language: str, parameters: Container[str]) -> bool:
+    """Whether an unknown word only says what the parameter behind it is: the delay tau, but not the double force F."""
+    token, after = found[k], found[k + 1] if k + 1 < len(found) else ""
+    is_parameter = isinstance(after, Word) and after.kind == "name" and after.what in parameters
+    is_beside = isinstance(after, _Said) and goes_beside(after, "before", language)  # the integral gain k_i
+    is_parameter |= is_beside and _is_title(found, k + 1, language, parameters)
+    return isinstance(token, _Said) and len(token) > 2 and is_parameter and not changes_value(token, language)
+
+
+_SYSTEM = Word("pronoun", "system")
 _OPEN, _SHUT = Word("other", "("), Word("other", ")")
 
 
@@ -184,9 +198,9 @@ def _describes(found: Sequence[str | Word], k: int, language: str) -> bool:
     if not isinstance(token, _Said) or not is_adjective(token, language) or (token.is_capital and k > 0):
         return False
     after = found[k + 1] if k + 1 < len(found) else ""
-    return (isinstance(after, Word) and after.kind == "name") or (
-        k + 1 < len(found) and _describes(found, k + 1, language)
-    )
+    is_thing = isinstance(after, Word) and after.kind == "name"
+    is_all = isinstance(after, _Said) and any(word == _SYSTEM for word, _ in phrases_at(after, 0, language))
+    return is_thing or is_all or (k + 1 < len(found) and _describes(found, k + 1, language))
 
 
 def _tokens(text: str) -> Iterator[str | Word]:
@@ -266,7 +280,7 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
 
     def right(found: re.Match[str]) -> str:
         word = found[0].lower()
-        if word in words or word in taken or len(word) < _SHORTEST:
+        if word in words or word in taken or word in translated(language) or len(word) < _SHORTEST:
             return found[0]
         near = difflib.get_close_matches(word, words, n=3, cutoff=_LEAST_LIKE)
         right = [other for other in near if (other[0], other[-1]) == (word[0], word[-1]) and _is_slip(word, other)]

@@ -42,10 +42,14 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
         squares = list(found.squares)
     elif not squares:
         raise CannotAnswer(further(*found.notes, at_equilibrium.NOTHING_DRIVES_BACK))
-    elif len(squares) > 1:
+    elif not all((x - squares[0]).is_zero() for x in squares):
         raise CannotAnswer(Message("there are {n} natural frequencies; ask for natural frequencies", n=len(squares)))
-    elif len(squares) < len(found.squares):
-        notes.append(Message("beside it there is a motion that nothing drives back to first order"))
+    else:
+        if len(squares) > 1:
+            notes.append(Message("{n} motions that are independent of one another have it", n=len(squares)))
+        if len(squares) < len(found.squares):
+            notes.append(Message("beside it there is a motion that nothing drives back to first order"))
+        del squares[1:]
     if any(not x.is_zero() for row in found.linear.damping for x in row):
         notes.append(Message("damping is left out of it; damped frequency and damped period have it"))
     if q.what == "period" and "small" not in question.text:

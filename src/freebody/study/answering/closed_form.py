@@ -128,9 +128,24 @@ class QuestionSolver:
 
             self._look(loop_answers.looked_at(self.setup, self.question))
             return loop_answers.find(self.setup, self.question)
+        if q.is_of_answers:
+            return self._of_answers(q)
         if self.question.event is not None:
             return self._at_event(q)
         return self._found(q)
+
+    def _of_answers(self, q: Quantity) -> Finding:
+        """Made of what is found for each operand, each with its own conditions."""
+        from freebody.study.answering.of_answers import found_of
+
+        def found(part: Question) -> tuple[Finding, list[Condition]]:
+            solver = QuestionSolver(self.setup, part)
+            finding = solver._find()
+            if not isinstance(finding.element, Ratio) or solver.setup is not self.setup:
+                raise CannotAnswer(Message("an operand is told over a turn, or has several values: ask for it alone"))
+            return finding, solver._completion().conditions(finding, finding.element)
+
+        return found_of(self.setup, self.question, found)
 
     def _steady(self) -> Finding:
         """Of motion that goes on evenly, in the system as the question looks at it."""

@@ -24,7 +24,7 @@ from freebody.study.answering.conditions import as_written, at_instant, is_kinem
 from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Elements, Finding, judged
-from freebody.study.answering.integrals import integrals_named
+from freebody.study.answering.integrals import special_functions_named
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.named_formulas import Chain
 from freebody.study.answering.numbers import LONGEST
@@ -70,7 +70,7 @@ class AnswerCompletion:
             found.notes += broken + loops.loops_in(self.setup, element, self.state, chain)
             value = None if broken else value
             parts = element if isinstance(element, tuple) else (element,)
-            found.notes += integrals_named(parts)
+            found.notes += special_functions_named(parts)
             told = texts(needed, until_event=self.reached is not None)
             if found.in_names is not None and not self.setup.closing(self.setup.state):
                 told = [*found.in_names.closing, *told]

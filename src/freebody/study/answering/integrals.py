@@ -1,9 +1,10 @@
-"""Elliptic integrals in an answer, and by which convention they are written."""
+"""Special functions in an answer, and by which convention they are written."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
+from freebody.language.expression import LAMBERT
 from freebody.language.sentences import Message
 from freebody.study.answering.finding import Elements
 from freebody.symbolic.field import Ratio
@@ -16,6 +17,14 @@ _INCOMPLETE = Message(
     "F(phi, k) is the elliptic integral of the first kind with the modulus k, the integral of 1/sqrt(1 - k^2 sin^2 x) "
     "from 0 to phi, and K(k) the complete one, up to pi/2; tables and programs that take the parameter m want k^2"
 )
+_LAMBERT = {
+    "lambert_W0": Message(
+        "W_0 is the principal branch of Lambert's W function: w = W_0(x) is the solution of w exp(w) = x with w >= -1"
+    ),
+    "lambert_Wm1": Message(
+        "W_-1 is the branch -1 of Lambert's W function: w = W_-1(x) is the solution of w exp(w) = x with w <= -1"
+    ),
+}
 
 
 def has_integrals(x: Elements) -> bool:
@@ -23,12 +32,13 @@ def has_integrals(x: Elements) -> bool:
     return bool(_among(x if isinstance(x, tuple) else (x,)))
 
 
-def integrals_named(parts: Iterable[Ratio]) -> list[str]:
-    """What the elliptic integrals in a formula are."""
+def special_functions_named(parts: Iterable[Ratio]) -> list[str]:
+    """What the elliptic integrals and the branches of Lambert's W in a formula are."""
+    parts = tuple(parts)
     found = _among(parts)
-    if not found:
-        return []
-    return [_INCOMPLETE if any(found) else _COMPLETE]
+    elliptic = [_INCOMPLETE if any(found) else _COMPLETE] if found else []
+    names = {x.field.arguments.get(g, ("",))[0] for x in parts for g in x.field.ingredients(x)}
+    return [*elliptic, *(_LAMBERT[name] for name in LAMBERT if name in names)]
 
 
 def _among(parts: Iterable[Ratio]) -> list[bool]:

@@ -9,6 +9,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
+from freebody.questions.arithmetic import AtStart
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
@@ -83,6 +84,13 @@ def number_of(setup: Setup, quantity: Quantity, event: AskedEvent | None) -> flo
 
 def number_at(setup: Setup, quantity: Quantity, event: AskedEvent | None, draw: Draw) -> float | tuple[float, ...]:
     """The same at other numbers of the parameters."""
+    if quantity.is_of_answers:
+        from freebody.study.answering.of_answers import number_at_draw
+
+        def number(part: Quantity) -> float | tuple[float, ...]:
+            return number_at(setup, part.of if isinstance(part, AtStart) else part, None, draw)
+
+        return float(number_at_draw(quantity, draw, number))
     return _number(quantity, setup, event, draw)
 
 

@@ -5,7 +5,7 @@ Each operand is a question of its own, and the answers are calculated with, in f
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -13,9 +13,14 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate
 from freebody.language.sentences import Message
 from freebody.questions.arithmetic import AtStart, Functions, Joined, OfParameters, OnTheWay, refuse_vectors
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, made, of_all
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 
@@ -56,6 +61,35 @@ def calculated(system: System, question: Question, answers: Mapping[str, Answer]
         notes=tuple(dict.fromkeys(n for part in parts for n in part.notes)),
         evidence=of_all([part.evidence for part in parts]),
     )
+
+
+Found = Callable[[Question], tuple[Finding, list[Condition]]]
+
+
+def found_of(setup: Setup, question: Question, found: Found) -> Finding:
+    """A formula to go on with, from what is found for each operand and the conditions of it. Raises CannotAnswer."""
+    parts = [found(part) for part in questions_in(question)]
+    formulas = operands_of(question, [finding.element for finding, _needed in parts])
+    f, geometry = setup.model.field, setup.model.geometry
+    values = tuple(x if isinstance(x, Ratio) else geometry.scalar(x) for x in formulas)
+    refuse_vectors(values)
+    needed: list[Condition] = []
+    for _finding, conditions in parts:
+        needed += [c for c in conditions if c not in needed]
+    notes = list(dict.fromkeys(note for finding, _needed in parts for note in finding.notes))
+    says = list(dict.fromkeys(said for finding, _needed in parts for said in finding.says))
+    evidence = of_all([finding.evidence for finding, _needed in parts])
+    assert evidence is not None
+    x = f.lowest_terms(f.element(_made(question, values, setup.state)))
+    return Finding(x, evidence, needed, notes, says, is_complete=True)
+
+
+def number_at_draw(q: Quantity, draw: Draw, of: Callable[[Quantity], Any]) -> Any:
+    """The same by the numeric route, at the numbers of a draw."""
+    assert isinstance(q, Joined)
+    values = [evaluate(p.expr, draw.values) if isinstance(p, OfParameters) else of(p) for p in q.inner]
+    refuse_vectors(tuple(values))
+    return q.made_of(tuple(values), OnTheWay())
 
 
 def number(setup: Setup, question: Question, answers: Mapping[str, Answer]) -> float | None:

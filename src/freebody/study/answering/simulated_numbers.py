@@ -13,6 +13,7 @@ from freebody.measures.geometry import NO_DIRECTION
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
+from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition, TransitionKind
 from freebody.questions.energy import Energy
@@ -115,11 +116,17 @@ def _refuse_without_direction(system: System, now: SimulatedInstant) -> None:
                 raise CannotAnswer(NO_DIRECTION)
 
 
-def farthest(system: System, measure: Measure, side: int) -> tuple[float, float]:
+def farthest(system: System, of: Measure | Quantity, side: int) -> tuple[float, float]:
     """How far a measure gets on one side in a simulated motion, and until when that was followed: a minute, or to where
     the motion cannot be followed further."""
     simulator = Simulator(system)
     options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
     course = simulator.run(LONGEST, options, outputs=np.linspace(0.0, LONGEST, _N_SEEN))
-    seen = observed(SimulatedMotion(system, simulator, course, options), {"it": measure})["it"][0]
+    motion = SimulatedMotion(system, simulator, course, options)
+    if isinstance(of, Quantity):
+        held = with_all_held(system)
+        instants = (SimulatedInstant(motion, k) for k in range(len(course.times)))
+        seen = np.array([float(value_in_mode(of, system, held, now)) for now in instants])
+    else:
+        seen = observed(motion, {"it": of})["it"][0]
     return side * float((side * seen).max()), float(course.times[-1])

@@ -23,6 +23,7 @@ from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.other_turns import with_other_turns
 from freebody.study.answering.parts import part_for
+from freebody.study.answering.past_borders import is_of_motion, past_borders
 from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.plain_numbers import with_plain_numbers
 from freebody.study.answering.solution import Solution
@@ -103,6 +104,14 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
     lets_go = any(row.unilateral for row in system.constraint_rows)  # ideal strings and rolling contacts do, if asked
     if lets_go and any(_is_of_changes(system, q) for q in questions):
         return _with_changes(system, questions, setup)
+    in_one_law = partial(_in_one_law, system, setup=setup)
+    if system.borders and any(map(is_of_motion, questions)):
+        return past_borders(questions, partial(_in_phases, system), in_one_law)
+    return in_one_law(questions)
+
+
+def _in_one_law(system: System, questions: Sequence[Question], setup: Setup | None = None) -> Solution:
+    """Where no contact or friction changes the law of motion."""
     setup = Setup(system) if setup is None else setup
     try:
         model = setup.model

@@ -91,13 +91,16 @@ class Fit(Result):
         for k, r in enumerate(own):
             shown = [(r.file, r.measured - r.modelled)]
             if not of_residuals:
-                shown = [(f"{r.file}: measured", r.measured), (f"{r.file}: model", r.modelled)]
+                measured, model = Message("{file}: measured", file=r.file), Message("{file}: model", file=r.file)
+                shown = [(self.in_language(measured), r.measured), (self.in_language(model), r.modelled)]
             before = sum(len(other.times) for other in own[:k])
             for name, y in shown:
                 full = np.full(len(times), np.nan)
                 full[before : before + len(y)] = y
                 curves.append((name, full))
-        title = f"residuals of {series}" if of_residuals else f"{series}, measured and modelled"
+        residuals = Message("residuals of {series}", series=series)
+        both = Message("{series}, measured and modelled", series=series)
+        title = self.in_language(residuals if of_residuals else both)
         return line_chart(title, "t [s]", times, f"{title} [{own[0].unit}]", curves, is_joined=False)
 
     def to_plain(self) -> dict[str, Any]:

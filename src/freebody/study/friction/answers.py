@@ -131,7 +131,7 @@ class _Answerer:
             edge = ends.edge(draw, 1, None)
             if edge is None or math.isinf(edge.value):
                 raise CannotAnswer(Message("{x} may grow without limit", x=of.grows))
-            is_so = _is_failure(of, seen(self.touching, edge.problem, edge.optimum, draw).failure)
+            is_so = self._is_failure(of, seen(self.touching, edge.problem, edge.optimum, draw).failure)
             if is_so is None:
                 raise CannotAnswer(Message("it tips and slides at once"))
             return 1.0 if is_so else 0.0
@@ -146,7 +146,7 @@ class _Answerer:
                 case.conditions,
                 no_formula,
                 in_numbers,
-                says=_is_failure(of, case.failure) if case.is_complete else None,
+                says=self._is_failure(of, case.failure) if case.is_complete else None,
                 why=case.words,
             )
             for case in cases
@@ -160,6 +160,13 @@ class _Answerer:
         from freebody.study.friction.holding import holds
 
         return holds(self.touching, self.setup, self.question)
+
+    def _is_failure(self, of: FailsFirst, failure: Failure) -> bool | None:
+        """Whether a failure is the one that is meant; None where it is both."""
+        tipping = {rub.name for rub in self.touching.dry_friction if rub.is_tipping}
+        gives_way = {name for name, _direction in failure.slips}
+        tips, slips = bool(failure.opens or gives_way & tipping), bool(gives_way - tipping)
+        return None if tips == slips else tips == (of.fails == "tips")
 
     def _row(self, q: ReactionRange) -> str:
         """The row that is asked for: of those that could be meant the one that touches."""
@@ -359,13 +366,6 @@ class _Answerer:
         notes: list[str] = [Message("first: {words}, at this {x}", words=limit.main.words, x=to_text(Symbol(name)))]
         exact = [self._exact(ends, limit.main)] if self.setup.has_values else []
         return self._finished(ends, [limit.main], (limit.main.element,), exact, notes, [limit])
-
-
-def _is_failure(of: FailsFirst, failure: Failure) -> bool | None:
-    """Whether a failure is the one that is meant; None where it is both."""
-    if bool(failure.opens) == bool(failure.slips):
-        return None
-    return bool(failure.opens) == (of.fails == "tips")
 
 
 def _cases(limits: Sequence[HoldingLimit]) -> tuple[AnswerCase, ...]:

@@ -7,10 +7,11 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow
+from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.numeric.rest_problem import rest_problem
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.parameter_domain import above
@@ -27,6 +28,7 @@ from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, solutions
 from freebody.symbolic.surplus import ReducedColumns
 from freebody.symbolic.zeros import reals
+from freebody.system.corners import in_words
 from freebody.tolerances import ROUND_OFF
 
 MOST_CASES = 6
@@ -92,6 +94,7 @@ class Ends:
         self.model = setup.model
         self.field = setup.model.field
         self._limits: dict[int, HoldingLimit] = {}
+        self._numbers: dict[int, tuple[Draw, int, dict[int, Any]]] = {}
 
     def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         """The largest (sign +1) or smallest value at a draw; None if there is none at all. near: where it may be."""
@@ -200,12 +203,20 @@ class Ends:
                 yield {k: self.field.lowest_terms(x) for k, x in at.items()}
 
     def number(self, x: Ratio, draw: Draw) -> float | None:
-        numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
+        numbers = self._numbers_at(draw)
         try:
             value = float(self.field.evaluate(x, numbers))
             return 0.0 if self.field.vanishes_at(x, numbers, ROUND_OFF) else value
         except (KeyError, ValueError, ArithmeticError):
             return None
+
+    def _numbers_at(self, draw: Draw) -> dict[int, Any]:
+        """The values of all generators at a draw, made once as long as there are no more of them."""
+        n, known = len(self.field.generators), self._numbers.get(id(draw))
+        if known is None or known[1] != n:
+            numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
+            known = self._numbers[id(draw)] = draw, len(self.field.generators), numbers
+        return known[2]
 
     def holds(self, case: FailureCase, draw: Draw) -> bool:
         """Whether a case is the one at a draw, as far as its conditions are known."""
@@ -261,7 +272,7 @@ class Ends:
         slips = dict(failure.slips)
         for row in sorted(eq.system.constraint_rows, key=lambda row: row.name):
             if row.unilateral and row.name not in failure.opens:
-                what = closed(_label(row), row.reaction if row.reaction == "tension" else "normal force")
+                what = closed(self._label(row), row.reaction if row.reaction == "tension" else "normal force")
                 lines.append((self._put({eq.columns[row.name]: row.sign * one}, at_end, at), what))
         extra: list[Inequality] = []
         for name in eq.sized:
@@ -276,14 +287,14 @@ class Ends:
                 reserve = eq.cone(at_end, rub, failure, at)
                 if reserve is None:
                     return extra, False
-                extra.append((reserve, ">=", Message("{contact} does not slip", contact=_label(rub.row))))
+                extra.append((reserve, ">=", self._stays(rub)))
                 continue
             pressing, constant = eq.load(rub, failure)
             for d in (1, -1):
                 c = self.field.follow(eq.coefficient(rub, d), at)
                 line: Row = {eq.columns[name]: d * one, RHS: c * constant}
                 line |= {k: c * x for k, x in pressing.items()}
-                lines.append((self._put(line, at_end, at), Message("{contact} does not slip", contact=_label(rub.row))))
+                lines.append((self._put(line, at_end, at), self._stays(rub)))
         found, is_complete = without_free(self.field, lines, lambda x: self.number(x, draw))
         return extra + found, is_complete
 
@@ -291,7 +302,7 @@ class Ends:
         """What friction that a force with two components loads demands: its load is positive where it slips, else the
         square of what it can carry is not less than that of what it does. None where these are not unique."""
         eq = self.equations
-        label = _label(eq.rows[name])
+        label = self._label(eq.rows[name])
         if direction is not None:
             size = eq.size(at_end, name)
             return None if size is None else (size, ">=", Message("{contact} slips this way", contact=label))
@@ -341,12 +352,14 @@ class Ends:
         found: list[Inequality] = []
         for name, _direction in failure.slips:
             if name != self.asked and (slip := eq.slip(failure, name, motion, at_end)) is not None:
-                what = Message("{contact} slips this way", contact=_label(eq.rows[name]))
+                is_tipping, contact = eq.dry_friction[name].is_tipping, self._label(eq.rows[name])
+                told = Message("{contact} tips this way", contact=contact)
+                what = told if is_tipping else Message("{contact} slips this way", contact=contact)
                 found.append((self._at_value(slip, at), ">=", what))
         for name in sorted(failure.opens):
             opening = eq.rows[name].sign * rates[name]
             own = [rub for rub in eq.dry_friction.values() if rub.load == (name,)]
-            what = Message("{contact} opens", contact=_label(eq.rows[name]))
+            what = Message("{contact} opens", contact=self._label(eq.rows[name]))
             for rub in [rub for rub in own if rub.across is not None]:
                 c = self.field.follow(eq.coefficient(rub, 1), at)
                 squares = sum((rates[row.name] ** 2 for row in rub.rows), self.field.zero)
@@ -377,6 +390,17 @@ class Ends:
     def _at_value(self, x: Ratio, at: Values) -> Ratio:
         return self.field.follow(x, at)
 
+    def _stays(self, rub: DryFriction) -> Message:
+        if rub.is_tipping:
+            return Message("{body} does not tip", body=rub.row.ends[0].partition(".")[0])
+        return Message("{contact} does not slip", contact=self._label(rub.row))
+
+    def _label(self, row: ConstraintRow) -> str:
+        """The corner that touches, else the connection."""
+        if row.ends and "." in row.ends[0]:
+            return in_words(self.touching.system, row.ends[0])
+        return row.connection
+
 
 def one_of_both(one: FailureCase, other: FailureCase) -> FailureCase | None:
     """Two cases of one formula that differ in the sign of one condition, without it; None if they are not such."""
@@ -388,10 +412,6 @@ def one_of_both(one: FailureCase, other: FailureCase) -> FailureCase | None:
         return None
     common = tuple(c for c in one.conditions if c is not only_one[0])
     return replace(one, conditions=common, is_complete=one.is_complete and other.is_complete)
-
-
-def _label(row: ConstraintRow) -> str:
-    return row.ends[0] if row.ends and "." in row.ends[0] else row.connection
 
 
 def _agree(a: float, b: float) -> bool:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.expression import add, free_symbols, stands_in
+from freebody.language.sentences import Message, in_turn
 from freebody.language.units import FORCE, TORQUE
 from freebody.numeric.friction_branches import spread
 from freebody.numeric.friction_limits import Optimum
@@ -50,12 +51,41 @@ class ParameterEnds(Ends):
         laws = [*eq.loads.values(), *(c for rub, c in coefficients if not rub.load)]
         in_loads = any(map(depends, laws))
         if not (in_geometry or in_friction or in_loads):
-            raise CannotAnswer(Message("{x} has no part in whether the system stays at rest", x=self.name))
+            why = Message("{x} has no part in whether the system stays at rest", x=self.name)
+            raise CannotAnswer(self._open() or why)
         is_linear = not in_geometry and not in_friction and all(is_linear_in(self.field, x, p) for x in laws)
         is_friction = in_friction and not in_geometry and not in_loads
         parameter = self.touching.system.parameters[self.name]
         low = -math.inf if parameter.sign == "any" or parameter.dimension in (FORCE, TORQUE) else 0.0
-        return Parametric(self.name, is_linear, is_friction, parameter.is_angle, parameter.acute, low)
+        return Parametric(
+            self.name, is_linear, is_friction, parameter.is_angle, parameter.acute, low, self._is_in_pose()
+        )
+
+    def _is_in_pose(self) -> bool:
+        """Whether anything about places and directions is stated with it."""
+        system = self.touching.system
+        rows = [(row.measure, row.target) for row in self.touching.held.constraint_rows]
+        gaps = [(b.row.measure, b.row.target, b.within, b.lost) for b in system.bounds]
+        placed = [(body.start, body.chain) for body in system.bodies.values()]
+        return stands_in(self.name, (rows, gaps, placed))
+
+    def _open(self) -> str:
+        """That the friction of which it is a coefficient does not act, where nothing touches; empty where it would."""
+        rubbing = {rub.name for rub in self.touching.dry_friction}
+        apart = [
+            rub.row.connection
+            for rub in self.touching.system.dry_friction
+            if rub.of and rub.name not in rubbing and self.name in free_symbols(add(rub.static, rub.kinetic))
+        ]
+        if not apart:
+            return ""
+        if not self.touching.bounds:
+            return Message("nothing touches at the start, so no friction acts, and {x} decides nothing", x=self.name)
+        return Message(
+            "open at the start: {contacts}; no friction acts there, and {x} decides nothing",
+            contacts=in_turn(list(dict.fromkeys(apart))),
+            x=self.name,
+        )
 
     def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         return self.parametric.edge(self.touching, draw, sign, near)

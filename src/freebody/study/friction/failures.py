@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, in_turn
-from freebody.model.elements import ConstraintRow, UnilateralConstraint
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import Optimum, unresisted
 from freebody.numeric.jets import Array
@@ -17,8 +18,10 @@ from freebody.numeric.rest_problem import RestProblem
 from freebody.study.answering.draws import Draw
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.symbolic.active_set import Failure
+from freebody.system.corners import in_words, position_of
 
 _STILL = 1e-6  # a rate that is none, of the largest
+_TWISTED = 1e-6  # a moment about the normal that is none
 _TURNED = math.sin(math.radians(15))
 _WAYS = {  # by the signs of what goes up and to the right
     (0, 1): Message("to the right"),
@@ -47,6 +50,7 @@ def seen(
 ) -> SeenFailure:
     """What the motion of an optimum does at every contact: it opens where it parts faster than sliding apart along the
     edge of the friction cone would. A row whose reaction is asked for does neither."""
+    insist_on_one_place(touching, problem, optimum.forces)
     v = optimum.motion
     raw = problem.J @ v
     sizes = np.linalg.norm(problem.J * problem.moves, axis=1)
@@ -126,7 +130,7 @@ def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
         bound = _bound(touching, name)
         if bound is None:
             continue
-        body = next((end for end in bound.row.ends if end in touching.held.bodies), "")
+        body = next((end for end in _owners(bound.row) if end in touching.held.bodies), "")
         about = _pivot(touching, failure, body)
         if body and about:
             tipping[body] = about
@@ -134,7 +138,7 @@ def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
         yield Message("{body} tips about {corner}", body=body, corner=about)
     for name in sorted(failure.opens):
         bound = _bound(touching, name)
-        if bound is not None and any(end in tipping for end in bound.row.ends):
+        if bound is not None and any(end in tipping for end in _owners(bound.row)):
             continue
         yield _opening(touching, name)
     yield from _slips(touching, problem, failure)
@@ -143,6 +147,7 @@ def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
 def _slips(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> Iterator[str]:
     """Where dry friction gives way; corners of one body that slip alike, as the body."""
     groups: dict[tuple[str, str, str, str], list[str]] = {}
+    flat = {rub.of for rub in touching.dry_friction if rub.is_tipping}
     for name, direction in failure.slips:
         rub = next(r for r in touching.dry_friction if r.name == name)
         row = rub.row
@@ -151,13 +156,44 @@ def _slips(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
             if row.component.startswith("slip on "):  # a string round a drum
                 what = "to start" if direction > 0 else "to end"
             groups.setdefault((row.connection, what, "", row.component.removeprefix("slip on ")), [])
+        elif rub.is_tipping:
+            groups.setdefault((row.ends[0].partition(".")[0], "tips on", "", row.ends[1]), [])
         elif row.component.startswith("rolling"):
             groups.setdefault((row.ends[0], "rolls", "", row.ends[1]), [])
         else:
             way = _heading(touching, problem, row, direction)
-            groups.setdefault((row.ends[0].partition(".")[0], "slips on", way, row.ends[1]), []).append(row.ends[0])
+            body = row.ends[0].partition(".")[0]
+            place = body if rub.of in flat else in_words(touching.system, row.ends[0])
+            groups.setdefault((body, "slips on", way, row.ends[1]), []).append(place)
     for (who, what, way, other), places in groups.items():
         yield _gives_way(places[0] if len(places) == 1 else who, what, way, other)
+
+
+def insist_on_one_place(touching: TouchingAtRest, problem: RestProblem, forces: Array) -> None:
+    """Raises CannotAnswer where friction under a flat end must turn it about the normal as well.
+
+    Pressure and friction of a flat end come to a force N and T in one place c of it, c x T being their moment about the
+    normal in its middle, or they are spread over it in a way that is not known. A contact resists spinning by its
+    spinning resistance alone, so that this moment must vanish: with M = c x N it is -(M . T)/N."""
+    for tip in (rub for rub in touching.dry_friction if rub.is_tipping):
+        slip = next((rub for rub in touching.dry_friction if rub.of == tip.of and _slides(rub)), None)
+        if slip is None:
+            continue
+        moment, force = ([float(forces[problem.place(row.name)]) for row in rub.rows] for rub in (tip, slip))
+        radius = next(cone.forward for cone in problem.cones if cone.name == tip.name)
+        none = _TWISTED * (math.hypot(*moment) * math.hypot(*force) + _TWISTED * radius * problem.force**2)
+        if abs(moment[0] * force[0] + moment[1] * force[1]) > none:
+            raise CannotAnswer(
+                Message(
+                    "under {place} friction would have to resist a moment about the normal as well, and how it is "
+                    "spread over a flat end is not known. Loads whose forces meet in one line leave none",
+                    place=tip.row.ends[0],
+                )
+            )
+
+
+def _slides(rub: DryFriction) -> bool:
+    return rub.row.reaction.startswith("friction force")
 
 
 def _gives_way(who: str, what: str, way: str, other: str) -> str:
@@ -170,6 +206,8 @@ def _gives_way(who: str, what: str, way: str, other: str) -> str:
             return Message("{string} slips on {drum} towards its start", string=who, drum=other)
         case "to end":
             return Message("{string} slips on {drum} towards its end", string=who, drum=other)
+        case "tips on":
+            return Message("{body} tips about its rim on {other}", body=who, other=other)
         case "rolls":
             return Message("{body} rolls on {other}", body=who, other=other)
         case _:
@@ -188,19 +226,27 @@ def _pivot(touching: TouchingAtRest, failure: Failure, body: str) -> str:
     if body not in touching.held.bodies or not touching.held.bodies[body].turns:
         return ""
     slipping = {rub.of for rub in touching.dry_friction if rub.name in dict(failure.slips)}
-    touched = [b for b in touching.bounds if body in b.row.ends]
+    touched = [b for b in touching.bounds if body in _owners(b.row)]
     stays = [b for b in touched if b.name not in failure.opens]
     opened = [b for b in touched if b.name in failure.opens]
-    if len(stays) != 1 or not opened or stays[0].name in slipping:
+    if not opened or any(b.name in slipping for b in stays):
         return ""
-    if stays[0].row.connection != opened[0].row.connection and len(touched) > 2:
+    if len({b.row.connection for b in (*stays, *opened)}) > 1 and len(touched) > 2:
         return ""
-    return _place(stays[0].row)
+    if len(stays) == 2 and touching.system.space and all(b.row.ends[0].startswith(f"{body}.") for b in stays):
+        one, other = (position_of(touching.system, b.row.ends[0]) for b in stays)
+        return Message("its edge from {one} to {other}", one=one, other=other)
+    return _place(touching, stays[0].row) if len(stays) == 1 else ""
 
 
-def _place(row: ConstraintRow) -> str:
+def _owners(row: ConstraintRow) -> tuple[str, ...]:
+    """The bodies that touch; on a plane the one whose corner does."""
+    return (*row.ends, *(end.partition(".")[0] for end in row.ends[:1]))
+
+
+def _place(touching: TouchingAtRest, row: ConstraintRow) -> str:
     """The corner that a row holds: `block.bottom_left` on the floor, a wheel on `ground.edge`."""
-    corner = next((end for end in row.ends if "." in end), None)
+    corner = next((in_words(touching.system, end) for end in row.ends if "." in end), None)
     return corner or (row.ends[0] if row.ends else row.connection)
 
 
@@ -209,7 +255,7 @@ def _opening(touching: TouchingAtRest, name: str) -> str:
     if row.reaction == "tension":
         return Message("{contact} goes slack", contact=row.connection)
     if len(row.ends) >= 2:
-        return Message("{body} leaves {other}", body=row.ends[0], other=row.ends[1])
+        return Message("{body} leaves {other}", body=in_words(touching.system, row.ends[0]), other=row.ends[1])
     return Message("{contact} lifts off", contact=row.connection)
 
 

@@ -45,6 +45,7 @@ class Parametric:
     is_angle: bool
     is_acute: bool
     low: float  # values below this mean nothing
+    is_in_pose: bool  # whether where things are, and what touches there, may depend on it
 
     def edge(self, touching: TouchingAtRest, draw: Draw, sign: int, near: float | None = None) -> HoldingEnd | None:
         """The largest (sign +1) or the smallest value with which the system holds; None if no value does. near: a value
@@ -75,7 +76,7 @@ class Parametric:
         try:
             reference = Reference(touching.held, {**draw.values, self.name: value})
             q = reference.assemble(guess=draw.q)
-            if not touching.is_admissible(reference, q):
+            if self.is_in_pose and not touching.is_admissible(reference, q):
                 return None
             return rest_problem(reference, q, touching.dry_friction)
         except (CannotAnswer, ArithmeticError, ValueError):

@@ -244,11 +244,13 @@ class Optimum(Result):
         if self.is_front:
             first, second = (g.quantity for g in self.problem.goals[:2])
             x, y = self.goal_values[:, 0], self.goal_values[:, 1]
-            return line_chart("Pareto front", _label(first), x, _label(second), [("front", y)], is_joined=False)
+            title = self.in_language(Message("Pareto front"))
+            return line_chart(title, _label(first), x, _label(second), [(title, y)], is_joined=False)
         goal = self.problem.goals[0].quantity
         values = np.array([run.value if run.is_good else np.nan for run in self.runs] or [self.value])
         counts = np.arange(1, len(values) + 1, dtype=np.float64)
-        return line_chart("value by start", "start", counts, _label(goal), [("value", values)], is_joined=False)
+        title, start = self.in_language(Message("value by start")), self.in_language(Message("number of the start"))
+        return line_chart(title, start, counts, _label(goal), [(title, values)], is_joined=False)
 
 
 def _label(quantity: Quantity) -> str:

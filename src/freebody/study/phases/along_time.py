@@ -26,7 +26,14 @@ from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, MotionInTime, UniformMotion, has_roots
+from freebody.symbolic.phases.course import (
+    ClosedFormMotion,
+    LawMotion,
+    MotionInTime,
+    UniformMotion,
+    behind_zeros,
+    has_roots,
+)
 from freebody.symbolic.signs import sign_of
 from freebody.tolerances import LEAST
 
@@ -47,16 +54,17 @@ def in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, in
     for watch in watches:
         try:
             coefficients = course.sign_along(watch.element)
+            parts = course.parts_along(watch.element)
         except CannotAnswer as error:
             raise no_closed_form(watch, error) from None
-        n_now = next((k for k, c in enumerate(coefficients) if not c.is_zero()), 0)  # zeros at the start itself
-        if not has_roots(coefficients[n_now:]):
+        open_ones = [part for part in map(behind_zeros, parts) if not has_roots(part)]
+        if open_ones:
             raise CannotAnswer(
                 Message(
                     "when {contact} {event} is a root of degree {n}",
                     contact=watch.connection,
                     event=occurs(watch),
-                    n=len(coefficients) - 1 - n_now,
+                    n=len(open_ones[0]) - 1,
                 )
             )
         numbers = np.array([sets.evaluate(model, c) for c in coefficients])
@@ -131,6 +139,7 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
     model, found = course.model, PossibleEnds()
     mine = np.zeros(sets.n, dtype=bool)
     mine[indices] = True
+    too_near = np.zeros(sets.n, dtype=bool)
     functions = {watch: course.over_time(watch.element) for watch in watches}
     tau = model.field.index(course.tau)
 
@@ -145,7 +154,10 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
                 exists = (*zero.needs, *needed_there(model, watch, zero))
                 with np.errstate(invalid="ignore"):
                     good = mine & np.isfinite(t) & (t > _SOON) & all_hold(model, exists, sets)
-                    good &= (at(watch, t * (1 - _BESIDE)) > 0) & (at(watch, t * (1 + _BESIDE)) < 0)
+                    before, after = (at(watch, t * (1 + way * _BESIDE)) for way in (-1, 1))
+                    # where exponentials are beyond all numbers nothing can be told
+                    too_near |= good & (np.isnan(before + after) | sets.loses_digits(model, zero.time))
+                    good &= (before > 0) & (after < 0)
                 if good.any():
                     found.candidates.append(PossibleEnd(watch, zero, np.where(good, t, np.inf), exists))
                     found.tests += [as_test(x, ">", sets.evaluate(model, x)) for x in exists]
@@ -158,11 +170,12 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
         seen = np.array([at(watch, np.where(until > 0.0, s * until, t)) for s, t in zip(_SHARES, _TIMES, strict=True)])
         with np.errstate(invalid="ignore"):
             missed = (seen < -_NOW * np.abs(seen).max(axis=0)).any(axis=0)
-        if (missed & mine).any():
+        if (missed & mine & ~too_near).any():
             raise CannotAnswer(
                 Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
             )
     found.tests = _times_in_order(course, found.candidates, sets) + found.tests
+    found.too_near = too_near & mine
     return found
 
 

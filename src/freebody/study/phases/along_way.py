@@ -30,7 +30,7 @@ from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.energy_motion import EnergyMotion
 from freebody.symbolic.signs import sign_of
-from freebody.symbolic.zeros import reals
+from freebody.symbolic.zeros import reals, turn_of
 
 _NOW = 1e-9  # a place at the very end of the way, relative to it
 _HERE = 1e-7  # a place that is the one of the start
@@ -55,7 +55,9 @@ class EnergyRoad:
         self.q0, self.u0, self.a0 = (sets.evaluate(model, x) for x in (self.start, self.speed, self.push))
         self.way = np.sign(np.where(self.u0 != 0.0, self.u0, self.a0))
         self.too_near = np.zeros(sets.n, dtype=bool)  # sets at which a place cannot be told from the start in numbers
-        self.goes_round = self._is_periodic(course.square)
+        turn = turn_of(course.square, c.index)
+        self.goes_round = turn is not None
+        self.endless = _FAR * np.maximum(np.abs(self.q0), 1.0) if turn is None else np.abs(sets.evaluate(model, turn))
         self.turns = self._variants(course.zeros_of(course.square), course.square)
         self.ahead, self.behind = self._turning(1), self._turning(-1)
         self.wall = self._wall()
@@ -71,19 +73,16 @@ class EnergyRoad:
         wall = np.min([np.where(np.isfinite(d), d, np.inf) for d in found], axis=0) if found else np.inf
         return np.where(wall < self.ahead, wall, np.inf)
 
-    def _is_periodic(self, x: Ratio) -> bool:
-        """Whether the coordinate is an angle that stands in sines and cosines alone."""
-        return self.c.index not in x.generators()
-
     def _variants(self, places: Sequence[Ratio], of: Ratio) -> list[tuple[Ratio, Array]]:
         """Zeros of a function with their numbers; of an angle also a turn on and a turn back."""
-        whole = 2 * self.model.field.pi
-        shifts = (0, 1, -1) if self._is_periodic(of) else (0,)
-        listed = [place + k * whole if k else place for k in shifts for place in places]
+        turn = turn_of(of, self.c.index)
+        shifts = (0,) if turn is None else (0, turn, -turn)
+        listed = [place + shift if shift else place for shift in shifts for place in places]
         found = [(place, self.sets.evaluate(self.model, place)) for place in listed]
         for _place, at in found:
             near = np.abs(at - self.q0) < _CLOSE * self._size(at)
-            if not near[: self.sets.n_near].all():  # else it is the start, however it is written
+            own = self.mine[: self.sets.n_near]  # of other sets it says nothing
+            if not near[: self.sets.n_near][own].all():  # else it is the start, however it is written
                 self.too_near |= near
         return found
 
@@ -173,10 +172,9 @@ class EnergyRoad:
         value = self.course.as_function(watch.element)
         is_odd = self.course.is_odd(watch.element)
         out = np.minimum(first, np.minimum(self.ahead, self.wall))
-        endless = 2 * np.pi if self.goes_round else _FAR * np.maximum(np.abs(self.q0), 1.0)
-        out = np.where(np.isfinite(out), out, endless)
+        out = np.where(np.isfinite(out), out, self.endless)
         ends = np.isfinite(first) | ~np.isfinite(self.ahead) | np.isfinite(self.wall)
-        back = np.where(ends, 0.0, np.minimum(self.behind, endless))
+        back = np.where(ends, 0.0, np.minimum(self.behind, self.endless))
         missed, turned = np.zeros((2, self.sets.n), dtype=bool)
         shares = (np.arange(N_ALONG) + 0.5) / N_ALONG
         for share in shares:

@@ -12,9 +12,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
-from freebody.measures.base import Measure
 from freebody.questions.clock import Clock
-from freebody.questions.event import QuestionEvent
+from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.crosscheck import TooLittleCompared
@@ -29,6 +28,7 @@ from freebody.study.phases.kept import in_first_modes
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import at_turning_impacts, pieces
+from freebody.study.phases.reached import rate_of
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase
@@ -83,7 +83,7 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     assert turn is not None
     of, event, side = turn
     root = tree.roots[0]
-    rate = _rate_of(tree, root, event.measure)
+    rate = _rate_of(tree, root, event)
     open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
     found: list[tuple[Question, AnswerBranch]] = []
 
@@ -104,24 +104,29 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
         take(asked, [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)])
     struck = replace(question, quantity=of)
     way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
-    take(struck, [(p, (rate,)) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
+    if not isinstance(event, Peak):
+        take(struck, [(p, (rate,)) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
     is_plain = question.event is None and question.transition is None
     if own is None and is_plain and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
         answer = _at_start_of_way(tree, replace(question, quantity=of, at_start=True), side * rate)
-        return _no_farther(tree, answer, event.measure, side)
+        return _no_farther(tree, answer, event, side)
     if own is None:
         raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
     answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
-    return _no_farther(tree, answer, event.measure, side)
+    return _no_farther(tree, answer, event, side)
 
 
-def _rate_of(tree: PhaseTree, node: PhaseNode, measure: Measure) -> Ratio:
-    """The rate with which a measure begins a phase, from rest its acceleration."""
-    state = node.phase.start_instant
-    rate = tree.to_home(node.phase, state.rate(measure))
-    return tree.to_home(node.phase, state.acceleration(measure)) if rate.is_zero() else rate
+def _rate_of(tree: PhaseTree, node: PhaseNode, event: QuestionEvent) -> Ratio:
+    """The rate with which something begins a phase, from rest its acceleration."""
+    phase, model = node.phase, node.phase.model
+    rate = rate_of(tree, phase, event)
+    begins = tree.to_home(phase, phase.start_instant.here(model.in_independent_speeds(rate)))
+    if not begins.is_zero():
+        return begins
+    second = model.field.substitute(model.rate(model.in_independent_speeds(rate)), model.dynamics.solved_accelerations)
+    return tree.to_home(phase, phase.start_instant.here(second))
 
 
 def _setting_out(
@@ -130,20 +135,21 @@ def _setting_out(
     """A turn to which the measure goes with the rates that are told: that with which it sets out, be it from a blow at
     rest, and those with which it goes on behind the blows and impacts on its way."""
     for k, node in enumerate(piece.nodes):
-        rate = _rate_of(tree, node, event.measure)
+        rate = _rate_of(tree, node, event)
         if not rate.is_zero():
             struck = [later.phase for later in piece.nodes[k + 1 :] if later.impact is not None]
-            behind = [tree.to_home(phase, phase.start_instant.rate(event.measure)) for phase in struck]
+            behind = [tree.to_home(p, p.start_instant.here(rate_of(tree, p, event))) for p in struck]
             yield piece, (rate, *behind)
             return
 
 
-def _no_farther(tree: PhaseTree, answer: Answer, measure: Measure, side: int) -> Answer:
+def _no_farther(tree: PhaseTree, answer: Answer, event: QuestionEvent, side: int) -> Answer:
     """The farthest of the way so far, where a simulation gets no farther later. Raises CannotAnswer where it does."""
     value = answer.value
     if not isinstance(value, float):
         return replace(answer, notes=(*answer.notes, Message("whether it gets farther later was not looked at")))
-    reached, until = farthest(tree.system, measure, side)
+    of = event.quantity if isinstance(event, Peak) else event.measure
+    reached, until = farthest(tree.system, of, side)
     if side * (reached - value) > _FARTHER * max(abs(reached), abs(value)):
         raise CannotAnswer(
             Message("it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=until, value=reached)

@@ -109,11 +109,15 @@ def _moved_by_its_gap(system: System, bound: UnilateralConstraint, loose: list[s
 
 
 def _gap_at_start(setup: Setup, bound: UnilateralConstraint) -> Ratio:
-    """The measure of a bound less its target, at the start."""
-    geometry = setup.model.geometry
-    target = setup.model.field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
+    """The measure of a bound less its target, at the start. What stands in it as the size of an element of the
+    parameters, as |R - r|, has the sign of the model's own numbers."""
+    field, geometry = setup.model.field, setup.model.geometry
+    target = field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
     measure: Any = bound.row.measure
-    return setup.start_instant.here(measure.value(geometry) - target)
+    gap = setup.start_instant.here(measure.value(geometry) - target)
+    roots = [g for g in field.ingredients(gap) if field.generators[g].kind == "root" and field.is_constant_generator(g)]
+    signed = {g: field.sqrt(field.radicand(g), setup.model.samples.is_negative) for g in roots}
+    return field.lowest_terms(field.follow(gap, signed))
 
 
 @lru_cache(maxsize=4)

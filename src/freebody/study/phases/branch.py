@@ -12,7 +12,7 @@ from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import passage_of
-from freebody.study.phases.phase import Phase
+from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import happening, label
@@ -68,9 +68,9 @@ def branch_at(
         notes.append(just_after(after))
     elif question.transition is not None and question.transition.kind == "before":
         notes.append(Message("just before: {event}", event=happening(first.watch, None)))
-    elif is_before_impact(question) and question.quantity.kinematic_order == 1:
+    elif is_before_impact(question) and question.quantity.kinematic_order == 1 and _collides(tree, first.watch):
         notes.append(Message("just before the impact of {contact}", contact=label(first.watch.name)))
-    elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
+    elif hits := [other for other in first.together if first.watch.kind == "is reached" and _collides(tree, other)]:
         notes.append(
             Message("just before the impact of {contact}, which comes at the same instant", contact=label(hits[0].name))
         )
@@ -78,6 +78,10 @@ def branch_at(
         notes.append(Message("just before the blow, which comes at the same instant"))
     value = question.quantity.counted(passage_of(tree, way, time, sets, first, after))
     return AnswerBranch(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
+
+
+def _collides(tree: PhaseTree, watch: PhaseWatch) -> bool:
+    return watch.kind == "touches" and watch.name not in tree.system.borders
 
 
 def time_of(tree: PhaseTree, way: WayToPhase, first: FirstEvent) -> Ratio | None:

@@ -7,11 +7,22 @@ from collections.abc import Sequence
 from freebody.language.sentences import Message
 from freebody.questions.course import Transition
 from freebody.questions.reading import Question
+from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import label
+
+
+def meant_of(asked: Transition, first: FirstEvent) -> FirstEvent | None:
+    """An event called by what is asked for, of all that happens at its instant."""
+    return next((first.named_by(watch) for watch in first.watches if is_meant(asked, watch)), None)
+
+
+def event_behind(asked: Transition, first: FirstEvent, node: PhaseNode) -> FirstEvent | None:
+    """An event called by that of what happens at its instant behind which a change of a contact comes, if one does."""
+    return next((first.named_by(watch) for watch in first.watches if comes_behind(asked, watch, node)), None)
 
 
 def comes_behind(asked: Transition, watch: PhaseWatch, node: PhaseNode) -> bool:

@@ -22,7 +22,7 @@ from freebody.study.phases.home import Home
 from freebody.study.phases.in_plane import ways_of_onset
 from freebody.study.phases.nodes import PhaseStart
 from freebody.study.phases.numbers import Chosen
-from freebody.study.phases.phase import Phase
+from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.together import slipping_together
 from freebody.system.modes import ContactMode
 
@@ -37,9 +37,14 @@ def candidates(home: Home, instant: PhaseStart, indices: Chosen) -> Iterator[Con
     allowed_states = {name: _states(home, instant, name, indices) for name in instant.slips}
     seen: set[ContactMode] = set()
     modes: list[tuple[int, int, ContactMode]] = []
-    tried = itertools.islice(_combined(home, instant, allowed_states), 4 * allowed(MAX_CANDIDATES))
-    for k, (still, dry_friction) in enumerate(tried):
-        mode = ContactMode.of(still, dry_friction, instant.past, ways)
+    combined = (
+        (still, rubbing, {**instant.acting, **sides})
+        for still, rubbing in _combined(home, instant, allowed_states)
+        for sides in _sides(home, instant)
+    )
+    tried = itertools.islice(combined, 4 * allowed(MAX_CANDIDATES))
+    for k, (still, dry_friction, acting) in enumerate(tried):
+        mode = ContactMode.of(still, dry_friction, instant.past, ways, acting)
         if any(state and name in in_planes - ways.keys() for name, state in dry_friction.items()):
             continue  # nothing drives it in any direction
         if mode not in seen:
@@ -83,6 +88,14 @@ def _combined(
             yield still, {name: s for part in chosen for name, s in part.items()}
 
 
+def _sides(home: Home, instant: PhaseStart) -> list[dict[str, bool]]:
+    """The sides of the borders at which a motion begins."""
+    open_ones = sorted(home.system.borders.keys() - instant.acting.keys())
+    return [
+        dict(zip(open_ones, sides, strict=True)) for sides in itertools.product((True, False), repeat=len(open_ones))
+    ]
+
+
 def _touches(home: Home, rub: str, closed: set[str]) -> bool:
     of = next(r.of for r in home.system.dry_friction if r.name == rub)
     return not of or of in closed
@@ -97,7 +110,10 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
         yield here(phase.determinant), ">", Message("friction forces exist")
     yield from ((x, ">", Message("it moves by this law")) for x in phase.sides)
     for watch in phase.watches:
-        if watch.kind == "opens":
+        if watch.name in phase.base.borders:
+            if watch.name not in instant.acting:
+                yield _leaves_its_border(phase, watch)
+        elif watch.kind == "opens":
             yield here(watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)
         elif watch.kind == "slips":
             yield here(watch.element), ">=", Message("{contact} does not slip", contact=watch.connection)
@@ -126,6 +142,16 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
             yield here(second), ">", Message("{contact} opens", contact=name.partition(".")[0])
         else:
             yield rate, ">", Message("{contact} opens", contact=name.partition(".")[0])
+
+
+def _leaves_its_border(phase: Phase, watch: PhaseWatch) -> Inequality:
+    """Where a motion begins at a border, it is on the side to which it goes."""
+    here, model = phase.start_instant.here, phase.model
+    rate = model.in_independent_speeds(model.rate(watch.element))
+    if here(rate).is_zero():
+        rate = model.field.substitute(model.rate(rate), model.dynamics.solved_accelerations)
+    side = Message("{string} is taut", string=watch.connection)
+    return here(rate), ">", side if watch.kind == "opens" else Message("{string} is slack", string=watch.connection)
 
 
 def without_slip(mode: ContactMode, instant: PhaseStart) -> list[Inequality]:

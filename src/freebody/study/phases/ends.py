@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -30,6 +30,14 @@ class FirstEvent:
     watch: PhaseWatch
     zero: CourseZero
     together: tuple[PhaseWatch, ...] = ()  # what else happens at the same instant
+
+    @property
+    def watches(self) -> tuple[PhaseWatch, ...]:
+        return (self.watch, *self.together)
+
+    def named_by(self, watch: PhaseWatch) -> FirstEvent:
+        """The same instant, called by another of what happens there."""
+        return replace(self, watch=watch, together=tuple(w for w in self.watches if w is not watch))
 
 
 Proofs = tuple[tuple[Ratio, ...], ...]  # groups of elements; where all of one group are not negative, it is proved
@@ -66,6 +74,7 @@ class PossibleEnds:
     candidates: list[PossibleEnd] = field(default_factory=list[PossibleEnd])
     tests: list[Test] = field(default_factory=list[Test])
     unsure: list[Proofs] = field(default_factory=list[Proofs])  # what vanishes at none of the sets
+    too_near: Mask | None = None  # sets at which numbers cannot tell
 
 
 def no_closed_form(watch: PhaseWatch, error: CannotAnswer) -> CannotAnswer:

@@ -34,10 +34,12 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
         case EnergyMotion() as course:
             road = EnergyRoad(course, sets, indices)
             found = road.events(watches)
-            indices = np.setdiff1d(indices, np.flatnonzero(road.too_near))
-            sets.left_out |= road.too_near
+            found.too_near = road.too_near
         case _:
             found = PossibleEnds(unsure=[() for _watch in watches])
+    if found.too_near is not None:
+        indices = np.setdiff1d(indices, np.flatnonzero(found.too_near))
+        sets.left_out |= found.too_near
     candidates = found.candidates
     labels = np.full(sets.n, NOTHING)
     if candidates:

@@ -19,7 +19,7 @@ from freebody.questions.course import Transition
 from freebody.questions.event import QuestionEvent
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.finding import NO_FORM, why
-from freebody.study.phases.changes_asked import begins_with, comes_behind, is_meant
+from freebody.study.phases.changes_asked import begins_with, event_behind, meant_of
 from freebody.study.phases.events import first_events
 from freebody.study.phases.nodes import PhaseEnd, PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
@@ -172,9 +172,9 @@ class _Walk:
 
     def _behind(self, way: WayToPhase, edge: PhaseEnd, sets: Chosen) -> Iterator[HappeningCase]:
         """What a phase ends by is asked for, or other phases follow."""
-        assert edge.watch is not None
+        assert edge.first is not None
         for asked, is_so in ((self.what, True), (self.before, isinstance(self.what, Lasting))):
-            if isinstance(asked, Transition) and asked.kind != "rolls" and is_meant(asked, edge.watch):
+            if isinstance(asked, Transition) and asked.kind != "rolls" and meant_of(asked, edge.first):
                 yield HappeningCase(is_so, way.conditions)
                 return
         for node in edge.nodes:
@@ -185,7 +185,7 @@ class _Walk:
             there = WayToPhase(nodes, (*way.edges, edge), (*way.conditions, *node.conditions))
             known: bool | None = None
             for asked, is_so in ((self.before, isinstance(self.what, Lasting)), (self.what, True)):
-                if isinstance(asked, Transition) and comes_behind(asked, edge.watch, node):
+                if isinstance(asked, Transition) and event_behind(asked, edge.first, node):
                     known = is_so
             if known is None:
                 yield from self.cases(there)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, Symbol, n_operations
+from freebody.language.expression import ZERO, Expr, Symbol, n_operations, substitute
 from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose, SpatialPose
@@ -27,6 +27,7 @@ from freebody.study.phases.together import slip_rates
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.parameter_roots import without_roots_below
 from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_rows
@@ -56,6 +57,7 @@ class Home:
         self.sets.constants = {name: self.numbers(x) for name, x in self.constants.items()}
         self.assumed: list[Condition] = []
         self.indices: Chosen = np.flatnonzero(self._admissible(touching))
+        self.acting = dict(self._acting())
 
     def _admissible(self, touching: frozenset[str]) -> Any:
         """Sets for which the start is one: on the branch of the model's own numbers, and nothing inside another."""
@@ -67,9 +69,13 @@ class Home:
         for bound in self.system.bounds:
             if bound.name not in touching and not bound.within:
                 needed.append(
-                    (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
+                    (
+                        self._gap(bound.row),
+                        ">=",
+                        Message("{contact} is open at the start", contact=bound.row.connection),
+                    )
                 )
-            elif bound.name in self.moving:
+            elif bound.name in touching:
                 needed += self._on_its_edge(bound)
         needed += self._held_in_blow(state)
         for row in [r for r in self.system.constraint_rows if r.unilateral] + [b.row for b in self.system.bounds]:
@@ -82,6 +88,23 @@ class Home:
             if condition is not None:
                 self.assumed.append(condition)
         return found
+
+    def _acting(self) -> Iterator[tuple[str, bool]]:
+        """Whether loads that have a border act at the start, at the model's own values, and so for all sets that are
+        left; of loads that are at their border nothing."""
+        for name, row in self.system.borders.items():
+            beyond = -self._gap(row)
+            if beyond.is_zero():
+                continue
+            numbers = self.numbers(beyond)
+            acts = bool(np.sum(numbers[self.indices[:1]] > 0))
+            side = 1 if acts else -1
+            told = Message("{string} is taut at the start", string=row.connection)
+            slack = Message("{string} is slack at the start", string=row.connection)
+            condition, _possible = require(side * beyond, ">", told if acts else slack)
+            self.assumed += [] if condition is None else [condition]
+            self.indices = self.indices[side * numbers[self.indices] > 0]
+            yield name, acts
 
     def _held_in_blow(self, state: SymbolicState) -> Iterator[Inequality]:
         """What cannot pull must be pressed, or not be needed, where the start is a blow. Raises CannotAnswer where the
@@ -97,8 +120,11 @@ class Home:
                 yield row.sign * state.impulse(row), ">=", held_in_blow(row)
 
     def _on_its_edge(self, bound: UnilateralConstraint) -> Iterator[Inequality]:
-        """What is struck at the start is so between the ends of its edge."""
-        scalar, purpose = self.home.model.geometry.scalar, Message("{contact} is struck", contact=bound.row.connection)
+        """What touches at the start, or is struck there, does so between the ends of its edge."""
+        scalar, contact = self.home.model.geometry.scalar, bound.row.connection
+        purpose = Message("{contact} is struck", contact=contact)
+        if bound.name not in self.moving:
+            purpose = Message("{contact} touches", contact=contact)
         for span in bound.within:
             measure: Any = span.measure
             value = self.home.start_instant.value(measure)
@@ -106,11 +132,11 @@ class Home:
             ends += [] if span.high is None else [scalar(span.high) - value]
             yield from ((self.home.model.field.lowest_terms(x), ">", purpose) for x in ends if not x.is_zero())
 
-    def _gap(self, bound: UnilateralConstraint) -> Ratio:
-        measure: Any = bound.row.measure
-        target = bound.row.target
+    def _gap(self, row: ConstraintRow) -> Ratio:
+        measure: Any = row.measure
+        target = row.target
         value = self.home.start_instant.value(measure)
-        return bound.row.sign * (value if target is None else value - self.home.model.geometry.scalar(target))
+        return row.sign * (value if target is None else value - self.home.model.geometry.scalar(target))
 
     def _constants(self) -> Iterator[tuple[str, Ratio]]:
         """Start values of the measures that are held where they are, by the symbols that stand for them."""
@@ -140,7 +166,7 @@ class Home:
                     Message("what {name} is at the start has no closed form; give it in start", name=c.name)
                 )
         expr = phase.model.field.expression(x)
-        return model.field.lowest_terms(model.geometry.apply(expr, {**self.later, **self.constants}))
+        return _shorter(model.field.lowest_terms(model.geometry.apply(expr, {**self.later, **self.constants})))
 
     def at_start(self, x: Ratio) -> Ratio:
         return self.home.start_instant.here(x)
@@ -174,7 +200,13 @@ class Home:
     def bound_row(self, name: str) -> ConstraintRow:
         """Of a bound, or of a connection that cannot pull."""
         return next(
-            row for row in (*ideal_bounds(self.system), *(b.row for b in self.system.bounds)) if row.name == name
+            row
+            for row in (
+                *ideal_bounds(self.system),
+                *(b.row for b in self.system.bounds),
+                *self.system.borders.values(),
+            )
+            if row.name == name
         )
 
     def by_sign(self, rates: Mapping[str, Ratio], indices: Chosen) -> Iterator[tuple[dict[str, int], Chosen]]:
@@ -215,7 +247,7 @@ class Home:
             return x
 
         def shown(x: Ratio) -> Expr:
-            return f.expression(at(x))
+            return substitute(f.expression(at(x)), self._lengths_by_symbol)
 
         starts: dict[str, Start] = {}
         for body in phase.system.moving if phase.system.space else ():
@@ -265,6 +297,11 @@ class Home:
         return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
 
     @cached_property
+    def _lengths_by_symbol(self) -> dict[str, Expr]:
+        rows = {row.name: row for row in ideal_bounds(self.system)}
+        return {_symbol_of(rows[name]): length for name, length in self.lengths.items()}
+
+    @cached_property
     def lengths(self) -> dict[str, Expr]:
         """Of what is held at the length that it has at the start, by row, where the parameters tell it."""
         found: dict[str, Expr] = {}
@@ -304,6 +341,17 @@ class Home:
         self.later[name] = self.to_home(phase, x)
         self.sets.values[name] = self.numbers(self.later[name])
         return Symbol(name)
+
+
+def _shorter(x: Ratio) -> Ratio:
+    """With its one root on top where that is shorter: only then common factors cancel, which else are sums of large
+    terms that leave round-off."""
+    below = x.denominator()
+    roots = [g for g in below.generators() if x.field.generators[g].kind == "root"]
+    if len(roots) != 1:
+        return x
+    found = without_roots_below(x)
+    return found if found.n_terms < x.n_terms else x
 
 
 def _symbol_of(row: ConstraintRow) -> str:

@@ -19,12 +19,15 @@ in an instant. Source: Pfeiffer & Glocker, Multibody Dynamics with Unilateral Co
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, in_turn
 from freebody.language.units import FORCE
+from freebody.measures.geometry import GROUND
 from freebody.model.elements import (
     AppliedLoad,
     ConstraintRow,
@@ -56,9 +59,29 @@ class CollisionOutcome:
     conditions: tuple[Inequality, ...]
 
 
+def collisions(
+    base: System,
+    kept: frozenset[str],
+    hits: Sequence[str],
+    placed: Placed,
+    values: Sequence[Mapping[str, float]],
+    past: frozenset[str],
+    ways: Mapping[str, Way],
+) -> Iterator[ClosedFormCollision]:
+    """The collision while all that touches keeps touching, then those in which some of what its impulses would pull
+    apart lets go, as the rope of a load that lands. Raises CannotAnswer where the first has no closed form here."""
+    whole = ClosedFormCollision(base, kept, hits, placed, values, past, ways)
+    yield whole
+    reached = sorted(whole.reached, key=lambda name: (not whole.is_struck_by(name), name))
+    for gone in (set(some) for n in range(len(reached)) for some in combinations(reached, n + 1)):
+        with suppress(CannotAnswer):
+            yield ClosedFormCollision(base, kept - gone, hits, placed, values, past, ways, frozenset(gone))
+
+
 class ClosedFormCollision:
     """Bounds whose gaps are zero and shrink, in a state; what else touches keeps touching. ways: the directions of
-    slips in planes. Raises CannotAnswer where the impact has no closed form here."""
+    slips in planes; gone: what touches before and parts. Raises CannotAnswer where the impact has no closed form here.
+    """
 
     def __init__(
         self,
@@ -69,7 +92,9 @@ class ClosedFormCollision:
         values: Sequence[Mapping[str, float]],
         past: frozenset[str] = frozenset(),
         ways: Mapping[str, Way] | None = None,
+        gone: frozenset[str] = frozenset(),
     ) -> None:
+        self.reached: set[str] = set()  # what could let go, and impulses reach
         self.ways = dict(ways or {})
         in_planes = {rub.name: rub for rub in base.dry_friction}
         aside = [across_the_way(in_planes[name], way) for name, way in self.ways.items()]
@@ -81,6 +106,7 @@ class ClosedFormCollision:
         bounds = {b.name: b for b in (*ideal, *base.bounds)}
         self.base, self.kept = base, kept
         self.hits: list[UnilateralConstraint] = [bounds[name] for name in hits]
+        self.gone = [bounds[name].row for name in sorted(gone)]
         self.dry_friction: list[DryFriction] = [rub for rub in base.dry_friction if rub.of in hits]
         self.others: list[DryFriction] = [rub for rub in base.dry_friction if rub.of not in hits and rub.load]
         if in_plane := [rub for rub in self.dry_friction if rub.across is not None]:
@@ -129,6 +155,11 @@ class ClosedFormCollision:
     def struck(self) -> list[ConstraintRow]:
         """The rows along which impulses act."""
         return [b.row for b in self.hits] + [rub.row for rub in self.dry_friction]
+
+    def is_struck_by(self, name: str) -> bool:
+        """Whether a row belongs to a body that collides."""
+        colliding = {body for bound in self.hits for body in bound.row.measure.bodies()} - {GROUND}
+        return bool(colliding & set(named_rows(self.setup.system)[name].measure.bodies()))
 
     def here(self, x: Ratio) -> Ratio:
         return self.model.field.lowest_terms(self.now.here(x))
@@ -228,6 +259,10 @@ class ClosedFormCollision:
                     )
                 )
         conditions += self._kept_touching(impulses)
+        after = SymbolicState(model, {**self.start.values, **speeds})
+        for row in self.gone:
+            parts = Message("{contact} opens", contact=row.connection)
+            conditions.append((row.sign * f.lowest_terms(after.rate(row.measure)), ">", parts))
         return CollisionOutcome(impulses, speeds, tuple(conditions))
 
     def total(self, x: Ratio, impulses: Mapping[str, Ratio]) -> Ratio:
@@ -258,6 +293,7 @@ class ClosedFormCollision:
                     )
                 )
             if rows[name].unilateral or name in {b.name for b in self.base.bounds}:
+                self.reached.add(name)
                 yield push, ">=", Message("{contact} keeps touching", contact=rows[name].connection)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -16,7 +16,9 @@ from freebody.study.phases.passage import elements_in
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import CourseZero, LawMotion
+from freebody.symbolic.laws.base import MotionLaw
+from freebody.symbolic.laws.uniform import UniformLaw
+from freebody.symbolic.phases.course import CourseZero, LawMotion, UniformMotion
 from freebody.symbolic.state import SymbolicState
 
 
@@ -56,8 +58,7 @@ def _settled(tree: PhaseTree, question: Question, event: Clock, way: WayToPhase,
 def _limits(phase: Phase) -> tuple[dict[int, Ratio], Ratio]:
     """To what coordinates and speeds tend, by generator, and by when they are there but for round-off."""
     f, values, latest = phase.model.field, dict[int, Ratio](phase.still), phase.model.field.one
-    course = phase.course
-    for c, law in zip(phase.model.coordinates, course.laws if isinstance(course, LawMotion) else (), strict=False):
+    for c, law in zip(phase.model.coordinates, _laws(phase), strict=False):
         limit = None if c.speed in phase.still else law.limit
         if limit is None:
             continue
@@ -65,3 +66,15 @@ def _limits(phase: Phase) -> tuple[dict[int, Ratio], Ratio]:
         values |= {} if limit.place is None else {c.index: f.lowest_terms(limit.place)}
         values |= {} if limit.rate is None else {c.speed: f.lowest_terms(limit.rate)}
     return values, f.lowest_terms(latest)
+
+
+def _laws(phase: Phase) -> Sequence[MotionLaw]:
+    """By which the coordinates move, each by its own."""
+    match phase.course:
+        case LawMotion() as course:
+            return course.laws
+        case UniformMotion() as course:
+            starts = [(course.start.of(c.index), course.start.of(c.speed), c.speed) for c in phase.model.coordinates]
+            return [UniformLaw(phase.model, q, u, course.accelerations[speed]) for q, u, speed in starts]
+        case _:
+            return ()

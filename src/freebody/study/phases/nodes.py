@@ -123,6 +123,7 @@ class PhaseStart:
     past: frozenset[str] = frozenset()  # the blows that have happened
     began: Ratio | None = None  # since the start, in the home field
     ways: Mapping[str, Way] = field(default_factory=dict[str, Way])  # in which slips in planes are counted
+    acting: Mapping[str, bool] = field(default_factory=dict[str, bool])  # of loads with a border, by that; not at it
 
 
 @dataclass(frozen=True)

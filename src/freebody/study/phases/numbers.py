@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.language.expression import ELLIPTIC, FLOAT_FUNCTIONS, FRESNEL, free_symbols
+from freebody.language.expression import ELLIPTIC, FLOAT_FUNCTIONS, FRESNEL, LAMBERT, free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
@@ -34,12 +34,25 @@ N_WIDE = 600
 _SEED = 11
 _SPREAD = 1.4
 _MOST_FRICTION = 1.2
+_NEXT_TO_BRANCH_POINT = 1e-6  # 1 + W has some ten digits there
 _WIDEST = 5.8  # e^5.8: two decades and a half
 
 
 def _of_floats(function: Callable[..., Any]) -> Callable[..., Any]:
     """A function of arrays that takes whole numbers of any length too, which NumPy would keep as objects."""
     return lambda *arguments: function(*(np.asarray(a, dtype=np.float64) for a in arguments))
+
+
+def _or_nan(name: str) -> Callable[..., float]:
+    """A function of floats, nan where it is not real."""
+
+    def function(*arguments: float) -> float:
+        try:
+            return float(FLOAT_FUNCTIONS[name](*arguments))
+        except (ValueError, OverflowError):
+            return math.nan
+
+    return function
 
 
 _FUNCTIONS = SimpleNamespace(
@@ -49,7 +62,7 @@ _FUNCTIONS = SimpleNamespace(
     asin=_of_floats(np.arcsin),
     atan=_of_floats(np.arctan),
     atan2=_of_floats(np.arctan2),
-    **{name: _of_floats(np.vectorize(FLOAT_FUNCTIONS[name], otypes=[float])) for name in (*FRESNEL, *ELLIPTIC)},
+    **{name: _of_floats(np.vectorize(_or_nan(name), otypes=[float])) for name in (*FRESNEL, *ELLIPTIC, *LAMBERT)},
 )
 
 
@@ -152,6 +165,17 @@ class Sets:
             except (KeyError, ZeroDivisionError, OverflowError):
                 return np.full(self.n, np.nan)
         return found if found.ndim else np.full(self.n, float(found))
+
+    def loses_digits(self, model: SymbolicModel, x: Ratio) -> Mask:
+        """Where a branch of Lambert's W stands in an element and its argument is next to -1/e, as without a drag: 1 + W
+        has few digits there, and what is left of it none."""
+        found, f = np.zeros(self.n, dtype=bool), model.field
+        for g in f.ingredients(x) & f.arguments.keys():
+            name, argument = f.arguments[g]
+            if name in LAMBERT:
+                with np.errstate(invalid="ignore"):
+                    found |= np.abs(1.0 + math.e * self.evaluate(model, argument)) < _NEXT_TO_BRANCH_POINT
+        return found
 
     def vanishes(self, model: SymbolicModel, x: Ratio, k: int) -> bool:
         """Whether an element is zero in one of the sets, or round-off of its terms."""

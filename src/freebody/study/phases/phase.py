@@ -244,6 +244,9 @@ class Phase:
                 )
             elif (row := self.closing_again.get(name)) is not None:
                 found.append(PhaseWatch("touches", name, self._nearness(row)))
+        for name, acts in self.mode.acting:  # neither force nor velocity jumps at a border
+            short = self.gap(self.base.borders[name])
+            found.append(PhaseWatch("opens", name, -short) if acts else PhaseWatch("touches", name, short))
         for row in self.base.constraint_rows:
             if row.flank and not (pressed := row.flank * self.normal(row)).is_zero():
                 found.append(PhaseWatch("changes sign", on_this_flank(row.connection), pressed))
@@ -323,7 +326,8 @@ class Phase:
         """A row of the system, or of its bounds, whether it is held now or not."""
         if name in self.closing_again:
             return self.closing_again[name]
-        return next(row for row in (*self.base.constraint_rows, *(b.row for b in self.base.bounds)) if row.name == name)
+        rows = (*self.base.constraint_rows, *(b.row for b in self.base.bounds), *self.base.borders.values())
+        return next(row for row in rows if row.name == name)
 
     def _nearness(self, row: ConstraintRow) -> Ratio:
         """A gap, or that of the squares of a distance and its limit: a polynomial where the distance is a root."""

@@ -21,11 +21,11 @@ from freebody.study.answering.finding import NO_FORM, Elements, NotHere, why
 from freebody.study.phases.branch import AnswerBranch, branch_at, just_after, time_of
 from freebody.study.phases.changes_asked import (
     begins_with,
-    comes_behind,
+    event_behind,
     is_before_impact,
-    is_meant,
     is_same,
     is_struck_in,
+    meant_of,
     rebounds,
 )
 from freebody.study.phases.ends import FirstEvent, PhaseOutcome
@@ -142,16 +142,17 @@ def _at_transition(
         for edge in way.last.edges:
             if edge.first is None:
                 continue
-            if is_meant(asked, edge.first.watch) and asked.kind != "rolls":
-                yield branch_at(tree, question, way, edge.first, edge.conditions, edge.sets)
+            if asked.kind != "rolls" and (meant := meant_of(asked, edge.first)):
+                yield branch_at(tree, question, way, meant, edge.conditions, edge.sets)
                 continue
             for node in edge.nodes:
                 conditions = [*edge.conditions, *node.conditions]
-                if not comes_behind(asked, edge.first.watch, node):
+                meant = event_behind(asked, edge.first, node)
+                if meant is None:
                     yield from _at_transition(tree, question, asked, [way.on(edge, node)])
                 else:
                     after = node if asked.kind == "opens" and rebounds(node, asked) else None
-                    yield branch_at(tree, question, way, edge.first, conditions, node.sets, after)
+                    yield branch_at(tree, question, way, meant, conditions, node.sets, after)
 
 
 def _beside_blow(

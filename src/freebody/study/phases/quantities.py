@@ -15,11 +15,12 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Direction
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
+from freebody.model.one_sided import border_of
 from freebody.model.state import State
 from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
 from freebody.questions.blow import ImpulsiveWrench
-from freebody.questions.loads import Power
+from freebody.questions.loads import LoadForce, Power
 from freebody.questions.reactions import Wrench
 from freebody.questions.reactions_by_component import ReactionComponent
 from freebody.questions.vectors import component
@@ -77,6 +78,14 @@ def _power(quantity: Power, base: System, system: System, state: State[Any]) -> 
         powers = [state.law(p) * state.rate(p.measure) for p in _frictions(quantity.of, system)]
         powers += [state.multiplier(row) * state.rate(row.measure) for row in slides]  # as a simulation has them
         return sum(powers, _zero(state))
+    return quantity.value(plain(system), state)
+
+
+@_value.register(LoadForce)
+def _of_load(quantity: LoadForce, base: System, system: System, state: State[Any]) -> Any:
+    is_left_out = all(push.load != quantity.load for push in system.applied_loads)
+    if is_left_out and border_of(quantity.load) in base.borders:  # short of its border
+        return _zero(state)
     return quantity.value(plain(system), state)
 
 

@@ -8,15 +8,18 @@ sign depends on the parameters, the sets are parted by it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
+from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import AskedEvent
 from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
+from freebody.study.phases.quantities import value_in_mode
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
@@ -34,7 +37,7 @@ def sides(home: Home, phase: Phase, event: AskedEvent, began: Ratio | None, kind
     """The distance from an event, positive when the phase begins. began: when it does, since the start, in the home
     field; None where that has no closed form. left: the sets to look at; those for which the distance is zero all
     along come last, without a watch."""
-    x = difference = _distance(phase, event, began)
+    x = difference = _distance(home, phase, event, began)
     place, n = Message("'{event}' is reached from this side", event=event.text), len(left)
     for _order in range(_ORDERS):
         at_first = home.to_home(phase, phase.start_instant.here(phase.model.in_independent_speeds(x)))
@@ -51,8 +54,22 @@ def sides(home: Home, phase: Phase, event: AskedEvent, began: Ratio | None, kind
     yield None, left, []
 
 
-def _distance(phase: Phase, event: AskedEvent, began: Ratio | None) -> Ratio:
+def rate_of(home: Home, phase: Phase, event: QuestionEvent) -> Ratio:
+    """How fast what turns back at an event changes in a phase: a measure, or a quantity of the state."""
+    if not isinstance(event, Peak):
+        return phase.state.rate(event.measure)
+    f, model = phase.model.field, phase.model
+    value: Any = value_in_mode(event.quantity, home.system, phase.system, phase.state)
+    if isinstance(value, tuple):
+        raise CannotAnswer(Message("it has several components; ask for one of them"))
+    rate = model.rate(model.in_independent_speeds(f.lowest_terms(f.element(value))))
+    return f.substitute(rate, model.dynamics.solved_accelerations)
+
+
+def _distance(home: Home, phase: Phase, event: AskedEvent, began: Ratio | None) -> Ratio:
     geometry = phase.model.geometry
+    if isinstance(event, Peak):
+        return rate_of(home, phase, event)
     if not isinstance(event, Clock):
         value = phase.state.rate(event.measure) if event.order == 1 else phase.state.value(event.measure)
         return value - geometry.scalar(event.value)

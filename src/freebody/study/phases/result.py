@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path as FilePath
 from typing import Any
 
@@ -107,9 +108,11 @@ def phases(system: System) -> Phases:
     return phases_of(tree_of(system))
 
 
+@lru_cache(maxsize=4)
 def phases_of(tree: PhaseTree) -> Phases:
-    """The cases of a tree, path by path."""
-    if not tree.system.bounds and not tree.system.dry_friction and not tree.closed and not tree.system.blows:
+    """The cases of a tree, path by path; kept as long as trees are, as every question asks for them."""
+    ends = (tree.system.bounds, tree.system.dry_friction, tree.closed, tree.system.blows, tree.system.borders)
+    if not any(ends):
         raise CannotAnswer(Message("the system has no contact, no stop and no dry friction: its motion has one phase"))
     cases = [_case(tree, path) for path in paths(tree.roots)]
     cases.sort(key=lambda case: not case.is_own)

@@ -24,7 +24,7 @@ from freebody.study.phases.ends import PhaseOutcome, Proofs
 from freebody.study.phases.events import first_events
 from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
-from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome
+from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome, collisions
 from freebody.study.phases.in_plane import slips_of, ways_of_impact
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
@@ -103,6 +103,7 @@ class PhaseTree(Home):
         closed = self.closed | {name for name, sign in signs.items() if sign == 0}
         if hits:
             start = PhaseStart(Placed(), closed, {}, given=tuple(given), began=self.home.model.field.zero)
+            start = replace(start, acting=self.acting)
             nodes = self._struck(start, hits, sets, 0)
         else:
             here = self.home.state
@@ -112,6 +113,7 @@ class PhaseTree(Home):
             self.boundaries += [x for x in slips.values() if self.changes_sign(x, sets)]
             zero = self.home.model.field.zero
             start = PhaseStart(Placed(), closed, slips, given=tuple(given), began=zero, ways=found.ways)
+            start = replace(start, acting=self.acting)
             nodes = self._follow(start, sets, 0)
         self.roots += nodes
         gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
@@ -125,18 +127,20 @@ class PhaseTree(Home):
         try:
             values = self.sets.some(indices, 3)
             ways = ways_of_impact(self, instant, hits, values)
-            collision = ClosedFormCollision(
-                self.system, instant.closed, hits, instant.placed, values, instant.past, ways
-            )
-            blows = [(blow, *self._tested(collision, blow)) for blow in collision.blows()]
+            blows: list[tuple[ClosedFormCollision, CollisionOutcome, list[Inequality], list[Test]]] = []
+            labels = np.full(self.sets.n, NOTHING)
+            for one in collisions(self.system, instant.closed, hits, instant.placed, values, instant.past, ways):
+                for blow in one.blows():
+                    elements, tests = self._tested(one, blow)
+                    holds = np.all([np.ones(self.sets.n, dtype=bool), *(t.holds & t.known for t in tests)], axis=0)
+                    labels[holds & (labels == NOTHING)] = len(blows)
+                    blows.append((one, blow, elements, tests))
+                if (labels[indices] != NOTHING).all():
+                    break
         except NO_FORM as error:
             self.reasons.append(why(self.system, error))
             return []
-        labels = np.full(self.sets.n, NOTHING)
-        for k, (_blow, _elements, tests) in enumerate(blows):
-            holds = np.all([t.holds & t.known for t in tests], axis=0) if tests else np.ones(self.sets.n, dtype=bool)
-            labels[holds & (labels == NOTHING)] = k
-        for cell in cells(labels, indices, [t for _b, _e, tests in blows for t in tests]):
+        for cell in cells(labels, indices, [t for *_which, tests in blows for t in tests]):
             if cell.label == NOTHING:
                 self.reasons.append(
                     Message(
@@ -144,7 +148,7 @@ class PhaseTree(Home):
                     )
                 )
                 continue
-            blow, elements, _tests = blows[cell.label]
+            collision, blow, elements, _tests = blows[cell.label]
             impulses = {name: self.to_home(collision.setup, x) for name, x in collision.by_row(blow.impulses).items()}
             given = self.conditions([*elements, *cell.cuts], cell.sets)
             impact = PhaseImpact(hits, impulses, collision, collision.kept, collision=(collision, blow.impulses))
@@ -343,13 +347,15 @@ class PhaseTree(Home):
         try:
             placed = self.placed(phase, {**phase.still, **edge.first.zero.values})
             began = None if node.began is None or edge.time is None else node.began + edge.time
+            acting = dict(phase.mode.acting)
             if watch.kind == STRIKES:
-                edge.nodes = self._blown(
-                    node, edge, PhaseStart(placed, phase.mode.closed, {}, before, known=known, began=began)
-                )
-            elif watch.kind == "touches":
+                instant = PhaseStart(placed, phase.mode.closed, {}, before, known=known, began=began)
+                edge.nodes = self._blown(node, edge, replace(instant, acting=acting))
+            elif watch.kind == "touches" and watch.name not in acting:
                 edge.nodes = self._touched(node, edge, placed, before, known, began)
             else:
+                if watch.name in acting:
+                    acting[watch.name] = watch.kind == "touches"
                 slips: dict[str, Ratio] = {}
                 for name, state in states.items():
                     is_still = name == watch.name or state == 0
@@ -364,6 +370,7 @@ class PhaseTree(Home):
                     slips = {name: slips.get(name, slip) for name, slip in more.sizes.items()}
                 instant = PhaseStart(placed, closed, slips, before, excluded, None, node.n_impacts, known)
                 instant = replace(instant, past=phase.mode.past, began=began, ways=dict(phase.mode.ways))
+                instant = replace(instant, acting=acting)
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
         except NO_FORM as error:
             edge.stops = why(self.system, error)
@@ -391,7 +398,7 @@ class PhaseTree(Home):
             )
             return []
         instant = PhaseStart(placed, node.phase.mode.closed, {}, before, None, None, node.n_impacts, known)
-        instant = replace(instant, past=node.phase.mode.past, began=began)
+        instant = replace(instant, past=node.phase.mode.past, began=began, acting=dict(node.phase.mode.acting))
         return self._struck(instant, (watch.name,), edge.sets, node.depth + 1)
 
 

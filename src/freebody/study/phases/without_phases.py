@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.model.elements import DryFriction
 from freebody.study.phases.at_start import closed_at_start
 from freebody.symbolic.spatial.balls import balls
 from freebody.system.system import System
@@ -14,7 +15,13 @@ MOST_TOUCHING = 12  # at which they touch when the motion begins: each opens, sl
 
 def why_no_phases(system: System) -> str:
     """What a case distinction has no room for; nothing where there is one."""
-    in_planes = [rub.row for rub in system.dry_friction if rub.across is not None]
+    in_planes = [rub.row for rub in system.dry_friction if rub.across is not None and not rub.is_tipping]
+    if (flat := _standing_flat(system)) is not None:
+        return Message(
+            "{end} stands flat on {face}, with no single place of contact",
+            end=flat.row.ends[0],
+            face=flat.row.ends[1],
+        )
     turns = {body.name for body in system.moving if body.turns} - balls(system) if in_planes else set[str]()
     if turning := [row.connection for row in in_planes if turns & set(row.measure.bodies())]:
         # phases are told apart by the signs of slips along lines
@@ -40,3 +47,10 @@ def insist_on_phases(system: System) -> None:
                 why=why,
             )
         )
+
+
+def _standing_flat(system: System) -> DryFriction | None:
+    """A flat end that touches with all of it at the start."""
+    tips = [rub for rub in system.dry_friction if rub.is_tipping]
+    closed = closed_at_start(system) if tips else frozenset[str]()
+    return next((rub for rub in tips if rub.of in closed), None)

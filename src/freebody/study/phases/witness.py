@@ -27,9 +27,11 @@ from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.clock import Clock
+from freebody.questions.event import Peak
 from freebody.questions.reading import AskedEvent
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.study.phases.reached import STRIKES
+from freebody.study.phases.slopes import slope_of
 from freebody.study.phases.turned_along import TurnedAlong
 from freebody.symbolic.phases.friction import named_rows
 from freebody.system.modes import ContactMode, across_the_way, ideal_bounds, in_mode, straightened
@@ -101,6 +103,7 @@ class NumericMode:
         self.references = [self._reference(u) for u in units]
         self._last: tuple[Any, list[Snapshot]] | None = None
         self.bounds = {b.name: b for b in base.bounds}
+        self.at_gap = {**base.borders, **{b.name: b.row for b in base.bounds}}
         self.dry_friction = {r.name: r for r in base.dry_friction}
 
     def _reference(self, loads: Mapping[str, float]) -> Reference:
@@ -194,6 +197,9 @@ class NumericMode:
                     found.append((("edge ends", name, 0), lambda q, v, t, n=name: self.on_edge(n, q, v, t)))
             elif name in self.bounds or name in self.stage.phase.closing_again:
                 found.append((("touches", name, 0), lambda q, v, t, n=name: self.gap(n, q, v, t)))
+        for name, acts in self.mode.acting:
+            kind, side = ("opens", -1.0) if acts else ("touches", 1.0)
+            found.append(((kind, name, 0), lambda q, v, t, n=name, s=side: s * self.gap(n, q, v, t)))
         for name, state in self.mode.states.items():
             if state:
                 found.append((("slip ends", name, 0), lambda q, v, t, n=name, s=state: s * self.slip(n, q, v, t)))
@@ -206,8 +212,8 @@ class NumericMode:
         return self.rows[name].sign * self.multiplier(name, q, v, t)
 
     def gap(self, name: str, q: Array, v: Array, t: float) -> float:
-        reference, again = self.references[0], name not in self.bounds
-        row = self.stage.phase.closing_again[name] if again else self.bounds[name].row
+        reference, again = self.references[0], name not in self.at_gap
+        row = self.stage.phase.closing_again[name] if again else self.at_gap[name]
         if again and self.base_target(name) is None:
             target = self.lengths[name]
         else:
@@ -276,6 +282,9 @@ class NumericMode:
         if isinstance(asked, Clock):
             end = math.inf if asked.time is None else self.references[0].number(asked.time)
             return lambda _q, _v, t: end - t
+
+        if isinstance(asked, Peak):
+            return slope_of(self, asked.quantity, begin)
 
         def gap(s: Snapshot) -> float:
             found = s.rate(asked.measure) if asked.order else s.value(asked.measure)

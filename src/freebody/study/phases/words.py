@@ -30,9 +30,10 @@ def states(phase: Phase) -> dict[str, str]:
     """The state of every contact, stop, ideal string and dry friction, by the name that a user knows."""
     found: dict[str, str] = {}
     rows = [row for row in phase.base.constraint_rows if row.unilateral] + [b.row for b in phase.base.bounds]
-    for row in rows:
+    acting = {name for name, acts in phase.mode.acting if acts}
+    for row in [*rows, *phase.base.borders.values()]:
         closed, opened = _HELD.get(row.reaction, _CONTACT)
-        found[label(row.name)] = closed if row.name in phase.mode.closed else opened
+        found[label(row.name)] = closed if row.name in phase.mode.closed | acting else opened
     for row in phase.base.constraint_rows:
         if row.needs and f"{row.connection}.{row.needs}" in phase.mode.closed:
             found[row.connection] = Message("rolls")
@@ -81,6 +82,8 @@ def action(phase: Phase) -> str:
             return Message("holds")
         return Message("moves with {names} closed", names=in_turn(closed))
     if not spoken:
+        if "taut" in found.values() and phase.base.borders:
+            return Message("moves with a taut string")
         return Message("moves in contact") if any(w == "touches" for w in found.values()) else Message("moves")
     if len(spoken) == 1:
         (word,) = spoken.values()
@@ -147,6 +150,8 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
             if watch.name.endswith(".length"):
                 return Message("{contact} goes slack", contact=name)
             return Message("{contact} opens", contact=name)
+        case "touches" if watch.name.endswith(".length"):
+            return Message("{contact} goes taut", contact=name)
         case "touches":
             return Message("{contact} touches", contact=name)
         case "edge ends":

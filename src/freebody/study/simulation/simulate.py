@@ -84,7 +84,8 @@ class Simulation(MeasuredMotion, Result):
         """A figure of the named measures (all of them without names); saved if a path is given."""
         from freebody.present.plots import plot, save
 
-        figure = plot(self.recording, names, events=[(e.name, e.time) for e in self.events], dark=dark)
+        events = [(self.in_language(e.name), e.time) for e in self.events]
+        figure = plot(self.recording, names, events=events, dark=dark, time=self.in_language(Message("time")))
         if path is not None:
             save(figure, Path(path))
         return figure

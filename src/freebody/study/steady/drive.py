@@ -64,7 +64,7 @@ def followed(setup: Setup, of: Quantity) -> Any:
     rate, turned = model.geometry.scalar(setup.rate), turned_by_drive(setup)
     state = SymbolicState(model.kept_going(setup.driven), {turned.speed: rate})
     value: Any = of.value(setup.driven, state)
-    for x in map(model.field.element, _parts(value)):
+    for x in map(model.field.element, components(value)):
         if any(model.field.generators[g].kind == "time" for g in model.field.ingredients(x)):
             raise CannotAnswer(
                 Message("a load depends on the time as well as on the angle: no turn is as the one before")
@@ -72,6 +72,6 @@ def followed(setup: Setup, of: Quantity) -> Any:
     return value
 
 
-def _parts(value: Any) -> tuple[Any, ...]:
+def components(value: Any) -> tuple[Any, ...]:
     """The components of a vector, or a number alone."""
     return cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)

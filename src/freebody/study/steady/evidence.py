@@ -22,6 +22,7 @@ from freebody.study.setup import Setup
 from freebody.study.steady.motion import Solutions, SteadyMotion
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
+from freebody.tolerances import ROUND_OFF
 
 _RATES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)  # rad/s, m/s: slow ones first
 _TOLERANCE = 1e-7  # relative, of accelerations: rates that formulas give are solved for, with condition numbers to 1e6
@@ -110,6 +111,7 @@ def _with_roots(
     place = next((c for c in steady.others if c.index == solutions.index), None)
     found: list[Snapshot] = []
     for x in solutions.roots:
+        _insist_divisor(setup, x, draw, first)
         (value,) = element_at(setup, (x,), draw, first)
         more = {s: element_at(setup, (y,), draw, first)[0] for s, y in solutions.with_them.items()}
         if place is None:
@@ -117,6 +119,14 @@ def _with_roots(
         else:
             found.append(moving(steady, draw, placed(steady, draw, q, place, value), rates))
     return found
+
+
+def _insist_divisor(setup: Setup, x: Ratio, draw: Draw, snapshot: Snapshot) -> None:
+    """Raises NotReal where a divisor is zero but for round-off, as the cosine of a right angle is."""
+    numbers = setup.model.samples.numbers(draw.sample(snapshot), draw.sample())
+    value, size = x.field.numerator_and_size(x.denominator(), numbers)
+    if abs(value) <= ROUND_OFF * size:
+        raise NotReal(Message("a divisor vanishes there"))
 
 
 def placed(steady: SteadyMotion, draw: Draw, q: Array, place: Coordinate, value: float) -> Array:

@@ -26,6 +26,7 @@ from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
 from freebody.study.steady.phase import Phase, is_timed, over_a_period, phase_of
 from freebody.study.steady.round_turn import DrawnTurn, over_a_turn
+from freebody.study.steady.superposed import Superposed, superposed, superposed_of
 from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
@@ -50,6 +51,9 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
         return _over_motion(setup, question, q)
     if q.what in ("least", "greatest") and not _moving(model, x) and not is_timed(model, x):
         return _constant(setup, question, q, x)
+    waves = waves_of(setup, question, q, x)
+    if waves is not None:
+        return superposed(setup, question, q, waves)
     turning, x = turning_with(setup, question, q, x)
     turning.check(x)
     search = ExtremaSearch(turning)
@@ -63,6 +67,14 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     notes = [_where(end, e, turning) for end, e in ends] + turning.notes
     element = told(search, q, least, largest)
     return Finding(element, evidence, conditions, notes)
+
+
+def waves_of(setup: Setup, question: Question, q: Extremes, x: Ratio) -> Superposed | None:
+    """Of what drives lead with several frequencies, or in powers of the time."""
+    model = setup.model
+    if q.over is not None or question.at_start or _moving(model, x) or not is_timed(model, x):
+        return None
+    return superposed_of(setup, q.of) if phase_of(model, x) is None else None
 
 
 def turning_with(setup: Setup, question: Question, q: Extremes, x: Ratio) -> tuple[TurningAngle, Ratio]:

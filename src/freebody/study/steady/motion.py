@@ -15,7 +15,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
-from freebody.language.notation import compared, to_text
+from freebody.language.notation import compared, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
 from freebody.questions.event import AskedEvent, QuestionEvent
@@ -25,7 +25,8 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.reduced import without_square_roots
+from freebody.symbolic.reduced import odd_part, without_square_roots
+from freebody.symbolic.signs import sign_of
 from freebody.symbolic.speeds import total_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -216,6 +217,7 @@ class SteadyMotion:
                 found.notes.append(Message("in either sense: the opposite rate is steady, too"))
             elif len(c) == 3:
                 found.roots += self._both_roots(c)
+                found.notes += self._single(c, name)
             else:
                 raise CannotAnswer(
                     Message(
@@ -226,6 +228,15 @@ class SteadyMotion:
                     )
                 )
         return found
+
+    def _single(self, c: list[Ratio], name: str) -> list[str]:
+        """What is left of two roots where their square has no factor: one, and none of them."""
+        f = self.model.field
+        if sign_of(c[2]).is_strict:
+            return []
+        square, only = compared(tidy(odd_part(c[2])), "=", ZERO), to_text(tidy(f.lowest_terms(-c[0] / c[1])))
+        words = Message("where {square} there is one such rate alone, {x} = {only}", square=square, x=name, only=only)
+        return [reworded(words, square)]
 
     def _both_roots(self, c: list[Ratio]) -> list[Ratio]:
         """Of c_0 + c_1 x + c_2 x^2, the smaller first."""

@@ -72,8 +72,8 @@ def phase_of(model: SymbolicModel, x: Ratio) -> Phase | None:
 
 
 def is_led(setup: Setup, measure: Measure) -> bool:
-    """Whether drives lead everything, and a measure through one period after the other."""
-    return not setup.model.coordinates and phase_of(setup.model, setup.model.value_of(measure)) is not None
+    """Whether drives lead everything, and with it a measure."""
+    return not setup.model.coordinates and is_timed(setup.model, setup.model.value_of(measure))
 
 
 def extremes_of_period(setup: Setup, draw: Draw, of: Quantity, phase: Phase) -> tuple[float, float]:

@@ -10,9 +10,12 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message, further
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.model.elements import Parameter
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue, is_steady_place
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.solved_in_numbers import Side, solved_in_numbers
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import during_steady_motion, in_steady_motion
 from freebody.study.steady.motion import Solutions, SteadyMotion, unknown_of
@@ -20,6 +23,7 @@ from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.reduced import odd_part, without_square_roots
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
 _THERE_IS = Message("there is such a motion")
@@ -31,7 +35,8 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     unknown = unknown_of(steady, q)
     if unknown is None:
         return _during(setup, question, q, steady)
-    solutions = steady.at_position(unknown) if is_steady_place(q) else steady.solved_for(unknown.speed)
+    is_place = is_steady_place(q)
+    solutions = _places(setup, question, steady, unknown) if is_place else steady.solved_for(unknown.speed)
     if not solutions.roots:
         raise CannotAnswer(further(*solutions.notes) or Message("there is no such motion"))
     evidence = in_steady_motion(setup, question.text, steady, solutions)
@@ -44,6 +49,26 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     conditions = [replace(c, element=steady.put_in(c.element)) for c in needed]
     element = roots[0] if len(roots) == 1 else roots
     return Finding(element, evidence, conditions, notes=notes, of_root=_ranges(roots))
+
+
+def _places(setup: Setup, question: Question, steady: SteadyMotion, c: Coordinate) -> Solutions:
+    """The values of a coordinate in closed form. Where there is none, those at the model's own numbers, with a proof of
+    how many there are, come with the reason."""
+    try:
+        return steady.at_position(c)
+    except CannotAnswer as error:
+        if question.at_start or not setup.has_values or len(steady.equations) != 1:
+            raise
+        f, equation = setup.model.field, steady.equations[0]
+        sides = [Side(base, ()) for base, _n in f.factor(equation.num)[1] if c.index in f.ingredients(base)]
+        is_angle = f.pair_of(c.index) is not None
+        start = setup.model.samples.start_numbers(c.index)
+        dimension = DIMENSIONLESS if is_angle else LENGTH
+        place = Parameter(c.name, dimension, start[0] if start else None, "any", is_angle=is_angle)
+        found = solved_in_numbers(setup, place, c.index, sides)
+        if found is None:
+            raise
+        raise found.told(str(error), "rad" if is_angle else question.quantity.unit) from None
 
 
 def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions | None) -> Ratio:

@@ -85,18 +85,22 @@ def _lines(result: Swept, name: str) -> Picture:
     if len(result.plan.axes) < len(result.plan.dimensions):  # of drawn cases, dots
         only = result.plan.names[0].name
         x_label, x = _scaled(result, only, result.values(only).ravel())
-        return line_chart(f"{name} over {only}", x_label, x, y_label, [(name, z.ravel())], is_joined=False)
+        return line_chart(_over(result, name, only), x_label, x, y_label, [(name, z.ravel())], is_joined=False)
     sizes = result.plan.dimensions
     across = max(sizes, key=lambda axis: sizes[axis])
     x_label, x = _scaled(result, across, result.plan.axes[across])
     others = [axis for axis in sizes if axis != across]
     if not others:
-        return line_chart(f"{name} over {across}", x_label, x, y_label, [(name, z)])
+        return line_chart(_over(result, name, across), x_label, x, y_label, [(name, z)])
     label, values = _scaled(result, others[0], result.plan.axes[others[0]])
     z = np.moveaxis(z, list(sizes).index(across), -1)
     head, _, unit = label.partition(" [")
     curves = [(f"{head} = {value:.6g} {unit.rstrip(']')}".strip(), row) for value, row in zip(values, z, strict=True)]
-    return line_chart(f"{name} over {across}", x_label, x, y_label, curves[:_MOST_CURVES])
+    return line_chart(_over(result, name, across), x_label, x, y_label, curves[:_MOST_CURVES])
+
+
+def _over(result: Swept, name: str, axis: str) -> str:
+    return result.in_language(Message("{name} over {x}", name=name, x=axis))
 
 
 def _plane(result: Swept) -> tuple[str, Array, str, Array]:
@@ -107,7 +111,8 @@ def _plane(result: Swept) -> tuple[str, Array, str, Array]:
 def _heat(result: Swept, name: str) -> Picture:
     label, z = _scaled(result, name, result.values(name))
     x_label, x, y_label, y = _plane(result)
-    return heat_map(f"{name} over {x_label} and {y_label}", x_label, x, y_label, y, label, z)
+    title = result.in_language(Message("{name} over {x} and {y}", name=name, x=x_label, y=y_label))
+    return heat_map(title, x_label, x, y_label, y, label, z, missing=result.in_language(Message("no number")))
 
 
 def _regions(result: Swept, name: str) -> Picture:
@@ -123,14 +128,15 @@ def _regions(result: Swept, name: str) -> Picture:
     )
     x_label, x, y_label, y = _plane(result)
     shape: Any = tuple(result.plan.dimensions.values())
-    title = f"{own.name}: what holds over {x_label} and {y_label}"
+    title = result.in_language(Message("{name}: what holds over {x} and {y}", name=own.name, x=x_label, y=y_label))
     used, places = np.unique(index, return_inverse=True)
-    return kinds_map(title, x_label, x, y_label, y, [kinds[int(k)] for k in used], places.reshape(shape))
+    shown = [result.in_language(kinds[int(k)]) for k in used]
+    missing = result.in_language(Message("not known"))
+    return kinds_map(title, x_label, x, y_label, y, shown, places.reshape(shape), missing=missing)
 
 
 def _parallel(result: Swept, name: str) -> Picture:
     names = [*(v.name for v in result.plan.names), name]
     pairs = [_scaled(result, each, result.values(each).ravel()) for each in names]
-    return parallel_chart(
-        f"{name} by case", [label for label, _x in pairs], np.column_stack([x for _label, x in pairs])
-    )
+    title = result.in_language(Message("{name} by case", name=name))
+    return parallel_chart(title, [label for label, _x in pairs], np.column_stack([x for _label, x in pairs]))

@@ -132,16 +132,18 @@ def certified(linkage: Linkage, title: str, *, full_turn: bool) -> Certificate:
             default=0.0,
         )
         if gap > _KEPT * linkage.size:
-            defects.append(Defect("not assembled", Message("position {k} is missed by {x:.1e} m", k=k + 1, x=gap)))
+            defects.append(
+                Defect(Message("not assembled"), Message("position {k} is missed by {x:.1e} m", k=k + 1, x=gap))
+            )
     path = trace(reference, poses[0], system.measures["theta"])
     away = [k for k in range(linkage.n) if not _is_on(path, poses[k], reference, linkage.size)]
     if away:
         others = ", ".join(str(k + 1) for k in away)
         defects.append(
-            Defect("circuit", Message("the motion from position 1 does not come to {others}", others=others))
+            Defect(Message("circuit"), Message("the motion from position 1 does not come to {others}", others=others))
         )
     if full_turn and not path.full_turn:
-        defects.append(Defect("no full turn", Message("the crank does not turn fully")))
+        defects.append(Defect(Message("no full turn"), Message("the crank does not turn fully")))
     loops = linkages(system)
     numbers = dimensions(loops[0], reference, poses[0]) if loops else None
     case = "" if numbers is None else numbers.case
@@ -183,5 +185,5 @@ def seen_alike(linkage: Linkage, certificate: Certificate) -> Defect | None:
     by_formula = "circuit" in {d.name for d in linkage.defects(full_turn=False)}
     by_motion = "circuit" in {d.name for d in certificate.defects}
     if by_formula != by_motion or linkage.turns_fully != certificate.turns_fully:
-        return Defect("not certified", Message("formulas and the followed motion do not agree about circuits"))
+        return Defect(Message("not certified"), Message("formulas and the followed motion do not agree about circuits"))
     return None

@@ -197,7 +197,7 @@ class Linkage:
     def defects(self, *, full_turn: bool) -> Iterator[Defect]:
         """What is wrong with it. full_turn: whether the crank has to turn fully."""
         if self._is_degenerate:
-            yield Defect("degenerate", Message("a link has no length"))
+            yield Defect(Message("degenerate"), Message("a link has no length"))
             return
         if self.residual > 1e-6:
             yield Defect(
@@ -205,7 +205,7 @@ class Linkage:
             )
             return
         if full_turn and not self.turns_fully:
-            yield Defect("no full turn", Message("the crank does not turn fully"))
+            yield Defect(Message("no full turn"), Message("the crank does not turn fully"))
         circuits = self.circuits
         if len(np.unique(circuits)) > 1:
             yield Defect(
@@ -226,7 +226,9 @@ class Linkage:
             )
             return
         if not self._is_in_order():
-            yield Defect("order", Message("the crank meets the positions in the order {order}", order=self._order()))
+            yield Defect(
+                Message("order"), Message("the crank meets the positions in the order {order}", order=self._order())
+            )
 
     @property
     def _is_degenerate(self) -> bool:

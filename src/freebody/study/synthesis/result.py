@@ -15,16 +15,21 @@ from freebody.numeric.jets import Array
 from freebody.present.files import replaced
 from freebody.present.lines import number_text
 from freebody.present.picture.picture import Picture
-from freebody.present.report.blocks import Block, Figure, Report, Section
+from freebody.present.report.blocks import Block, Figure, Report, Section, Text
 from freebody.present.report.results import Result, entries, entry, summary, table
 from freebody.study.synthesis.certificate import Certificate, model_text
 from freebody.study.synthesis.curve_picture import curve_picture
 from freebody.study.synthesis.linkage import Defect, Linkage
 from freebody.study.synthesis.picture import linkage_picture
 from freebody.study.synthesis.positions import Dyad
-from freebody.study.synthesis.tasks import TASKS, Task
+from freebody.study.synthesis.tasks import Task
 
 _MOST_SHOWN = 12
+_LINKAGES = {
+    "four-bar": Message("four-bar"),
+    "slider-crank": Message("slider-crank"),
+    "inverted-slider-crank": Message("inverted slider-crank"),
+}
 
 
 @dataclass(frozen=True)
@@ -47,9 +52,14 @@ class Candidate:
 
     @property
     def verdict(self) -> str:
+        return "".join(map(str, self.told))
+
+    @property
+    def told(self) -> Text:
+        """The verdict in pieces, each of which has its words in a language."""
         if self.defects:
-            return ", ".join(d.name for d in self.defects)
-        return "certified" if self.certificate is not None else "not followed"
+            return tuple(piece for k, d in enumerate(self.defects) for piece in ((", ", d.name) if k else (d.name,)))
+        return (Message("certified") if self.certificate is not None else Message("not followed"),)
 
 
 @dataclass(frozen=True, repr=False)
@@ -138,9 +148,12 @@ class Synthesis(Result):
     def _blocks(self) -> Iterator[Block]:
         task = self.task
         yield from entries(
-            entry("task", f"{task.kind} generation, {task.linkage}, {task.n} {TASKS[task.kind]}"),
-            entry("search" if self.is_searched else "dyads", str(self.about)),
-            entry("candidates", Message("{n}, of which {k} certified", n=len(self.candidates), k=len(self.certified))),
+            entry(Message("task"), (self._asked(), ", ", _LINKAGES[task.linkage])),
+            entry(Message("search") if self.is_searched else Message("dyads"), self.about),
+            entry(
+                Message("candidates"),
+                Message("{n}, of which {k} certified", n=len(self.candidates), k=len(self.certified)),
+            ),
         )
         yield from self._table(self.candidates[:_MOST_SHOWN])
         drawn = self.certified[:3]
@@ -149,6 +162,16 @@ class Synthesis(Result):
             yield Figure(self.picture(k), (told,), k)
         if self.has_curves:
             yield Figure(self.curves(), (Message("Burmester's curves of the four positions"),), len(drawn) + 1)
+
+    def _asked(self) -> Message:
+        n = self.task.n
+        match self.task.kind:
+            case "motion":
+                return Message("motion generation, {n} positions", n=n)
+            case "function":
+                return Message("function generation, {n} pairs", n=n)
+            case _:
+                return Message("path generation, {n} points", n=n)
 
     def _table(self, shown: tuple[Candidate, ...]) -> Iterator[Block]:
         """Dimensions and verdicts, and what is wrong."""
@@ -165,28 +188,28 @@ class Synthesis(Result):
                 *(number_text(x) for x in c.linkage.lengths.values()),
                 f"{c.transmission:.1f}",
                 *missed(c),
-                c.verdict,
+                c.told,
             ]
             for k, c in enumerate(shown, 1)
         ]
         yield Section(
-            ("Candidates",),
+            (Message("Candidates"),),
             tuple(
                 table(
                     rows,
                     [
                         "",
                         *(f"{n} [m]" for n in names),
-                        "transmission [deg]",
-                        *(["missed [m]"] if self.is_searched else []),
+                        Message("transmission [deg]"),
+                        *([Message("missed [m]")] if self.is_searched else []),
                         "",
                     ],
                 )
             ),
         )
-        said = [entry(str(k), *(f"{d.name}: {d.why}" for d in c.defects)) for k, c in enumerate(shown, 1) if c.defects]
+        said = [entry(str(k), *((d.name, ": ", d.why) for d in c.defects)) for k, c in enumerate(shown, 1) if c.defects]
         if said:
-            yield Section(("Defects",), tuple(entries(*said)))
+            yield Section((Message("Defects"),), tuple(entries(*said)))
 
     def picture(self, k: int = 1) -> Picture:
         """Candidate k, from 1, in all positions with its coupler curve. Raises InputError if there is none."""

@@ -56,7 +56,7 @@ def _by_formula(task: Task, linkage: Linkage) -> Iterator[Defect]:
             angle=linkage.transmission,
             least=task.transmission,
         )
-        yield Defect("transmission", told)
+        yield Defect(Message("transmission"), told)
 
 
 def _looked_at(task: Task, k: int, candidate: Candidate) -> Candidate:
@@ -65,7 +65,7 @@ def _looked_at(task: Task, k: int, candidate: Candidate) -> Candidate:
     try:
         certificate = certified(linkage, f"{task.title}, candidate {k}", full_turn=task.full_turn)
     except (FreebodyError, ValueError, *FAILED) as error:
-        return replace(candidate, defects=(*candidate.defects, Defect("not certified", str(error))))
+        return replace(candidate, defects=(*candidate.defects, Defect(Message("not certified"), str(error))))
     return Candidate(linkage, tuple(_defects(linkage, candidate, certificate)), certificate)
 
 

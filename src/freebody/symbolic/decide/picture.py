@@ -19,6 +19,7 @@ from typing import Any
 
 import flint
 
+from freebody.language.expression import LAMBERT
 from freebody.symbolic.decide.cells import Interval, Poly, Polynomials, TooLarge, points
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import is_positive
@@ -37,17 +38,25 @@ _RANGES: dict[str, Interval] = {
     "asin": (-_HALF_PI, _HALF_PI),
     "atan": (-_HALF_PI, _HALF_PI),
     "acos": (Fraction(0), 2 * _HALF_PI),
+    "lambert_W0": (Fraction(-1), None),
+    "lambert_Wm1": (None, Fraction(-1)),
 }
 
 
 class BallFunctions:
     """The elementary functions on balls, by the names that generators use."""
 
+    @staticmethod
+    def number(value: Fraction) -> Any:
+        return _ball(value)
+
     def __getattr__(self, name: str) -> Any:
         if name == "pi":
             return _flint.arb.pi()
 
         def function(first: Any, *others: Any) -> Any:
+            if name in LAMBERT:
+                return _flint.arb(first).lambertw(branch=-LAMBERT.index(name))
             return getattr(_flint.arb, name)(_flint.arb(first), *map(_flint.arb, others))
 
         return function
@@ -150,7 +159,7 @@ class CellDecomposition:
         values = {k: self._number(k) for k in sorted(self.field.generators[g].made_of - {g})}
         compute = self.field.generators[g].compute
         assert compute is not None
-        return compute(self.field.complete(values, BallFunctions()), BallFunctions())
+        return _flint.arb(compute(self.field.complete(values, BallFunctions()), BallFunctions()))
 
     # -- the polynomials ----------------------------------------------------------------------
     @cached_property

@@ -110,6 +110,19 @@ class _SeriesFunctions:
         by_k = E / (value * (1 - square)) - F / value - value * angle.sin() * angle.cos() / ((1 - square) * root)
         return _flint.arb_series([F, turn / root + slope * by_k])
 
+    def lambert_W0(self, x: Any) -> Any:
+        return _lambert(x, 0)
+
+    def lambert_Wm1(self, x: Any) -> Any:
+        return _lambert(x, -1)
+
+
+def _lambert(x: Any, branch: int) -> Any:
+    """With W' = W/(x (1 + W))."""
+    value, slope = _parts(_flint.arb_series(x))
+    w = value.lambertw(branch=branch)
+    return _flint.arb_series([w, slope * w / (value * (1 + w))])
+
 
 def _nowhere() -> Any:
     return _flint.arb_series([_flint.arb.nan(), _flint.arb.nan()])

@@ -1,4 +1,13 @@
-"""q'' = g (u - u1):   u = u1 + (u0 - u1) exp(g t)."""
+"""q'' = g (u - u1):   u = u1 + (u0 - u1) exp(g t),   q = q0 + u1 t + (u0 - u1) (exp(g t) - 1)/g.
+
+When it is at a value, with a = u0/u1 - 1 and p = g (value - q0)/u1 + a: g t + a exp(g t) = p, and so for w = p - g t
+
+    w e^w = a e^p,        g t = p - w,        u = u1 (1 + w).
+
+So w is a branch of Lambert's function: W_0 (w > -1) while it moves the way of u1, W_-1 (w < -1) while it still moves
+against it. Source: Corless et al., On the Lambert W function, Adv. Comput. Math. 5, 1996, sec. 2; Warburton & Wang,
+Analysis of asymptotic projectile motion with air resistance using the Lambert W function, Am. J. Phys. 72, 2004, 1404.
+"""
 
 from __future__ import annotations
 
@@ -38,12 +47,42 @@ class Decay(MotionLaw):
         return self.q0 + self.end * t + over * (grown - 1) / self.gamma, self.end + over * grown
 
     def places(self, value: Ratio) -> Instants:
-        if not self.end.is_zero() or self.u0.is_zero():
-            return None  # the time stands in a sum of itself and an exponential
+        if not self.end.is_zero():
+            return self._on_the_way(value)
+        if self.u0.is_zero():
+            return None
         grown = 1 + self.gamma * (value - self.q0) / self.u0
         return [
             LawInstant(self.function("log", grown) / self.gamma, value, self.u0 * grown, (value - self.q0) / self.u0)
         ], [(grown, ">")]
+
+    def _on_the_way(self, value: Ratio) -> Instants:
+        """Where the rate tends to an end: once after the start if it moves the way of its end, and twice if it first
+        moves against it and the place is not beyond the turn."""
+        if not self.is_negative(self.gamma):
+            return None
+        f = self.model.field
+        way = f.lowest_terms((value - self.q0) / self.end)  # of the sign of how far it is the way of the end
+        start = LawInstant(f.zero, value, self.u0, f.zero)
+        against, needs = self.side_of(-self.u0 / self.end) if not self.u0.is_zero() else (-1, ())
+        if against < 0:
+            return [start if way.is_zero() else self._by_branch("lambert_W0", value, way)], [*needs]
+        back = self._by_branch("lambert_W0", value, None)
+        if sign_of(way) is Sign.POSITIVE:
+            return [back], [*needs]
+        if way.is_zero():
+            return [start, back], [*needs]
+        (turn,), _needs = self.rates(f.zero) or ([], [])
+        below = f.lowest_terms(turn.place - value)
+        to_turn = (below if self.is_negative(self.end) else -below, ">=")
+        return [self._by_branch("lambert_Wm1", value, -way), back], [*needs, to_turn]
+
+    def _by_branch(self, name: str, value: Ratio, key: Ratio | None) -> LawInstant:
+        f = self.model.field
+        a = f.lowest_terms(self.u0 / self.end - 1)
+        p = f.lowest_terms(self.gamma * (value - self.q0) / self.end + a)
+        w = self.function(name, f.lowest_terms(a * self.function("exp", p)))
+        return LawInstant(f.lowest_terms((p - w) / self.gamma), value, f.lowest_terms(self.end * (1 + w)), key)
 
     def rates(self, value: Ratio) -> Instants:
         grown = (self.end - value) / (self.end - self.u0)

@@ -123,8 +123,7 @@ class UniformMotion(MotionInTime):
         """Coefficients of a polynomial in the time that has the sign of a function of the state everywhere: where that
         has no roots in closed form here, without the factors that stand in it to an even power. Raises CannotAnswer."""
         c, f = self.along(x), self.model.field
-        first = next((k for k, part in enumerate(c) if not part.is_zero()), 0)
-        if has_roots(c[first:]):
+        if has_roots(behind_zeros(c)):
             return c
         whole = f.lowest_terms(sum((part * self.tau**k for k, part in enumerate(c)), f.zero))
         even, index = f.one, f.index(self.tau)
@@ -135,9 +134,23 @@ class UniformMotion(MotionInTime):
         below = rest.denominator()
         return [f.lowest_terms(part / below) for part in rest.numerator().coefficients(index)] or [f.zero]
 
+    def parts_along(self, x: Ratio) -> list[list[Ratio]]:
+        """Polynomials in the time, by their coefficients, whose product has the sign of a function of the state:
+        itself, or where that has no roots in closed form here its factors. Raises CannotAnswer."""
+        whole = self.sign_along(x)
+        if has_roots(behind_zeros(whole)):
+            return [whole]
+        there = {c.index: self.start.of(c.index) for c in self.model.coordinates if self._rests(c)}
+        alone = self.model.field.follow(self.plain(x), there)
+        odd = [base for base, exponent in self.model.field.factor(alone.num)[1] if exponent % 2]
+        return [self.sign_along(base) for base in odd] if len(odd) > 1 else [whole]
+
+    def _rests(self, c: Coordinate) -> bool:
+        return self.start.of(c.speed).is_zero() and self.accelerations[c.speed].is_zero()
+
     def zeros(self, x: Ratio) -> list[CourseZero]:
         try:
-            times = polynomial_roots(self.model, self.sign_along(x))
+            times = [t for part in self.parts_along(x) for t in polynomial_roots(self.model, part)]
         except CannotAnswer:
             return self._in_waves(x)
         return [CourseZero(t, self.values(t)) for t in times]
@@ -239,6 +252,11 @@ class LawMotion(MotionInTime):
                 times.append((instant.time + instant.period, tuple(-x for x in key)))
             for time, after in times:
                 yield CourseZero(time, {**self.values(time), **own}, needs=(*needs, *after))
+
+
+def behind_zeros(c: Sequence[Ratio]) -> Sequence[Ratio]:
+    """The coefficients of a polynomial without its zeros at the start itself."""
+    return c[next((k for k, part in enumerate(c) if not part.is_zero()), 0) :]
 
 
 def has_roots(c: Sequence[Ratio]) -> bool:

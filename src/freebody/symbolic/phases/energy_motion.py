@@ -36,6 +36,7 @@ class EnergyMotion(ClosedFormMotion):
         super().__init__(model, start, {})
         self.coordinate = coordinate
         self.integrals, f = FirstIntegrals(model, start), model.field
+        self.integrals.keeps_side = True
         integrals = self.integrals
         # u^2 as a function of q
         self.square = f.lowest_terms(integrals.speed_squared(coordinate, f.variable(coordinate.index)))
@@ -50,7 +51,8 @@ class EnergyMotion(ClosedFormMotion):
     def reduced(self, x: Ratio) -> Ratio:
         """With the speeds that momenta give put in. Raises CannotAnswer where it depends on another coordinate."""
         x = self.model.in_independent_speeds(x)
-        x = self.model.field.follow(x, {**self._others, **self.integrals.resting}) if self._others else x
+        if self._others:
+            x = self.integrals.on_its_line(self.model.field.follow(x, {**self._others, **self.integrals.resting}))
         inside = self.model.field.ingredients(x) if self._others else set[int]()
         others = [c.name for c in self.model.coordinates if c is not self.coordinate and c.index in inside]
         if others:
@@ -128,7 +130,7 @@ class EnergyMotion(ClosedFormMotion):
 
     @cached_property
     def _law(self) -> MotionLaw | None:
-        return SmoothMotion(self.model, self.start).law_of(self.coordinate)
+        return _followed(self.model, self.start).law_of(self.coordinate)
 
     def instants(self, place: Ratio) -> list[tuple[Ratio, Ratio]]:
         """Times at which the coordinate is at a place, with its rate then, as far as its own law tells them: all of
@@ -142,6 +144,13 @@ class EnergyMotion(ClosedFormMotion):
             if i.period is not None and law is not None and law.u0.is_zero():  # from rest it is even in the time
                 found.append((i.period - i.time, -i.rate))
         return found
+
+
+def _followed(model: SymbolicModel, start: StartState) -> SmoothMotion:
+    """The motion of a phase, which ends where a length along a line changes its side."""
+    motion = SmoothMotion(model, start)
+    motion.integrals.keeps_side = True
+    return motion
 
 
 def course_of(model: SymbolicModel, start: StartState, one_way: Set[int] = frozenset()) -> ClosedFormMotion:
@@ -167,7 +176,7 @@ def course_of(model: SymbolicModel, start: StartState, one_way: Set[int] = froze
     ]
     if all(a.is_constant() and f.index(f.time) not in f.ingredients(a) for a in accelerations):
         return UniformMotion(model, start, still)
-    smooth = SmoothMotion(model, start)
+    smooth = _followed(model, start)
     # what is driven goes on by the time since the start of the model, not of the phase
     is_timed = is_driven(model) and any(f.index(f.time) in f.ingredients(a) for a in accelerations)
     free = not model.dependent and not is_timed
@@ -201,5 +210,8 @@ def _laws(motion: SmoothMotion, one_way: Set[int]) -> tuple[list[MotionLaw], tup
         law = motion.law_of(c, keeps_sense=c.speed in one_way)
         if law is not None and law.has_course:
             found.append(law)
-    sides, samples.assumed = samples.assumed, before
+    taken, samples.assumed = samples.assumed, before
+    changing = {g for c in motion.model.coordinates for g in (c.index, c.speed)}
+    sides = [x for x in taken if not motion.model.field.ingredients(x) & changing]
+    samples.assumed += [x for x in taken if x not in sides and x not in before]  # looked at along the motion
     return found, tuple(sides)

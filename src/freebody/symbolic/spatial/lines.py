@@ -44,7 +44,9 @@ class SpatialLines(Lines):
         return self._root
 
     def _root(self, x: Ratio) -> Ratio:
-        """An unknown l with l^2 = x, as one more equation."""
+        """An unknown l with l^2 = x, as one more equation; between points of one body it is known."""
+        if x.is_constant():
+            return self.field.sqrt(x, self.samples.is_negative)
         key = x.key()
         if key not in self._roots:
 
@@ -52,7 +54,8 @@ class SpatialLines(Lines):
                 return fn.sqrt(self.field.evaluate(x, values, fn))
 
             k = len(self._roots)
-            length = self.unknowns.new(f"length_{self._label or k}", (TANGENT_LENGTH, -k), compute=size)
+            label = self._new_label(self._label or f"line{k + 1}")
+            length = self.unknowns.new(f"length_{label}", (TANGENT_LENGTH, -k), compute=size)
             self._roots[key] = x, length
             self.unknowns.roots[self.field.index(length)] = x
             self.add(key, [RowEquation(f"length {k}", length * length - x)])

@@ -8,7 +8,7 @@ from typing import Any, cast
 
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import ZERO, negate
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, listed
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Components
 from freebody.model.chains import read_chain
@@ -16,6 +16,7 @@ from freebody.model.elements import BodyPlane, Edge, Line, RigidBody, Rotation
 from freebody.model.names import placeholder
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Build, Shape
+from freebody.model.spec import MEANT
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.body_start import POSE_KEYS, start_of_body
 from freebody.system.reading.copies import copied_names
@@ -26,6 +27,8 @@ from freebody.system.reading.source import Source, kind_meant, known_keys
 _ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "copies")
 PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
 SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")
+_CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
+_OF_LINES = ("through", "along", "angle", "solid", "x", "y")
 
 
 class BodySections:
@@ -74,11 +77,24 @@ class BodySections:
         entry = self.source.mapping("ground")
         ground = self.names.bodies[GROUND]
         known = ("points", "lines", "planes") if self.names.space else ("points", "lines")
+        for key, value in entry.items():
+            if key not in known and self._is_line(key, value):
+                told = Message(
+                    "a line of the ground stands under lines: ground: {{lines: {{{name}: {{along: right}}}}}}", name=key
+                )
+                self.names.problem(told, "ground", key)
+                self.names.broken.add(key)
+        entry = {key: value for key, value in entry.items() if key not in self.names.broken}
         known_keys(self.names, entry, known, "ground", "ground")
         with self.names.at("ground"):
             points = self.source.open.points(entry.get("points"), GROUND, ground.points.__contains__) or {}
             for name, value in points.items():
                 ground.points[name] = self.names.components(value, LENGTH, "points", name)
+
+    def _is_line(self, key: str, value: Any) -> bool:
+        """Whether an entry of the ground is one of its lines, without the section in which these stand."""
+        fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+        return not self.names.space and (key in _CALLED_LINES or (bool(fields) and fields.keys() <= {*_OF_LINES}))
 
     def body(self, name: str, value: Any) -> RigidBody | None:
         names = self.names
@@ -167,9 +183,16 @@ class BodySections:
                     hint = Message(" It is for models in space: write space: true.")
                 if key == "angle":
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
+                if meant := [field for field in MEANT.get(key, ()) if field in options]:
+                    hint = Message(" Did you mean {x}?", x=meant[0])
                 names.problem(Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), key)
         if len(kinds) > 1:
-            names.problem(Message("{name} has two shapes: {kinds}", name=name, kinds=[*kinds]))
+            told = Message(
+                "{name} has more than one shape: {kinds}. Keep one; a body of several parts is a composite",
+                name=name,
+                kinds=listed([*kinds]),
+            )
+            names.problem(told)
         elif not kinds and entry.keys() <= {*options}:  # else a shape may be among the keys that mean nothing
             what = Message("one of {names}", names=", ".join(Shape.kinds))
             names.problem(Message("{name} needs a shape: {what}", name=name, what=what))

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any, cast
+
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.named_angles import angles_of
@@ -12,7 +16,8 @@ from freebody.system.reading.source import Source
 def read_measures(source: Source) -> dict[str, Measure]:
     names = source.names
     _named_angles(source)
-    for name, value in source.named("measures").items():
+    given = source.named("measures")
+    for name, value in _in_turn(given):
         if name in names.parameters:
             names.problem(Message("{name} is a parameter already; choose another name", name=name), "measures", name)
             continue
@@ -22,7 +27,24 @@ def read_measures(source: Source) -> dict[str, Measure]:
             names.broken.add(name)
         else:
             names.measures[name] = measure
+    for name in given:  # in the order of the file, whatever was read first
+        if name in names.measures:
+            names.measures[name] = names.measures.pop(name)
     return names.measures
+
+
+def _in_turn(given: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Expressions after the measures that they name."""
+    left = dict(given)
+    while left:
+        ready = [name for name, value in left.items() if not _named_in(value) & (left.keys() - {name})]
+        for name in ready or [*left]:  # what names itself in a circle is refused where it is read
+            yield name, left.pop(name)
+
+
+def _named_in(value: Any) -> set[str]:
+    expression = cast("dict[str, Any]", value).get("expression", "") if isinstance(value, dict) else ""
+    return set(re.findall(r"[A-Za-z_]\w*", str(expression)))
 
 
 def _named_angles(source: Source) -> None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Collection
 from typing import Any, cast
 
 from freebody.errors import InputError, NoQuantity, UnitError
 from freebody.language.expression import Expr, free_symbols
-from freebody.language.sentences import Message
+from freebody.language.parser import parse
+from freebody.language.sentences import Message, listed
 from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity, parse_unit
 from freebody.model.elements import Parameter, Sign
 from freebody.model.names import Names
@@ -24,7 +26,14 @@ def read_parameters(source: Source) -> None:
             if isinstance(value, dict) and "function" in value:
                 functions[name] = cast("dict[str, Any]", value)
             else:
-                names.parameters[name] = _parameter(names, name, value)
+                others = source.mapping("parameters").keys() - {name}
+                told = _of_others(name, value, others)
+                if told is None:
+                    names.parameters[name] = _parameter(names, name, value)
+                    continue
+                names.problem(told)
+                names.broken.add(name)
+                names.parameters[name] = Parameter(name, DIMENSIONLESS, None)
     for name, entry in functions.items():
         with names.at("parameters", name):
             names.parameters[name] = _function(names, name, entry)
@@ -49,6 +58,31 @@ def _function(names: Names, name: str, entry: dict[str, Any]) -> Parameter:
         )
     is_angle = quantity is not None and quantity.is_angle
     return Parameter(name, dimension, None, "any", unit=unit, is_angle=is_angle, form=form)
+
+
+def _of_others(name: str, value: Any, others: Collection[str]) -> Message | None:
+    """What to say of a formula of other parameters. `R: m` is a symbol with a unit, whatever else is called m."""
+    given = cast("dict[str, Any]", value).get("value") if isinstance(value, dict) else value
+    if not isinstance(given, str) or _is_read(parse_unit, given) or _is_read(parse_quantity, given):
+        return None
+    used = free_symbols(parse(given)) & set(others) if _is_read(parse, given) else set[str]()
+    if not used:
+        return None
+    return Message(
+        "{name} is a formula of {others}, and a parameter is a number or a symbol: write ({formula}) where {name} "
+        "stands",
+        name=name,
+        others=listed(sorted(used)),
+        formula=given,
+    )
+
+
+def _is_read(read: Callable[[str], object], text: str) -> bool:
+    try:
+        read(text)
+    except (InputError, ZeroDivisionError):
+        return False
+    return True
 
 
 def _parameter(names: Names, name: str, value: Any) -> Parameter:

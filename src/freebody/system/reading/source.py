@@ -283,6 +283,31 @@ class Source:
         )
         self.names.problem(told, *path)
 
+    def _beside_a_kind(self, name: str, kind: type[Spec], more: Sequence[str], beside: Collection[str]) -> None:
+        """Keys that stand next to a kind: its own fields, which belong inside of it, or such as nothing has."""
+        fields = [f.alias or n for n, f in kind.model_fields.items()]
+        if inside := [key for key in more if key in fields or kind.meant(key) or key in kind.elsewhere]:
+            told = Message(
+                "what belongs to {kind} stands inside of it, not beside it: {keys}{example}",
+                kind=kind.kind,
+                keys=listed(inside, "{first} and {second}"),
+                example=_example_of(kind),
+            )
+            self.names.problem(told, inside[0])
+        for key in more:
+            if key not in inside:
+                told = Message(
+                    "{what} has no {key}; {kind} takes {names}{example}",
+                    what=name,
+                    key=key,
+                    kind=kind.kind,
+                    names=", ".join(fields),
+                    example=_example_of(kind),
+                )
+                if close := difflib.get_close_matches(key, beside, n=1, cutoff=0.6):
+                    told = Message("{what} has no {key}.{hint}", what=name, key=key, hint=did_you_mean(key, close))
+                self.names.problem(told, key)
+
     def specs(self, section: str, kinds: Mapping[str, type[SpecT]], beside: Collection[str] = ()) -> dict[str, SpecT]:
         """The descriptions of a section by name. beside: keys that an entry may have beside its kind."""
         found: dict[str, SpecT] = {}
@@ -294,11 +319,8 @@ class Source:
                     entry = cast("dict[str, Any]", value)
                     value = {key: fields for key, fields in entry.items() if key not in beside}
                     if len(more := [key for key in value if key not in kinds]) == len(value) - 1 > 0 and beside:
-                        for key in more:
-                            hint = did_you_mean(key, beside)
-                            self.names.problem(
-                                Message("{what} has no {key}.{hint}", what=name, key=key, hint=hint), key
-                            )
+                        (kind,) = value.keys() - set(more)
+                        self._beside_a_kind(name, kinds[kind], more, beside)
                         continue
                 if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
                     self.names.problem(self._kind_wanted(name, value, kinds))

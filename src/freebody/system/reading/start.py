@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Container, Mapping
 from dataclasses import replace
 
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, name_problem
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND
 from freebody.model.noting import did_you_mean
 from freebody.system.reading.source import Source
 
@@ -42,7 +43,13 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
         name = key if key in measures else rate_of(key, {*measures, *names.broken})
         if name not in measures:
             known = [*measures, *names.states, *(f"rate({m})" for m in measures)]
-            told = Message("{key} is no named measure or rate of one.{hint}", key=key, hint=did_you_mean(key, known))
+            hint = did_you_mean(key, known)
+            body = next((body.name for body in names.bodies.values() if body.name != GROUND and not body.fixed), "")
+            if not known and body and not name_problem(name):
+                of = "angle of" if names.bodies[body].turns else "x of"
+                example = f"measures: {{{name}: {of} {body}}}"
+                hint = Message(" Say what it is, e.g. {example}", example=example)
+            told = Message("{key} is no named measure or rate of one.{hint}", key=key, hint=hint)
             names.unknown(name, told, "start", key)
             continue
         dimension = measures[name].dimension

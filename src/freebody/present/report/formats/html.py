@@ -171,8 +171,10 @@ class _Writer(BlockWriter[str]):
         return f"<{element}>{''.join(f'<li>{item}</li>' for item in items)}</{element}>"
 
     def choices(self, items: Sequence[tuple[str, str]]) -> str:
+        # the rows of a column are small in a browser, also where the formula is displayed
+        shown = [(letter, said.replace("<mtable>", '<mtable displaystyle="true">')) for letter, said in items]
         inner = "".join(
-            f'<li><span class="letter">{_words(letter)}</span> <span>{said}</span></li>' for letter, said in items
+            f'<li><span class="letter">{_words(letter)}</span> <span>{said}</span></li>' for letter, said in shown
         )
         return f'<ul class="choices">{inner}</ul>'
 

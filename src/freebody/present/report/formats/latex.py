@@ -127,11 +127,11 @@ class _Writer(BlockWriter[str]):
         inner = "\n".join(
             rf"\item[{latex_words(letter)}] {{\everymath{{\displaystyle}}{said}}}" for letter, said in items
         )
-        return f"\\begin{{itemize}}\n{inner}\n\\end{{itemize}}"
+        return f"\\begin{{itemize}}\\setlength{{\\itemsep}}{{6pt}}\n{inner}\n\\end{{itemize}}"
 
     def unbroken(self, blocks: Sequence[Block]) -> str:
         return (
-            "\\noindent\\begin{minipage}{\\linewidth}\\setlength{\\parskip}{6pt plus 2pt}\n"
+            "\\par\\addvspace{9pt}\\noindent\\begin{minipage}{\\linewidth}\\setlength{\\parskip}{6pt plus 2pt}\n"
             f"{self.blocks(blocks)}\n\\end{{minipage}}\\par"
         )
 

@@ -156,7 +156,7 @@ class _Writer(BlockWriter[str]):
         return f"#choices(({inner}))"
 
     def unbroken(self, blocks: Sequence[Block]) -> str:
-        return f"#block(breakable: false, width: 100%)[\n{self.blocks(blocks)}\n]"
+        return f"#block(breakable: false, width: 100%, above: 1.1em)[\n{self.blocks(blocks)}\n]"
 
     def room(self, height: float) -> str:
         return f"#v({height:g}cm)"

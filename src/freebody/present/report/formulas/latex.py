@@ -35,7 +35,7 @@ class LatexFormulas(FormulaWriter[str]):
         return rf"\frac{{{above}}}{{{below}}}"
 
     def column(self, entries: Sequence[str]) -> str:
-        between = r" \\[3pt] " if any(r"\frac" in entry for entry in entries) else r" \\ "  # fractions touch else
+        between = r" \\[8pt] " if any(r"\frac" in entry for entry in entries) else r" \\ "  # fractions touch else
         return r"\begin{pmatrix}" + between.join(entries) + r"\end{pmatrix}"
 
     def d(self, is_partial: bool) -> str:

@@ -1,0 +1,155 @@
+"""Motions under elastic strings, in closed form through slackness and tautness."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+# -- a jump from where the cord is tied -------------------------------------------------------------
+SPACE = "space: true\n"
+JUMP = """
+parameters: {m: 70 kg, k: 100 N/m, L: 20 m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}}
+bodies: {jumper: {particle: {mass: m}}}
+loads:
+  weight: {gravity: g}
+  cord: {elastic_string: {from: ground.A, to: jumper, stiffness: k, length: L}}
+measures: {y: drop of jumper below ground.A}
+start: {y: 0, rate(y): 0}
+"""
+ON_A_LINE = JUMP.replace("loads:", "connections: {way: {slider: {body: jumper, along: down}}}\nloads:")
+IN_SPACE = SPACE + JUMP.replace("[0, 0]", "[0, 0, 0]")
+
+# m g y = k (y - L)^2/2 where it turns; beyond L it is y - L = (m g/k)(1 - cos(w t)) + sqrt(2 g L) sin(w t)/w, which is
+# back at zero twice as late as its rate
+LOWEST = "L + m*g/k + sqrt((m*g/k)**2 + 2*m*g*L/k)"
+DOWN = "sqrt(2*L/g) + sqrt(m/k)*(pi - atan(sqrt(2*k*L/(m*g))))"
+SLACK = "sqrt(2*L/g) + 2*sqrt(m/k)*(pi - atan(sqrt(2*k*L/(m*g))))"
+OF_A_JUMP = {
+    "velocity of y when cord goes taut": "sqrt(2*g*L)",
+    "time when cord goes taut": "sqrt(2*L/g)",
+    "greatest y": LOWEST,
+    "greatest velocity of y": "sqrt(2*g*L + m*g**2/k)",
+    "greatest force in cord": "m*g + sqrt((m*g)**2 + 2*k*L*m*g)",
+    "time when y turns back": DOWN,
+    "time when cord goes slack": SLACK,
+    "velocity of y when cord goes slack": "-sqrt(2*g*L)",
+}
+
+
+@pytest.mark.parametrize(
+    "model",
+    [
+        pytest.param(ON_A_LINE, id="on a line"),
+        pytest.param(JUMP, id="free"),
+        pytest.param(IN_SPACE, id="in space", marks=pytest.mark.slow),
+    ],
+)
+def test_a_jump_is_told_in_closed_form_through_its_phases(model: str) -> None:
+    system = fb.System.from_text(model)
+    asked = OF_A_JUMP if model is ON_A_LINE else list(OF_A_JUMP)[:3]
+    values = {"m": 70.0, "k": 100.0, "L": 20.0, "g": 9.81, "pi": math.pi, "sqrt": math.sqrt, "atan": math.atan}
+    for question in asked:
+        (answer,) = system.solve(question).answers
+        assert answer.expression is not None, (question, answer.reason)
+        assert answer.value == pytest.approx(eval(OF_A_JUMP[question], {}, values), rel=1e-9), question
+
+
+def test_the_whole_jump_and_its_phases_are_those_of_the_simulation() -> None:
+    """The engine has one law for both sides, and finds nothing of phases."""
+    system = fb.System.from_text(ON_A_LINE)
+    slack = system.solve("time when cord goes slack").answers[0].value
+    motion = system.simulate(float(slack), every=0.001)  # type: ignore[arg-type]
+    assert float(motion.dataset["y"][-1]) == pytest.approx(20.0, rel=1e-8)
+    assert float(motion.dataset["y"].max()) == pytest.approx(system.solve("greatest y").answers[0].value, rel=1e-6)
+
+
+# -- other strings ----------------------------------------------------------------------------------
+def test_a_block_on_a_slack_string_runs_from_wall_to_wall_of_it() -> None:
+    """m v0^2 = k e^2; half a swing beyond each end, and the rest at v0."""
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, k: 50 N/m, l: 1 m, x_0: 0.4 m, v0: 3 m/s}
+ground: {points: {A: [0, 0]}}
+bodies: {block: {particle: {mass: m}}}
+connections: {table: {slider: {body: block, along: right}}}
+loads: {string: {elastic_string: {from: ground.A, to: block, stiffness: k, length: l}}}
+measures: {x: {x of block}}
+start: {x: x_0, rate(x): v0}
+""")
+    expected = {
+        "greatest x": 1 + 3 * math.sqrt(2 / 50),
+        "time when x turns back": 0.6 / 3 + math.pi / 2 * math.sqrt(2 / 50),
+        "time when string goes slack": 0.6 / 3 + math.pi * math.sqrt(2 / 50),
+        "velocity of x when string goes slack": -3.0,
+    }
+    for question, value in expected.items():
+        (answer,) = system.solve(question).answers
+        assert answer.value == pytest.approx(value, rel=1e-12)
+        assert "l > x_0" in answer.conditions
+
+
+def test_a_string_over_a_peg_catches_its_ball() -> None:
+    """It is taut from y = l - a on, m g (y - y_0) = k (y + a - l)^2/2 where it turns."""
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, k: 100 N/m, l: 2 m, a: 1 m, y_0: 0.5 m, g: 9.81 m/s^2}
+ground: {points: {A: [-a, 0], P: [0, 0]}}
+bodies: {ball: {particle: {mass: m}}}
+connections: {guide: {slider: {body: ball, along: down}}}
+loads:
+  weight: {gravity: g}
+  string: {elastic_string: {from: ground.A, over: [ground.P], to: ball, stiffness: k, length: l}}
+measures: {y: drop of ball below ground.P}
+start: {y: y_0, rate(y): 0}
+""")
+    sag = 2 * 9.81 / 100
+    (deepest,) = system.solve("greatest y").answers
+    assert deepest.expression is not None
+    assert deepest.value == pytest.approx(1 + sag + math.sqrt(sag * sag + 2 * sag * 0.5), rel=1e-12)
+    (speed,) = system.solve("velocity of y when string goes taut").answers
+    assert speed.value == pytest.approx(math.sqrt(2 * 9.81 * 0.5), rel=1e-12)
+
+
+def test_a_ball_that_is_pulled_down_far_is_thrown_off_the_string() -> None:
+    """k d^2/2 = m g (l + d - y) at the top, if that is above where the string is slack: k d > 2 m g."""
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, k: 100 N/m, l: 1 m, d: 0.6 m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}}
+bodies: {ball: {particle: {mass: m}}}
+connections: {guide: {slider: {body: ball, along: down}}}
+loads:
+  weight: {gravity: g}
+  string: {elastic_string: {from: ground.A, to: ball, stiffness: k, length: l}}
+measures: {y: drop of ball below ground.A}
+start: {y: l + d, rate(y): 0}
+""")
+    (top,) = system.solve("least y").answers
+    assert top.value == pytest.approx(1.6 - 100 * 0.36 / (4 * 9.81), rel=1e-10)
+    assert "k*d > 2*m*g" in top.conditions or "k·d > 2·m·g" in top.conditions
+    (time,) = system.solve("time when string goes slack").answers
+    sag = 2 * 9.81 / 100
+    assert time.value == pytest.approx(math.sqrt(2 / 100) * math.acos(-sag / (0.6 - sag)), rel=1e-10)
+
+
+def test_what_is_of_one_law_is_of_the_law_of_both_sides() -> None:
+    """The equilibrium under the cord is where that is taut, though the jump begins with a slack one."""
+    system = fb.System.from_text(ON_A_LINE)
+    assert system.solve("equilibrium of y").answers[0].value == pytest.approx(20 + 70 * 9.81 / 100, rel=1e-9)
+
+
+def test_friction_that_reverses_a_block_stops_it_later() -> None:
+    """On a spring its swings become shorter by 2 mu m g/k each, and each of them has an end."""
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, k: 50 N/m, mu: 0.2, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}, lines: {table: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {table: {contact: {between: [block, ground.table], friction: mu}}}
+loads: {weight: {gravity: g}, spring: {spring: {first: ground.A, second: block, stiffness: k, length: 1 m}}}
+measures: {x: {x of block}}
+start: {x: 1 m, rate(x): 3 m/s}
+""")
+    own = next(case for case in system.phases().cases if case.is_own)
+    # 0.527 m, 0.370 m, 0.213 m, 0.056 m < mu m g/k = 0.078 m
+    assert own.what == "slides, then slides back, then slides back, then slides back, then holds"

@@ -1,0 +1,129 @@
+"""What people write first: one mistake is one message, with the cause and what to write, in their own names."""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+
+ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
+BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
+MISTAKES = {
+    "a plural of a unit": (
+        "bodies: {block: {particle: {mass: 2 kgs}}}",
+        "the unit 'kgs' is not known: write kg, or kg s for kg times seconds",
+    ),
+    "a parameter made of others": (
+        "parameters: {r: 0.1 m, R: 2*r}\nbodies: {w: {disk: {mass: 1 kg, radius: R}}}",
+        "R is a formula of r, and a parameter is a number or a symbol: write (2*r) where R stands",
+    ),
+    "parameters made of each other": (
+        "parameters: {a: {value: 3*b/2}, b: 1 m}\n" + ROD.replace("1 m", "a"),
+        "a is a formula of b, and a parameter is a number or a symbol: write (3*b/2) where a stands",
+    ),
+    "no colon behind a name": (
+        "bodies:\n  rod {rod: {mass: 2 kg, length: 1 m}}  # the rod",
+        "a colon is missing after rod: rod: {rod: {mass: 2 kg, length: 1 m}}",
+    ),
+    "two shapes": (
+        "bodies: {it: {rod: {mass: 2 kg, length: 1 m}, disk: {mass: 1 kg, radius: 1 m}}}",
+        "it has more than one shape: rod and disk. Keep one; a body of several parts is a composite",
+    ),
+    "a start of no measure": (
+        f"{ROD}start: {{phi: 1 rad}}",
+        "phi is no named measure or rate of one. Say what it is, e.g. measures: {phi: angle of rod}",
+    ),
+    "a start of no measure of a particle": (
+        f"{BLOCK}start: {{s: 1 m}}",
+        "s is no named measure or rate of one. Say what it is, e.g. measures: {s: x of block}",
+    ),
+    "a floor beside the lines": (
+        f"ground: {{floor: y = 0}}\n{BLOCK}connections: {{c: {{contact: [block, floor]}}}}\n"
+        "questions: [normal force of c]",
+        "a line of the ground stands under lines: ground: {lines: {floor: {along: right}}}",
+    ),
+    "a wall beside the lines": (
+        f"ground: {{barrier: {{solid: left}}}}\n{BLOCK}connections: {{c: {{contact: [block, barrier]}}}}\n"
+        "questions: [normal force of c]",
+        "a line of the ground stands under lines: ground: {lines: {barrier: {along: right}}}",
+    ),
+    "decimal commas in a list": (
+        f"ground: {{points: {{A: [1,5 m, 2 m]}}}}\n{ROD}connections: {{p: {{pin: [ground.A, rod.start]}}}}",
+        "a comma separates entries; write a point: 1.5 m",
+    ),
+    "a force on a body": (
+        f"{BLOCK}loads: {{F: {{force: {{on: block, along: right, magnitude: 10 N}}}}}}",
+        "force has no on. Did you mean at?",
+    ),
+    "where a body is": (
+        "bodies: {ball: {particle: {mass: 1 kg}, position: [0, 1 m]}}",
+        "a body has no position. Did you mean at?",
+    ),
+    "how fast it turns": (
+        "bodies: {w: {disk: {mass: 1 kg, radius: 1 m}, omega: 3 rad/s}}",
+        "a body has no omega. Did you mean angular_velocity?",
+    ),
+    "a weight": ("bodies: {b: {block: {weight: 20 N}}}", "particle has no weight. Did you mean mass?"),
+    "one question": (
+        f"{BLOCK}questions: acceleration of block",
+        "questions is a list, e.g. questions: [acceleration of block]",
+    ),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_one_message_that_says_what_to_write(mistake: str) -> None:
+    text, told = MISTAKES[mistake]
+    with pytest.raises(fb.ModelError) as refused:
+        fb.System.from_text(text)
+    assert [problem.message for problem in refused.value.problems] == [told]
+
+
+def test_a_symbol_may_have_the_unit_that_another_one_is_called() -> None:
+    """m: a mass, L: in metres."""
+    system = fb.System.from_text("parameters: {m: kg, L: m, h: 1/4 m}\nbodies: {rod: {rod: {mass: m, length: L + h}}}")
+    assert system.parameters["L"].value is None
+
+
+def test_the_words_for_a_start_that_contradicts_itself_lead_to_who_names_the_culprits() -> None:
+    text = f"""{ROD}ground: {{points: {{A: [0, 0]}}}}
+connections: {{p: {{pin: [ground.A, rod.start]}}}}
+measures: {{phi: angle of rod, y: y of rod.end}}
+start: {{phi: 0, y: 0.5 m}}
+questions: [acceleration of phi]
+"""
+    system = fb.System.from_text(text)
+    with pytest.raises(fb.FreebodyError, match="freebody mobility says which parts contradict each other"):
+        system.solve()
+    assert "contradict each other" in system.mobility().to_text()
+
+
+# -- in Python ------------------------------------------------------------------------------------------
+def test_one_wheel_of_a_string_needs_no_list_in_python() -> None:
+    """a = g (m_2 - m_1)/(m_1 + m_2 + M/2)"""
+    model = fb.Model("Atwood")
+    first, second = (model.body(name, fb.Particle(mass)) for name, mass in (("a", "1 kg"), ("b", "2 kg")))
+    pulley = model.body("p", fb.Disk("1 kg", "0.1 m"))
+    model.connect("axle", fb.Pin("ground.P", pulley))
+    model.connect("rope", fb.String(first, second, over=pulley))
+    model.load("weight", fb.Gravity("9.81 m/s^2"))
+    model.measure("y", "y of a")
+    model.ask("acceleration of y")
+    assert model.system().solve().answers[0].value == pytest.approx(9.81 / 3.5)
+
+
+def test_what_has_to_be_called_says_so() -> None:
+    model = fb.Model("Rod")
+    rod = model.body("rod", fb.Rod("2 kg", "1 m"))
+    model.measure("phi", rod.angle)  # pyright: ignore[reportArgumentType]
+    with pytest.raises(fb.ModelError, match=r"angle is a function: call it, as angle\(\)"):
+        model.system()
+
+
+def test_a_point_of_the_ground_has_its_place_as_a_list_or_as_numbers() -> None:
+    one, other = fb.Model("A"), fb.Model("A")
+    one.point("A", "1 m", 0)
+    other.point("A", ["1 m", 0])
+    for model in (one, other):
+        model.body("ball", fb.Particle("1 kg"))
+    assert one.system().to_yaml() == other.system().to_yaml()
