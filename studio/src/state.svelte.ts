@@ -12,7 +12,7 @@ import { WORDS, type Word, keysIn } from "./words";
 
 export type Language = "en" | "de";
 export type Theme = "light" | "dark";
-export type Panel = "ask" | "derivation" | "free" | "mobility" | "conserved" | "more" | "properties" | "export";
+export type Panel = "ask" | "derivation" | "free" | "mobility" | "conserved" | "more" | "properties" | "sweep" | "export";
 export type Pane = "model" | "scene" | "results";
 
 /** An element that is being made by pointing: what can be pointed at, what was, and what would come of it. */
@@ -98,7 +98,7 @@ export class Studio {
   until = $state(3);
   private usual = 3; // as the server says
   isMoving = false; // by hand: what is shown is on its way
-  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
+  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed" | "share">("");
   derived = $state<string | null>(null);
   /** The question that is being typed, and the one that is answered. */
   question = $state("");
@@ -605,6 +605,11 @@ export class Studio {
     }
   }
 
+  /** The page of the model as one file. vary: what its sliders move */
+  sharedPage(vary: string[], topic?: string): Promise<Told<"share"> | null> {
+    return this.asked("share", { text: this.modelText, language: this.language, until: this.until, name: this.file, vary }, topic);
+  }
+
   /** Why there is no answer, in words. */
   reason(told: { status: string; message: string }): string {
     if (told.status === "cancelled") return this.word("cancelled");
@@ -637,7 +642,7 @@ export class Studio {
     this.wear(theme);
   }
   /** Colours are read from the page by what follows, so they are there first. */
-  private wear(theme: Theme): void {
+  wear(theme: Theme): void {
     document.documentElement.dataset.theme = theme;
     this.theme = theme;
   }

@@ -22,10 +22,11 @@ export interface Call {
   request: Record<string, unknown>;
 }
 
-/** What is measured along a motion. energy_error: relative */
+/** What is measured along a motion. recordable: the names of those lines of which a sweep records a value; energy_error: relative */
 export interface CurvesAnswer {
   times: number[];
   lines: Line[];
+  recordable: string[];
   energy_error: number | null;
 }
 
@@ -183,7 +184,7 @@ export interface LearnRequest {
   language?: "en" | "de";
 }
 
-/** One curve over the times of a motion. */
+/** One curve, over the times of a motion or the cases of a sweep. */
 export interface Line {
   name: string;
   label: string;
@@ -208,6 +209,14 @@ export interface MarksRequest {
   text: string;
   language?: "en" | "de";
   ranges: Range[];
+}
+
+/** Cases of a sweep without a number: how many of a status, at which value the first of them is, and why. */
+export interface Missing {
+  status: string;
+  count: number;
+  first: number;
+  why: string;
 }
 
 /** player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of the time, else message says why */
@@ -424,6 +433,30 @@ export interface SuggestRequest {
   question: string;
 }
 
+/** What comes of a name at each of its values, in its unit. about: what was looked at; statuses: of each case in words */
+export interface SweepAnswer {
+  name: string;
+  unit: string;
+  values: number[];
+  about: string;
+  lines: Line[];
+  statuses: string[];
+  missing: Missing[];
+}
+
+/** Vary one name from `low` to `high`, quantities as in a file, in n cases, each of which is looked at: a question, by its id or in words, or what is recorded of the motion to the time `until` [s], as "maximum of theta". */
+export interface SweepRequest {
+  text: string;
+  language?: "en" | "de";
+  name: string;
+  low: string;
+  high: string;
+  n: number;
+  find?: string;
+  record?: string;
+  until?: number;
+}
+
 /** The changed text. */
 export interface TextAnswer {
   text: string;
@@ -454,6 +487,7 @@ export interface Requests {
   hints: HintsRequest;
   count: StudyRequest;
   study: StudyRequest;
+  sweep: SweepRequest;
   export: ExportRequest;
   page: PageRequest;
   share: ShareRequest;
@@ -477,6 +511,7 @@ export interface Answers {
   hints: HintsAnswer;
   count: StudyAnswer;
   study: StudyAnswer;
+  sweep: SweepAnswer;
   export: FilesAnswer;
   page: FilesAnswer;
   share: FilesAnswer;

@@ -13,6 +13,7 @@ from freebody.present.plots import curves
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
 from freebody.studio.wire import CurvesAnswer, Happening, Line, MotionAnswer, MotionRequest
+from freebody.study.simulation.recorded import series_units
 from freebody.study.simulation.simulate import Simulation, simulate
 from freebody.system.system import System
 
@@ -66,8 +67,9 @@ def curves_of(found: Simulation) -> CurvesAnswer:
     recording = found.recording
     shown = curves(recording, _shown(found))
     return CurvesAnswer(
-        times=_rounded(recording.times),
-        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=_rounded(c.values)) for c in shown],
+        times=rounded(recording.times),
+        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=rounded(c.values)) for c in shown],
+        recordable=[name for name in series_units(found.system) if name in recording.over_time],
         energy_error=_finite(found.summary().get("energy_error_relative")),
     )
 
@@ -82,7 +84,7 @@ def _shown(found: Simulation) -> list[str]:
     return [*usual, *(n for n in others if n not in _ENERGY), *(n for n in _ENERGY if n in others)]
 
 
-def _rounded(values: Array) -> list[Any]:
+def rounded(values: Array) -> list[Any]:
     """To the digits that anybody sees; nothing where there is no value."""
     array = np.asarray(values, dtype=np.float64)
     is_finite = np.isfinite(array)

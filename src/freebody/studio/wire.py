@@ -115,6 +115,19 @@ class MarksRequest(Request):
     ranges: list[Range] = Field(max_length=200)
 
 
+class SweepRequest(Request):
+    """Vary one name from `low` to `high`, quantities as in a file, in n cases, each of which is looked at: a question, by
+    its id or in words, or what is recorded of the motion to the time `until` [s], as "maximum of theta"."""
+
+    name: str = Field(max_length=200)
+    low: str = Field(min_length=1, max_length=60)
+    high: str = Field(min_length=1, max_length=60)
+    n: int = Field(ge=2, le=1001)
+    find: str = Field(default="", max_length=400)
+    record: str = Field(default="", max_length=400)
+    until: float = Field(default=UNTIL, gt=0, le=1e4)
+
+
 class PictureRequest(Request):
     """Draw the model, or bodies of it cut free."""
 
@@ -299,7 +312,7 @@ class Happening(Said):
 
 
 class Line(Said):
-    """One curve over the times of a motion."""
+    """One curve, over the times of a motion or the cases of a sweep."""
 
     name: str
     label: str
@@ -320,10 +333,12 @@ class MotionAnswer(Said):
 
 
 class CurvesAnswer(Said):
-    """What is measured along a motion. energy_error: relative"""
+    """What is measured along a motion. recordable: the names of those lines of which a sweep records a value;
+    energy_error: relative"""
 
     times: list[float]
     lines: list[Line]
+    recordable: list[str]
     energy_error: float | None
 
 
@@ -337,6 +352,28 @@ class Mark(Said):
 
 class MarksAnswer(Said):
     marks: list[Mark]
+
+
+class Missing(Said):
+    """Cases of a sweep without a number: how many of a status, at which value the first of them is, and why."""
+
+    status: str
+    count: int
+    first: float
+    why: str
+
+
+class SweepAnswer(Said):
+    """What comes of a name at each of its values, in its unit. about: what was looked at; statuses: of each case in
+    words"""
+
+    name: str
+    unit: str
+    values: list[float]
+    about: str
+    lines: list[Line]
+    statuses: list[str]
+    missing: list[Missing]
 
 
 class Slider(Said):

@@ -73,6 +73,7 @@ WORK: dict[str, Work] = {
     "hints": Work(wire.HintsRequest, "quizzing", "hints", STUDYING),
     "count": Work(wire.StudyRequest, "asking", "studied", COUNTING),
     "study": Work(wire.StudyRequest, "asking", "studied", STUDYING),
+    "sweep": Work(wire.SweepRequest, "sweeping", "swept", STUDYING),
     "export": Work(wire.ExportRequest, "asking", "exported", STUDYING),
     "page": Work(wire.PageRequest, "asking", "page_of", STUDYING),
     "share": Work(wire.ShareRequest, "sharing", "share", STUDYING),
