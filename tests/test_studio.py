@@ -711,6 +711,74 @@ def test_the_lock_file_names_no_registry() -> None:
     assert "resolved" not in (ROOT / "studio" / "package-lock.json").read_text(encoding="utf-8")
 
 
+# -- a sweep ----------------------------------------------------------------------------------
+def test_a_sweep_of_a_question_is_its_formula_and_a_case_that_the_model_excludes_is_a_gap() -> None:
+    """Of a rod on a pin, theta'' = -3 g/(2 L) cos(theta); lengths are positive."""
+    reply = done("sweep", {"text": PENDULUM, "name": "L", "low": "-50 cm", "high": "200 cm", "n": 6, "find": "first"})
+    found = wire.SweepAnswer.model_validate(reply.answer)
+    assert (found.unit, found.values) == ("cm", [-50, 0, 50, 100, 150, 200])
+    (line,) = found.lines
+    assert (found.about, line.name, line.unit) == ("acceleration of theta", "first", "rad/s^2")
+    assert line.values[:2] == [None, None]
+    assert line.values[2:] == pytest.approx([-1.5 * 9.81 / L * 0.5 for L in (0.5, 1, 1.5, 2)], rel=1e-6)
+    assert found.statuses == ["not admissible"] * 2 + ["formula"] * 4
+    (missing,) = found.missing
+    assert (missing.status, missing.count, missing.first) == ("not admissible", 2, -50)
+    assert missing.why == "L = -0.5; the model says that it is positive"
+
+
+@pytest.mark.parametrize(("record", "sign"), [("maximum of theta_rate", 1), ("minimum of theta_rate", -1)])
+def test_a_sweep_of_a_motion_records_its_greatest_and_least_value(record: str, sign: int) -> None:
+    """A rod that falls from the angle theta is fastest where it hangs: L omega^2 = 3 g (1 + sin(theta))."""
+    given = {
+        "text": PENDULUM,
+        "name": "theta",
+        "low": "-60 deg",
+        "high": "-30 deg",
+        "n": 3,
+        "record": record,
+        "until": 3.0,
+    }
+    found = wire.SweepAnswer.model_validate(done("sweep", given).answer)
+    assert (found.unit, found.values, found.missing) == ("deg", [-60, -45, -30], [])
+    expected = [sign * math.sqrt(3 * 9.81 * (1 + math.sin(math.radians(angle)))) for angle in found.values]
+    assert found.lines[0].values == pytest.approx(expected, rel=1e-5)
+    assert record.split(" of ")[1] in curved(wire.MotionRequest(text=PENDULUM, until=0.1, frames=3)).recordable
+
+
+def test_a_sweep_tells_which_linkages_cannot_be_assembled() -> None:
+    """The crank is driven by 3 N m alone, so its energy is 3 N m times its angle; a ground link that is longer than
+    the others can reach is a gap."""
+    text = (ROOT / "examples" / "four_bar.yaml").read_text(encoding="utf-8")
+    given = {"text": text, "name": "d", "low": "0.3 m", "high": "1.5 m", "n": 5, "until": 0.1, "language": "de"}
+    energy, angle = (
+        wire.SweepAnswer.model_validate(done("sweep", {**given, "record": f"final {name}"}).answer)
+        for name in ("kinetic_energy", "theta")
+    )
+    turned = [None if x is None else 3.0 * (x - math.pi / 3) for x in angle.lines[0].values]
+    assert energy.lines[0].values == [None if x is None else pytest.approx(x, rel=1e-5) for x in turned]
+    assert [x is None for x in turned] == [False, False, False, True, True]
+    (missing,) = energy.missing
+    assert (missing.status, missing.count, missing.first) == ("nicht zusammensetzbar", 2, 1.2)
+    assert missing.why.startswith("der Anfang lässt sich nicht zusammenfügen")
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"low": "1 kg", "find": "first"}, "L hat die Einheit m"),
+        ({"low": "long", "find": "first"}, "„long“ ist keine Größe"),
+        ({"n": 1, "find": "first"}, "n: "),
+        ({"record": "final colour"}, "lässt sich nicht aufzeichnen"),
+    ],
+)
+def test_a_sweep_that_cannot_be_read_is_refused_in_words(given: dict[str, Any], words: str) -> None:
+    request = {"text": PENDULUM, "language": "de", "name": "L", "low": "1 m", "high": "2 m", "n": 3, **given}
+    reply = done("sweep", request)
+    assert reply.status == "refused"
+    assert words in reply.message
+
+
 # -- a page to share --------------------------------------------------------------------------
 def test_motions_found_beforehand_are_those_of_the_texts_that_the_sliders_stand_for() -> None:
     request = wire.ShareRequest(text=PENDULUM, until=1.0, frames=31, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])

@@ -44,7 +44,7 @@ class Sweeping {
   get recorded(): string {
     return this.series.includes(this.ofSeries) ? this.ofSeries : (this.series[0] ?? "");
   }
-  set recorded(name: string) {
+  record(name: string): void {
     this.ofSeries = name;
   }
   choose(name: string): void {

@@ -444,7 +444,7 @@ export interface SweepAnswer {
   missing: Missing[];
 }
 
-/** Vary one name from `low` to `high`, quantities as in a file, in n cases, each of which is looked at: a question, by its id or in words, or what is recorded of the motion to the time `until` [s], as "maximum of theta". */
+/** Vary one name from `low` to `high`, quantities as in a file, in n cases. find: a question, by its id or in words; record: of the motion to the time `until` [s], as "maximum of theta"; one of both */
 export interface SweepRequest {
   text: string;
   language?: "en" | "de";

@@ -43,7 +43,9 @@ def swept(request: SweepRequest) -> SweepAnswer:
         unit=unit,
         values=rounded(at),
         about=evaluator.columns[0].long_name if request.find else request.record,
-        lines=[Line(name=c.name, label=c.long_name, unit=c.unit, values=rounded(columns[c.name])) for c in found.columns],
+        lines=[
+            Line(name=c.name, label=c.long_name, unit=c.unit, values=rounded(columns[c.name])) for c in found.columns
+        ],
         statuses=[_told(word, request) for word in words],
         missing=list(_missing(found, at, np.column_stack(list(columns.values())), request)),
     )

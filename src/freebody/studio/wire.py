@@ -116,8 +116,8 @@ class MarksRequest(Request):
 
 
 class SweepRequest(Request):
-    """Vary one name from `low` to `high`, quantities as in a file, in n cases, each of which is looked at: a question, by
-    its id or in words, or what is recorded of the motion to the time `until` [s], as "maximum of theta"."""
+    """Vary one name from `low` to `high`, quantities as in a file, in n cases. find: a question, by its id or in words;
+    record: of the motion to the time `until` [s], as "maximum of theta"; one of both"""
 
     name: str = Field(max_length=200)
     low: str = Field(min_length=1, max_length=60)
