@@ -725,7 +725,7 @@ def test_a_sweep_is_made_by_keys_and_follows_the_text(page: Any) -> None:
     assert written.startswith("L [m],first [rad/s^2],status\n0,,not admissible\n0.5,-14.715,formula\n")
     drawn = "document.querySelector('.swept canvas').toDataURL()"
     before = page.evaluate(drawn)
-    page.locator(".sliders label:has-text('g') input").focus()
+    page.get_by_role("slider", name="g 9.81").focus()
     page.keyboard.press("Home")
     page.wait_for_selector(".swept.stale", timeout=WAIT)
     page.wait_for_selector(".swept:not(.stale)", timeout=WAIT)

@@ -20,6 +20,7 @@ class Sweeping {
 
   answer = $state.raw<SweepAnswer | null>(null);
   message = $state("");
+  hasTable = $state(false);
   isWorking = $state(false);
   private isFollowing = $state(false);
   private sought = $state(""); // what was asked last
