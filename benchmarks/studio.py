@@ -165,17 +165,21 @@ def processor() -> None:
     from freebody.studio import grown  # noqa: F401
     from freebody.studio.work import done
 
-    texts = {name: [(EXAMPLES / f"{name}.yaml").read_text(encoding="utf-8")] * 6 for name in MODELS}
+    of = {name: (EXAMPLES / f"{name}.yaml").read_text(encoding="utf-8") for name in MODELS}
+    texts = {name: [text + k * "\n" for k in range(6)] for name, text in of.items()}
     texts["chain of ten"] = [chain(10).replace("a0: -60", f"a0: {-60 + k}") for k in range(12)]
     for name, variants in texts.items():
-        for kind, more in (("read", {}), ("motion", {"until": 3, "frames": 61 if "chain" in name else 301})):
-            times: list[float] = []
-            size = 0
-            for text in variants:
+        asked = {"until": 3, "frames": 61 if "chain" in name else 301}
+        kinds: list[tuple[str, dict[str, Any]]] = [("read", {}), ("motion", asked), ("curves", asked)]
+        spent: dict[str, list[float]] = {kind: [] for kind, _more in kinds}
+        sizes: dict[str, int] = {}
+        for text in variants:
+            for kind, more in kinds:
                 before = time.process_time()
-                size = len(done(kind, {"text": text, **more}).model_dump_json())
-                times.append(1000.0 * (time.process_time() - before))
-            print(f"{name}, {kind}: first {times[0]:.0f} ms, least {min(times):.0f} ms, {size / 1000:.0f} kB")
+                sizes[kind] = len(done(kind, {"text": text, **more}).model_dump_json())
+                spent[kind].append(1000.0 * (time.process_time() - before))
+        for kind, times in spent.items():
+            print(f"{name}, {kind}: first {times[0]:.0f} ms, least {min(times):.0f} ms, {sizes[kind] / 1000:.0f} kB")
 
 
 def followed(page: Any) -> None:

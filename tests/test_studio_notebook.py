@@ -44,6 +44,7 @@ def asked(widget: Any, name: str, body: dict[str, Any]) -> Any:
     [
         ("read", {}),
         ("motion", {"until": 1.0, "frames": 31}),
+        ("curves", {"until": 1.0, "frames": 31}),
         ("drag", {"body": "rod", "grabbed": [0.5, -0.866], "to": [0.8, -0.6]}),
         ("study", {"name": "solve", "options": {"question": "acceleration of theta"}}),
         ("motion", {"until": -1.0}),

@@ -167,9 +167,52 @@ def test_while_a_slider_moves_only_the_motion_follows(page: Any) -> None:
     motions = [frames for kind, frames in found["asked"] if kind == "motion"]
     assert set(motions) == {61}
     assert 1 <= len(motions) <= 5
-    assert {kind for kind, _ in found["asked"]} <= {"motion", "read"}  # which is asked where a frame takes too long
+    # what is read is asked for where a frame takes too long
+    assert {kind for kind, _ in found["asked"]} <= {"motion", "curves", "read"}
     page.wait_for_selector(".content .freebody-report:not(.stale)", timeout=WAIT)
     assert "updating" not in page.inner_text("#panel")
+
+
+def test_a_slider_is_marked_where_a_case_changes_and_goes_there(page: Any) -> None:
+    """A block of 20 kg that is pulled by 20 N slips where mu = F/(m g)."""
+    page.click(".cm-content")
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text((ROOT / "examples" / "block_tips_or_slides.yaml").read_text(encoding="utf-8"))
+    slider = page.locator(".sliders .slider:has-text('mu')")
+    mark = slider.locator(".marks button").first
+    mark.wait_for(timeout=WAIT)
+    assert (mark.get_attribute("title") or "").startswith("mu = 0.1019: ")
+    track, number = slider.locator("input").bounding_box(), slider.locator(".number").bounding_box()
+    at = mark.bounding_box()
+    assert track["x"] < at["x"] < track["x"] + track["width"] <= number["x"]
+    assert abs(at["y"] - track["y"]) < 24
+    mark.focus()
+    page.keyboard.press("Enter")
+    wait_for_text(page, r"mu: 0\.101937")
+
+
+def test_a_measure_and_its_rate_are_shown_in_a_plane(page: Any) -> None:
+    """Of a pendulum that swings: its way is closed, and a click goes to a time."""
+    page.click("button:has-text('Phase plane')")
+    page.wait_for_selector(".phase .way[d*=L]")
+    assert page.get_attribute(".phase svg", "aria-label") == "Phase plane: theta_rate [rad/s], theta [rad]"
+    before = page.get_attribute(".phase circle", "cx")
+    box = page.locator(".phase svg").bounding_box()
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + 20)
+    page.wait_for_function("x => document.querySelector('.phase circle').getAttribute('cx') !== x", arg=before)
+
+
+@pytest.mark.parametrize("language", ["en-GB", "de-DE"])
+def test_the_top_of_a_narrow_page_has_two_lines(browser: Any, studio: tuple[str, Path], language: str) -> None:
+    address, file = studio
+    file.write_text(PENDULUM, encoding="utf-8")
+    page = browser.new_page(viewport={"width": 320, "height": 640}, locale=language)
+    page.goto(address)
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    assert page.locator(".top").bounding_box()["height"] < 90
+    sizes = [each.bounding_box() for each in page.locator(".top .group button").all()]
+    assert all(min(size["width"], size["height"]) >= 24 for size in sizes)  # WCAG 2.2, 2.5.8
+    page.close()
 
 
 def test_following_a_slider_leaves_the_page_time_for_frames(page: Any) -> None:
@@ -656,6 +699,89 @@ def test_a_dialog_is_opened_right_after_another_one(page: Any) -> None:
     page.wait_for_selector("dialog[open] >> text=particle")
 
 
+def test_a_sweep_is_made_by_keys_and_follows_the_text(page: Any) -> None:
+    """A rod on a pin: theta'' = -3 g/(2 L) cos(theta), at -60 deg; lengths that the model excludes are told."""
+    page.focus("#tab-ask")
+    for _ in range(7):
+        page.keyboard.press("ArrowRight")
+    assert page.get_attribute("#tab-sweep", "aria-selected") == "true"
+    first = page.get_by_label("From", exact=True)
+    assert (first.input_value(), page.get_by_label("To", exact=True).input_value()) == ("0.5 m", "2 m")
+    first.fill("0 m")
+    page.get_by_label("Number of cases").fill("5")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".swept .u-over", timeout=WAIT)
+    assert (
+        page.inner_text(".swept .missing")
+        == "1 × not admissible, first at L = 0 m: L = 0; the model says that it is positive"
+    )
+    page.click(".swept summary")
+    cells = ".cases tbody tr :is(th, td)"
+    rows = "0,,not admissible,0.5,−14.715,formula,1,−7.3575,formula,1.5,−4.905,formula,2,−3.67875,formula"
+    assert ",".join(page.locator(cells).all_inner_texts()) == rows
+    with page.expect_download() as kept:
+        page.click(".swept button:has-text('CSV')")
+    written = Path(kept.value.path()).read_text(encoding="utf-8")
+    assert written.startswith("L [m],first [rad/s^2],status\n0,,not admissible\n0.5,-14.715,formula\n")
+    drawn = "document.querySelector('.swept canvas').toDataURL()"
+    before = page.evaluate(drawn)
+    page.get_by_role("slider", name="g 9.81").focus()
+    page.keyboard.press("Home")
+    page.wait_for_selector(".swept.stale", timeout=WAIT)
+    page.wait_for_selector(".swept:not(.stale)", timeout=WAIT)
+    assert page.evaluate(drawn) != before
+    assert page.locator(cells).nth(4).inner_text() == "−0.15"  # g = 0.1 m/s^2
+    page.click("#tab-ask")
+    page.click("#tab-sweep")
+    assert page.locator(cells).nth(4).inner_text() == "−0.15"  # it is there when one comes back
+    page.emulate_media(media="print")
+    assert page.is_visible(".swept .u-over")
+    assert not page.is_visible(".swept button")
+    page.emulate_media(media="screen")
+
+
+def test_a_sweep_of_motions_is_cancelled_and_another_one_takes_its_place(page: Any) -> None:
+    page.click("#tab-sweep")
+    page.get_by_label("Parameter").select_option("theta")
+    assert page.get_by_label("From", exact=True).input_value() == "-120 deg"
+    page.get_by_label("Quantity").select_option("maximum of")
+    page.get_by_label("Series, until 3 s").select_option("theta_rate")
+    page.get_by_label("Number of cases").fill("1001")
+    page.fill(".transport input[type=number]", "2000")
+    page.keyboard.press("Enter")
+    calculate = page.get_by_role("button", name="Calculate")
+    calculate.click()
+    page.wait_for_selector(".working:has-text(' / 1001')", timeout=WAIT)
+    page.click(".working >> text=Cancel")
+    page.wait_for_selector(".message:has-text('Cancelled')")
+    calculate.click()
+    page.wait_for_selector(".working button", timeout=WAIT)
+    page.fill(".transport input[type=number]", "3")
+    page.keyboard.press("Enter")
+    page.get_by_label("Number of cases").fill("4")
+    page.wait_for_selector(".swept .u-over", timeout=WAIT)
+    page.click(".swept summary")
+    page.wait_for_function("() => document.querySelectorAll('.cases tbody tr').length === 4", timeout=WAIT)
+
+
+def test_the_page_to_share_and_the_text_are_a_button_at_the_top(page: Any) -> None:
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name="Share", exact=True).click()
+    page.click("dialog[open] >> text=Copy the text")
+    page.wait_for_selector("dialog[open] [role=status]:has-text('on the clipboard')")
+    assert page.evaluate("navigator.clipboard.readText()") == PENDULUM
+    with page.expect_download(timeout=WAIT) as kept:
+        page.click("dialog[open] >> text=Save a page to share")
+    assert kept.value.suggested_filename == "pendulum.html"
+    assert 'id="kept"' in Path(kept.value.path()).read_text(encoding="utf-8")
+    page.keyboard.press("Escape")
+    page.keyboard.press("Control+k")
+    page.keyboard.type("Share")
+    page.keyboard.press("Enter")
+    page.click("dialog[open] >> text=Reports, pictures")
+    page.wait_for_selector("#tab-export[aria-selected=true]")
+
+
 def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) -> None:
     file, shared = tmp_path / "pendulum.yaml", tmp_path / "shared.html"
     file.write_text(PENDULUM, encoding="utf-8")
@@ -671,6 +797,7 @@ def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) ->
     for panel in ("ask", "derivation", "mobility", "conserved", "more"):
         page.click(f"#tab-{panel}")
         page.wait_for_selector(".content .freebody-report", timeout=WAIT)
+    assert page.locator("#tab-sweep, #tab-export, .top button:has-text('Share')").count() == 0
     page.click("#tab-free")
     page.wait_for_selector(".content .picture svg", timeout=WAIT)
     page.click(".choice >> text=Picture")

@@ -27,7 +27,8 @@ CHOSEN = """([selector, share]) => {
 }"""
 BUTTONS = (
     ".top button, .transport button, .view button, .plots button, .sheet input, .content button, .content summary, "
-    ".plots summary, .transport summary, .sliders summary, .tree summary, .switch button, .notice button"
+    ".plots summary, .transport summary, .sliders summary, .sliders button, .tree summary, .switch button, "
+    ".notice button"
 )
 PIECES = ["m", "1", " ", "\n", "{", "]", ": ", "# x", "ä", "2 kg", "\t", "- "]
 

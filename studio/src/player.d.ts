@@ -7,6 +7,7 @@ declare module "virtual:player" {
     hasNames(): boolean;
     isPlaying(): boolean;
     isHeld(): boolean;
+    head: number;
     axes(length: number): string;
     drawn(frame: number, time: number): void;
   }

@@ -23,6 +23,9 @@ function keyOf(kind: string, request: object): string {
   });
 }
 
+/** What this window asks about: of what another one asks nothing is replaced or ended. */
+const window_ = Math.random().toString(36).slice(2);
+const ownOf = (topic: string) => `${topic}.${window_}`;
 const token = new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
 
 // the address of another start of the studio: the same page, with another token
@@ -65,7 +68,7 @@ export function ask<K extends keyof Requests>(kind: K, request: Requests[K], top
     const found = kept.replies[keyOf(kind, request)];
     return Promise.resolve((found ?? { status: "refused", message: "" }) as Told<K>);
   }
-  return post("ask", { kind, topic, request });
+  return post("ask", { kind, topic: ownOf(topic), request });
 }
 const caseOf = (places: number[]) => sliders.reduce((before, slider, k) => before * slider.values.length + places[k]!, 0);
 /** The answers to the questions of the file at places of the sliders of a shared page. */
@@ -73,18 +76,19 @@ export function answersAt(places: number[]): { id: string; text: string; value: 
   const at = caseOf(places);
   return (kept?.moved?.answers ?? []).map(({ id, text, values }) => ({ id, text, value: values[at]! }));
 }
-/** The motion there. */
-export function movedTo(places: number[]): Told<"motion"> {
-  const at = caseOf(places);
-  const told = kept!.moved!.replies[at] as Told<"motion">;
-  if (!told.answer) return told;
+/** The motion there, and its curves. */
+export function movedTo(places: number[]): { motion: Told<"motion">; curves: Told<"curves"> } {
+  const at = caseOf(places), curves = kept!.moved!.curves[at] as Told<"curves">;
+  const motion = kept!.moved!.replies[at] as Told<"motion">;
+  if (!motion.answer) return { motion, curves };
   const own = kept!.replies[keyOf("motion", {})]!.answer as Answers["motion"];
-  return { ...told, answer: { ...told.answer, player: { ...own.player, ...told.answer.player } } };
+  return { motion: { ...motion, answer: { ...motion.answer, player: { ...own.player, ...motion.answer.player } } }, curves };
 }
-export const cancel = (topic: string) => post<object>("cancel", { topic });
+export const cancel = (topic: string) => post<object>("cancel", { topic: ownOf(topic) });
 /** Nobody looks any more at what was asked under a topic, so that nothing else waits for it. */
-export const leave = (topic: string) => isAlone ? Promise.resolve({}) : post<object>("leave", { topic }).catch(() => ({}));
-export const busy = () => isAlone ? Promise.resolve<Record<string, string>>({}) : post<Record<string, string>>("busy", {});
+export const leave = (topic: string) => isAlone ? Promise.resolve({}) : post<object>("leave", { topic: ownOf(topic) }).catch(() => ({}));
+/** With what that is busy which is asked under a topic. */
+export const busy = (topic: string) => isAlone ? Promise.resolve("") : post<Record<string, string>>("busy", {}).then((all) => all[ownOf(topic)] ?? "");
 export const open = () => kept ? Promise.resolve(kept.opening) : post<Opening>("open", {});
 export const openFile = (name: string) => post<OpenedFile>("file", { name });
 export const save = (request: SaveRequest) => post<SaveAnswer>("save", request);

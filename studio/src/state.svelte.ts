@@ -7,12 +7,12 @@ import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
 import type { Place } from "virtual:player";
-import type { Answers, Element, End, Kind, MotionAnswer, OpenedFile, Parameter, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
-import { WORDS, type Word } from "./words";
+import type { Answers, CurvesAnswer, Element, End, Kind, Mark, MotionAnswer, OpenedFile, Parameter, Range, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
+import { WORDS, type Word, keysIn } from "./words";
 
 export type Language = "en" | "de";
 export type Theme = "light" | "dark";
-export type Panel = "ask" | "derivation" | "free" | "mobility" | "conserved" | "more" | "properties" | "export";
+export type Panel = "ask" | "derivation" | "free" | "mobility" | "conserved" | "more" | "properties" | "sweep" | "export";
 export type Pane = "model" | "scene" | "results";
 
 /** An element that is being made by pointing: what can be pointed at, what was, and what would come of it. */
@@ -73,9 +73,14 @@ export class Studio {
 
   // -- what follows from it
   motion = $state.raw<MotionAnswer | null>(null);
+  /** Of that motion, or of the one before for as long as they are on their way. */
+  curves = $state.raw<CurvesAnswer | null>(null);
   motionMessage = $state("");
   motionText = "";
   count = $state.raw<StudyAnswer | null>(null);
+  /** Where something changes along the sliders, in the text that they were found for. */
+  private marks = $state.raw<{ text: string; language: Language; marks: Mark[] }>({ text: "", language: "en", marks: [] });
+  private slid = $state(""); // the parameter that was moved last: its marks do not hang on where it is
   isStale = $state(false);
   failure = $state("");
   /** Whether the server answers; how often it has come back. */
@@ -93,7 +98,7 @@ export class Studio {
   until = $state(3);
   private usual = 3; // as the server says
   isMoving = false; // by hand: what is shown is on its way
-  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed">("");
+  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed" | "share">("");
   derived = $state<string | null>(null);
   /** The question that is being typed, and the one that is answered. */
   question = $state("");
@@ -107,6 +112,8 @@ export class Studio {
   writer: Writer | null = null;
   private reading = new Latest();
   private moving = new Latest();
+  private curving = new Latest();
+  private marking = new Latest();
   private opening = server.open(); // on its way while the page is made
   private counting = new Latest();
   private dragging = new Latest();
@@ -133,6 +140,8 @@ export class Studio {
   }
 
   word = (key: Word): string => WORDS[this.language][key];
+  /** Keys as they are called on a keyboard of the language. */
+  keys = (keys: string): string => keysIn(keys, this.language);
 
   get isSaved(): boolean {
     return this.text === this.savedText;
@@ -143,6 +152,11 @@ export class Studio {
   }
   get element(): Element | null {
     return this.read?.elements.find((e) => e.path.join(".") === this.selected) ?? null;
+  }
+  /** How far the picture reaches [m]. */
+  get size(): number {
+    const [x0, y0, x1, y1] = (this.motion?.player.bounds ?? [0, 0, 1, 1]) as [number, number, number, number];
+    return Math.max(x1 - x0, y1 - y0);
   }
   /** The body that is selected, if it is one that moves. */
   get body(): string | null {
@@ -204,6 +218,7 @@ export class Studio {
 
   load(text: string): void {
     this.motion = null;
+    this.curves = null;
     this.count = null;
     this.read = null;
     this.parameters = []; // their places are those of the other text
@@ -338,6 +353,7 @@ export class Studio {
     this.text = text;
     if (this.told) this.told = "";
     this.joining = null;
+    this.slid = "";
     this.isStale = true;
     if (this.isNotebook) this.keepInKernel();
     else this.keepDraft();
@@ -375,7 +391,10 @@ export class Studio {
   }
 
   private askedMotion(text: string, frames?: number): Promise<Told<"motion"> | null> {
-    return this.asked("motion", { text, language: this.language, until: this.until, frames });
+    return this.asked("motion", this.motionOf(text, frames));
+  }
+  private motionOf(text: string, frames?: number) {
+    return { text, language: this.language, until: this.until, frames };
   }
 
   /** Follows the motion of the text as it stands. asked: where that has been asked for; frames: as many as the server thinks best. */
@@ -388,16 +407,28 @@ export class Studio {
         this.motionText = text;
         this.isMoving = frames !== undefined;
         this.shown(told);
+        this.curve(text, told, frames);
         void this.learn();
       }
       if (text === this.text) this.isStale = false;
+    });
+  }
+  /** What is measured along the motion that is shown: its picture does not wait for that. */
+  private curve(text: string, shown: Told<"motion">, frames?: number): void {
+    if (!shown.answer) this.curves = null;
+    this.curving.run(async () => {
+      if (shown.answer !== this.motion || !shown.answer) return; // the next one is shown
+      const told = await this.asked("curves", this.motionOf(text, frames));
+      if (this.motion && told && told.status !== "replaced") this.curves = told.answer;
     });
   }
 
   /** On a shared page a slider shows a motion that was found beforehand. */
   movedTo(slider: number, place: number): void {
     this.places = this.places.map((each, k) => (k === slider ? place : each));
-    this.shown(server.movedTo(this.places));
+    const { motion, curves } = server.movedTo(this.places);
+    this.shown(motion);
+    this.curves = curves.answer;
   }
   get isMoved(): boolean {
     return server.sliders.some((slider, k) => slider.own !== this.places[k]);
@@ -405,7 +436,7 @@ export class Studio {
   private shown(told: Told<"motion">): void {
     this.motion = told.answer;
     this.motionMessage = told.answer ? told.answer.message : this.reason(told);
-    if (told.answer) this.time = Math.min(this.time, told.answer.times.at(-1) ?? 0);
+    if (told.answer) this.time = Math.min(this.time, told.answer.end);
   }
 
   private countSoon = debounced(250, () => {
@@ -417,6 +448,22 @@ export class Studio {
       else if (told && told.status !== "replaced") this.count = null;
     });
   });
+
+  /** Finds where something changes along sliders, once the text rests. */
+  mark = debounced(900, (ranges: Range[]) => {
+    const text = this.text, language = this.language;
+    if (!this.hasDrafts || !ranges.length || !this.isCurrent || !this.model?.questions.length) return;
+    if (this.marks.text === text && this.marks.language === language) return;
+    this.marking.run(async () => {
+      if (text !== this.text) return;
+      const told = await this.asked("marks", { text, language, ranges });
+      if (told && told.status !== "replaced" && text === this.text) this.marks = { text, language, marks: told.answer?.marks ?? [] };
+    });
+  });
+  marksOf(name: string): Mark[] {
+    const isKnown = this.marks.text === this.text || this.slid === name;
+    return isKnown ? this.marks.marks.filter((mark) => mark.name === name) : [];
+  }
 
   setUntil(seconds: number): void {
     if (!(seconds > 0 && seconds <= 1e4)) return;
@@ -430,7 +477,9 @@ export class Studio {
     const { start, end } = parameter.span;
     if (this.text.slice(start, end) !== parameter.text) return; // its place is not known until the text is read
     this.follow(this.text.slice(0, start) + text + this.text.slice(end), { frames: FEWER }); // on its way meanwhile
+    const isMarked = this.marks.text === this.text || this.slid === parameter.name;
     this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider");
+    this.slid = isMarked ? parameter.name : "";
   }
 
   /** Places of parameters after a change, until the text is read again. */
@@ -488,7 +537,7 @@ export class Studio {
   }
   /** Whether a body is shown where the text has it, and can be dragged from there. */
   canDrag(body: string | null | undefined): body is string {
-    const isAtStart = this.motion !== null && this.time <= (this.motion.times[0] ?? 0);
+    const isAtStart = this.motion !== null && this.time <= this.motion.start;
     return !this.isShared && isAtStart && this.isCurrent && this.motionText === this.text && Boolean(body && this.model?.moving.includes(body));
   }
 
@@ -556,6 +605,11 @@ export class Studio {
     }
   }
 
+  /** The page of the model as one file. vary: what its sliders move */
+  sharedPage(vary: string[], topic?: string): Promise<Told<"share"> | null> {
+    return this.asked("share", { text: this.modelText, language: this.language, until: this.until, name: this.file, vary }, topic);
+  }
+
   /** Why there is no answer, in words. */
   reason(told: { status: string; message: string }): string {
     if (told.status === "cancelled") return this.word("cancelled");
@@ -588,7 +642,7 @@ export class Studio {
     this.wear(theme);
   }
   /** Colours are read from the page by what follows, so they are there first. */
-  private wear(theme: Theme): void {
+  wear(theme: Theme): void {
     document.documentElement.dataset.theme = theme;
     this.theme = theme;
   }

@@ -39,11 +39,20 @@ export function round(value: number): number {
   return Number(value.toPrecision(6));
 }
 
+/** From which quantity to which a sweep goes that begins at what stands in a file: from half of it to twice as much. */
+export function sweepRange(text: string, isPositive: boolean): [string, string] {
+  const quantity = quantityOf(text);
+  if (!quantity) return ["", ""];
+  const { value, rest } = quantity, around = sliderRange(0, isPositive, rest);
+  const ends = value === 0 ? [around.min, around.max] : value > 0 ? [value / 2, value * 2] : [value * 2, value / 2];
+  return [`${round(ends[0]!)}${rest}`, `${round(ends[1]!)}${rest}`];
+}
+
 /** What stands in a comma-separated table, with the name and unit of each column. */
-export function csvOf(columns: { name: string; unit: string; values: (number | null)[] }[]): string {
+export function csvOf(columns: { name: string; unit: string; values: (number | string | null)[] }[]): string {
   const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const head = columns.map((c) => quoted(c.unit && c.unit !== "1" ? `${c.name} [${c.unit}]` : c.name));
   const n = Math.max(0, ...columns.map((c) => c.values.length));
-  const rows = Array.from({ length: n }, (_, k) => columns.map((c) => c.values[k] ?? "").join(","));
+  const rows = Array.from({ length: n }, (_, k) => columns.map((c) => quoted(String(c.values[k] ?? ""))).join(","));
   return [head.join(","), ...rows].join("\n") + "\n";
 }

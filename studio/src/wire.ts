@@ -15,11 +15,19 @@ export interface Asked {
   text: string;
 }
 
-/** What the page posts. topic: a later request of the same topic takes the place of an earlier one */
+/** What the page posts. topic: a later request of the same topic takes the place of an earlier one; each window has its own */
 export interface Call {
   kind: string;
   topic: string;
   request: Record<string, unknown>;
+}
+
+/** What is measured along a motion. recordable: the names of those lines of which a sweep records a value; energy_error: relative */
+export interface CurvesAnswer {
+  times: number[];
+  lines: Line[];
+  recordable: string[];
+  energy_error: number | null;
 }
 
 /** Bring a point of a body, at the place `grabbed` [m] at the start, as near `to` another place as it goes in a picture. across, up: what runs right and up in it, along the axes of the ground; how deep a point lies is free */
@@ -176,7 +184,7 @@ export interface LearnRequest {
   language?: "en" | "de";
 }
 
-/** One curve over the times of a motion. */
+/** One curve, over the times of a motion or the cases of a sweep. */
 export interface Line {
   name: string;
   label: string;
@@ -184,15 +192,41 @@ export interface Line {
   values: (number | null)[];
 }
 
-/** player: what `player.js` draws; is_complete: whether all of the time could be followed, else message says why */
+/** A number, in the unit of the slider of a parameter, at which some conditions change their truth. words: theirs */
+export interface Mark {
+  name: string;
+  at: number;
+  words: string[];
+}
+
+/**  */
+export interface MarksAnswer {
+  marks: Mark[];
+}
+
+/** Say where something changes along sliders. */
+export interface MarksRequest {
+  text: string;
+  language?: "en" | "de";
+  ranges: Range[];
+}
+
+/** Cases of a sweep without a number: how many of a status, at which value the first of them is, and why. */
+export interface Missing {
+  status: string;
+  count: number;
+  first: number;
+  why: string;
+}
+
+/** player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of the time, else message says why */
 export interface MotionAnswer {
   player: Record<string, unknown>;
-  times: number[];
-  lines: Line[];
+  start: number;
+  end: number;
   events: Happening[];
   is_complete: boolean;
   message: string;
-  energy_error: number | null;
 }
 
 /** Follow the motion to the time `until` [s]. */
@@ -203,10 +237,11 @@ export interface MotionRequest {
   frames?: number;
 }
 
-/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values; answers: to the questions of the file */
+/** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values; curves: of each; answers: to the questions of the file */
 export interface Moved {
   sliders: Slider[];
   replies: Reply[];
+  curves: Reply[];
   answers: Valued[];
 }
 
@@ -257,6 +292,14 @@ export interface PictureRequest {
   show?: string[];
   dark?: boolean | null;
   format?: "svg" | "png" | "pdf" | "tex";
+}
+
+/** Between which numbers, in which unit, a slider moves a parameter. */
+export interface Range {
+  name: string;
+  low: number;
+  high: number;
+  unit: string;
 }
 
 /** A text that has been read. is_model: whether it is one; then everything else is known */
@@ -390,6 +433,30 @@ export interface SuggestRequest {
   question: string;
 }
 
+/** What comes of a name at each of its values, in its unit. about: what was looked at; statuses: of each case in words */
+export interface SweepAnswer {
+  name: string;
+  unit: string;
+  values: number[];
+  about: string;
+  lines: Line[];
+  statuses: string[];
+  missing: Missing[];
+}
+
+/** Vary one name from `low` to `high`, quantities as in a file, in n cases. find: a question, by its id or in words; record: of the motion to the time `until` [s], as "maximum of theta"; one of both */
+export interface SweepRequest {
+  text: string;
+  language?: "en" | "de";
+  name: string;
+  low: string;
+  high: string;
+  n: number;
+  find?: string;
+  record?: string;
+  until?: number;
+}
+
 /** The changed text. */
 export interface TextAnswer {
   text: string;
@@ -412,12 +479,15 @@ export interface Requests {
   join: JoinRequest;
   suggest: SuggestRequest;
   motion: MotionRequest;
+  curves: MotionRequest;
   learn: LearnRequest;
+  marks: MarksRequest;
   picture: PictureRequest;
   judge: JudgeRequest;
   hints: HintsRequest;
   count: StudyRequest;
   study: StudyRequest;
+  sweep: SweepRequest;
   export: ExportRequest;
   page: PageRequest;
   share: ShareRequest;
@@ -433,12 +503,15 @@ export interface Answers {
   join: JoinAnswer;
   suggest: SuggestAnswer;
   motion: MotionAnswer;
+  curves: CurvesAnswer;
   learn: LearnAnswer;
+  marks: MarksAnswer;
   picture: PictureAnswer;
   judge: JudgeAnswer;
   hints: HintsAnswer;
   count: StudyAnswer;
   study: StudyAnswer;
+  sweep: SweepAnswer;
   export: FilesAnswer;
   page: FilesAnswer;
   share: FilesAnswer;

@@ -46,6 +46,7 @@ const en = {
   narrower: "Narrower",
   curves: "Curves",
   energy: "Energy",
+  phasePlane: "Phase plane",
   csv: "CSV",
   events: "Events",
   parameters: "Parameters",
@@ -142,6 +143,30 @@ const en = {
   value: "value",
   energyError: "energy error",
   elements: "Elements",
+  sweep: "Sweep",
+  varied: "Parameter",
+  from: "From",
+  to: "To",
+  cases: "Number of cases",
+  lookedAt: "Quantity",
+  greatestOf: "greatest value of a series",
+  leastOf: "least value of a series",
+  finalOf: "final value of a series",
+  seriesUntil: "Series, until {} s",
+  ownValue: "; upright line: the value in the file",
+  calculate: "Calculate",
+  nothingVaries: "The model has no parameter and no start value that could be varied.",
+  noCase: "No case has a number.",
+  withoutNumber: "Cases without a number",
+  firstAt: "first at",
+  table: "Table",
+  status: "status",
+  share: "Share",
+  sharePage: "Save a page to share",
+  copyText: "Copy the text of the model",
+  copied: "The text is on the clipboard.",
+  notCopied: "The browser does not let the page write to the clipboard: select the text in the editor and copy it there.",
+  otherExports: "Reports, pictures, sliders for the page …",
 };
 
 export type Word = keyof typeof en;
@@ -192,6 +217,7 @@ const de: Record<Word, string> = {
   narrower: "Schmaler",
   curves: "Kurven",
   energy: "Energie",
+  phasePlane: "Phasenebene",
   csv: "CSV",
   events: "Ereignisse",
   parameters: "Parameter",
@@ -288,6 +314,36 @@ const de: Record<Word, string> = {
   value: "Wert",
   energyError: "Energiefehler",
   elements: "Elemente",
+  sweep: "Parameterstudie",
+  varied: "Parameter",
+  from: "Von",
+  to: "Bis",
+  cases: "Anzahl der Fälle",
+  lookedAt: "Größe",
+  greatestOf: "größter Wert eines Verlaufs",
+  leastOf: "kleinster Wert eines Verlaufs",
+  finalOf: "Endwert eines Verlaufs",
+  seriesUntil: "Verlauf, bis {} s",
+  ownValue: "; senkrechte Linie: der Wert in der Datei",
+  calculate: "Berechnen",
+  nothingVaries: "Das Modell hat weder Parameter noch Anfangswerte, die sich verändern ließen.",
+  noCase: "In keinem Fall ergibt sich ein Wert.",
+  withoutNumber: "Fälle ohne Wert",
+  firstAt: "zuerst bei",
+  table: "Tabelle",
+  status: "Status",
+  share: "Teilen",
+  sharePage: "Seite zum Weitergeben speichern",
+  copyText: "Text des Modells kopieren",
+  copied: "Der Text ist in der Zwischenablage.",
+  notCopied: "Der Browser lässt die Seite nicht in die Zwischenablage schreiben: den Text im Editor auswählen und dort kopieren.",
+  otherExports: "Berichte, Bilder, Schieberegler für die Seite …",
 };
 
 export const WORDS: Record<"en" | "de", Record<Word, string>> = { en, de };
+
+const GERMAN_KEYS: Record<string, string> = { Ctrl: "Strg", Shift: "Umschalt", Space: "Leertaste" };
+/** Keys as they are called on a keyboard of a language. */
+export function keysIn(keys: string, language: keyof typeof WORDS): string {
+  return language === "de" ? keys.replace(/\b(Ctrl|Shift|Space)\b/g, (key) => GERMAN_KEYS[key]!) : keys;
+}

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { changeBetween, csvOf, quantityOf, sliderRange } from "../src/text";
+import { changeBetween, csvOf, quantityOf, sliderRange, sweepRange } from "../src/text";
 
 describe("a change between two texts", () => {
   test.each([
@@ -39,4 +39,18 @@ describe("the range of a slider", () => {
 test("a table has a head with units, and nothing where there is no value", () => {
   const table = csvOf([{ name: "time", unit: "s", values: [0, 1] }, { name: "a, b", unit: "1", values: [null, 2] }]);
   expect(table).toBe('time [s],"a, b"\n0,\n1,2\n');
+});
+
+test("a sweep goes from half of what the file has to twice as much", () => {
+  expect(sweepRange("1 m", true)).toEqual(["0.5 m", "2 m"]);
+  expect(sweepRange("-60 deg", false)).toEqual(["-120 deg", "-30 deg"]);
+  expect(sweepRange("0.3", true)).toEqual(["0.15", "0.6"]);
+  const [low, high] = sweepRange("0 m/s", false);
+  expect(Number.parseFloat(low)).toBeLessThan(0);
+  expect(high).toBe(`${-Number.parseFloat(low)} m/s`);
+  expect(sweepRange("a/2", true)).toEqual(["", ""]);
+});
+
+test("words in a table are quoted where they have to be", () => {
+  expect(csvOf([{ name: "L", unit: "m", values: [1, 2] }, { name: "status", unit: "", values: ["no value", 'a "b", c'] }])).toBe('L [m],status\n1,no value\n2,"a ""b"", c"\n');
 });

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -105,7 +106,7 @@ class Figure:
     axis: Triple | None = None
     faces: tuple[tuple[Place, ...], ...] = ()  # of a convex body, counter-clockwise as seen from outside
 
-    @property
+    @cached_property
     def outline(self) -> Array:
         """(n, 2) [m] its edge or its corners, if they enclose an area; or those of the hull of its points or of its
         parts, counter-clockwise: two for a rod, one for a dot."""

@@ -15,6 +15,7 @@ from freebody.present.page import ANGLE_DIGITS, Pages, digits_of, place_data, ro
 from freebody.present.strokes import Path, Strand, Stretch, Stroke
 from freebody.present.theme import STYLES
 
+_STYLES = {name: asdict(style) for name, style in STYLES.items()}
 _ALONG_Z = np.array([(0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
 
 
@@ -28,7 +29,7 @@ def page(drawing: Drawing, times: Array, title: str) -> Pages:
     script = _Strokes(len(drawing.scene.names), digits + 1)
     own = {
         "symbol": drawing.symbol,
-        "styles": {name: asdict(style) for name, style in STYLES.items()},
+        "styles": _STYLES,
         "strokes": [script.stroke(stroke) for stroke in drawing.strokes],
         "marks": [{**script.stroke(stroke), "frames": spans} for stroke, spans in _marks(drawing)],
         "labels": [{"owner": figure.number, "text": figure.name} for figure in drawing.scene.figures],

@@ -1,5 +1,5 @@
 // A motion on a canvas. data: as `page.py` writes it; shown: what the page around it decides, read at every drawing:
-// isDark(), hasNames(), isPlaying(), isHeld() if anything can be, axes(length) in words, traced (a set of points by number), selected (a set of labels), drawn(frame, time)
+// isDark(), hasNames(), isPlaying(), isHeld() if anything can be, head of what lies over the top [px], axes(length) in words, traced (a set of points by number), selected (a set of labels), drawn(frame, time)
 function playerOn(canvas, data, shown) {
 const pen = canvas.getContext("2d");
 let last = data.n_frames - 1, at = 0, view = null, taken = [];
@@ -338,11 +338,11 @@ function measure() {
   draw();
 }
 function fit() {
-  const [x0, y0, x1, y1] = data.bounds, [room, foot] = data.planar ? [8, 82] : [34, 96];
-  view.scale = camera.zoom * Math.min((view.width - 2 * room) / (x1 - x0), (view.height - room - foot) / (y1 - y0));
+  const [x0, y0, x1, y1] = data.bounds, [room, foot] = data.planar ? [8, 82] : [34, 96], head = Math.max(room, shown.head ?? 0);
+  view.scale = camera.zoom * Math.min((view.width - 2 * room) / (x1 - x0), (view.height - head - foot) / (y1 - y0));
   // the middle of the picture as it is at first
   view.x = view.width / 2 - view.scale * (x0 + x1) / 2 + camera.shift[0];
-  view.y = (view.height - foot + room) / 2 + view.scale * (y0 + y1) / 2 + camera.shift[1];
+  view.y = (view.height - foot + head) / 2 + view.scale * (y0 + y1) / 2 + camera.shift[1];
 }
 function draw() {
   if (!view) return;

@@ -82,11 +82,13 @@ def paths_points(strokes: Sequence[Path], poses: Array) -> Array:
     if not strokes:
         return np.zeros((0, 2))
     every, n = with_ground(poses), [len(stroke.points) for stroke in strokes]
-    at = every[:, np.repeat([stroke.place.body for stroke in strokes], n)]
-    turn = every[:, np.repeat([stroke.turn for stroke in strokes], n), 2]
-    arms = np.repeat([stroke.place.xy for stroke in strokes], n, axis=0)
+    axes = np.stack((turned(every[..., 2], 1.0, 0.0), turned(every[..., 2], 0.0, 1.0)), axis=-1)  # of each body, once
+    on, turn = [stroke.place.body for stroke in strokes], [stroke.turn for stroke in strokes]
+    arms = np.array([stroke.place.xy for stroke in strokes])
+    places = every[:, on, :2] + np.einsum("tbij,bj->tbi", axes[:, on], arms)
     points = np.concatenate([stroke.points for stroke in strokes])
-    return (at[..., :2] + turned(at[..., 2], *arms.T) + turned(turn, *points.T)).reshape(-1, 2)
+    own = np.repeat(np.arange(len(strokes)), n)
+    return (places[:, own] + np.einsum("tpij,pj->tpi", axes[:, np.array(turn)[own]], points)).reshape(-1, 2)
 
 
 def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:

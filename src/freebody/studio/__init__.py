@@ -4,6 +4,7 @@ wire        what page and server say to each other: one schema, from which the t
 reading     a text as the page needs it: what is in it, where that stands, what is wrong and how to mend it
 joining     what can be pointed at in the scene, and new elements between that
 moving      its motion: what the player draws, curves, events
+marking     where a condition of an answer changes along a slider
 renaming    another name for a part of it, wherever the text has it
 asking      pictures, studies, and files of them
 work        the table of what a worker does

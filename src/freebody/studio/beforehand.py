@@ -15,7 +15,7 @@ from freebody.errors import FreebodyError, InputError
 from freebody.language.units import parse_quantity
 from freebody.messages import Message
 from freebody.numeric.jets import Array
-from freebody.studio.moving import motion_of
+from freebody.studio.moving import curves_of, followed, motion_of
 from freebody.studio.reading import Places, document_of, parameters_of
 from freebody.studio.telling import told
 from freebody.studio.wire import Moved, Reply, ShareRequest, Slider, Valued
@@ -50,15 +50,18 @@ def moved_beforehand(system: System, request: ShareRequest, own: dict[str, Any])
     cases = list(product(*axes))
     at = {of.parameter: np.array(column) for of, column in zip(planned.names, zip(*cases, strict=True), strict=True)}
     replies: list[Reply] = []
+    curves: list[Reply] = []
     for values in cases:
         case = with_values(planned.system, {of.parameter: x for of, x in zip(planned.names, values, strict=True)})
-        replies.append(_reply(case, few, own))
+        for found, each in zip((replies, curves), _replies(case, few, own), strict=True):
+            found.append(each)
     written = {p.name: p.text for p in parameters_of(document_of(request.text), system, Places(request.text))}
     sliders = [
         Slider(name=of.name, values=_written(axis, _unit(written.get(of.name, ""), of)), own=axis.index(own_value))
         for of, axis, own_value in zip(planned.names, axes, owns, strict=True)
     ]
-    return Moved(sliders=sliders, replies=replies, answers=list(_answers(planned.system, at, request.language)))
+    answers = list(_answers(planned.system, at, request.language))
+    return Moved(sliders=sliders, replies=replies, curves=curves, answers=answers)
 
 
 def _answers(system: System, at: dict[str, Array], language: str) -> Iterator[Valued]:
@@ -108,13 +111,17 @@ def _with_own(axis: list[float], own: float) -> list[float]:
     return sorted({own, *(x for x in axis if abs(x - own) > _SAME * max(abs(x), abs(own)))})
 
 
-def _reply(case: System, request: ShareRequest, own: dict[str, Any]) -> Reply:
+def _replies(case: System, request: ShareRequest, own: dict[str, Any]) -> tuple[Reply, Reply]:
+    """The motion of a case, and its curves."""
     try:
-        answer = motion_of(case, request).model_dump(mode="json")
+        found = followed(case, request)
+        answer = motion_of(found, request).model_dump(mode="json")
+        curves = curves_of(found).model_dump(mode="json")
     except FreebodyError as error:
-        return Reply(status="refused", message=told(str(error), request.language))
+        refused = Reply(status="refused", message=told(str(error), request.language))
+        return refused, refused
     player = {name: value for name, value in answer["player"].items() if value != own["player"].get(name)}
-    return Reply(status="done", answer={**answer, "player": player})
+    return Reply(status="done", answer={**answer, "player": player}), Reply(status="done", answer=curves)
 
 
 def _unit(written: str, of: Varied) -> str:

@@ -29,7 +29,7 @@ def launch(file: Path | None, port: int, *, opens_browser: bool) -> None:
             Message('the studio needs {package}; pip install "freebody[studio]"', package=error.name or "")
         ) from None
     folder = Folder.of(file)
-    bound = _bound(port) if port else _bound_for(folder.path)
+    bound = bound_at(port) if port else _bound_for(folder.path)
     port, token = bound.getsockname()[1], new_token()
     address = f"http://127.0.0.1:{port}/#token={token}"
     print(address, flush=True)
@@ -56,14 +56,15 @@ def port_of(folder: Path) -> int:
 
 def _bound_for(folder: Path) -> socket.socket:
     try:
-        return _bound(port_of(folder))
+        return bound_at(port_of(folder))
     except InputError:  # somebody has it, perhaps a studio of this folder
-        return _bound(0)
+        return bound_at(0)
 
 
-def _bound(port: int) -> socket.socket:
+def bound_at(port: int) -> socket.socket:
     """A socket of this machine alone."""
-    bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    # by its protocol the server knows that what is written in parts need not wait for each other (`TCP_NODELAY`)
+    bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     if os.name == "posix":  # else a port is not free for minutes after a page has used it; on Windows it means to share
         bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:

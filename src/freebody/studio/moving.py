@@ -1,4 +1,5 @@
-"""The motion of a model for the page: what the player draws, curves and events."""
+"""The motion of a model for the page: what the player draws, with its events, and after that its curves, for which no
+picture waits."""
 
 from __future__ import annotations
 
@@ -11,7 +12,8 @@ from freebody.numeric.jets import Array
 from freebody.present.plots import curves
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
-from freebody.studio.wire import Happening, Line, MotionAnswer, MotionRequest
+from freebody.studio.wire import CurvesAnswer, Happening, Line, MotionAnswer, MotionRequest
+from freebody.study.simulation.recorded import series_units
 from freebody.study.simulation.simulate import Simulation, simulate
 from freebody.system.system import System
 
@@ -20,24 +22,54 @@ _SECONDS = 20.0  # by the clock, after which a motion ends where it is
 _ENERGY = ("kinetic_energy", "potential_energy", "work")
 
 
+_latest: list[tuple[tuple[str, float, int], Simulation]] = []  # what was followed last: its curves are asked for next
+
+
 def motion(request: MotionRequest) -> MotionAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    return motion_of(checked_system(request.text), request)
+    return motion_of(_followed(request), request)
 
 
-def motion_of(system: System, request: MotionRequest) -> MotionAnswer:
-    """The same of a system that has been read."""
+def curved(request: MotionRequest) -> CurvesAnswer:
+    """Raises CannotAnswer where the motion cannot begin."""
+    return curves_of(_followed(request))
+
+
+def _followed(request: MotionRequest) -> Simulation:
+    asked = (request.text, request.until, request.frames)
+    if not _latest or _latest[0][0] != asked:
+        _latest.clear()  # two need not be kept at once
+        _latest.append((asked, followed(checked_system(request.text), request)))
+    return _latest[0][1]
+
+
+def followed(system: System, request: MotionRequest) -> Simulation:
+    """Raises CannotAnswer where the motion cannot begin."""
     every = request.until / (request.frames - 1)
-    found = simulate(system, request.until, every=every, max_seconds=_SECONDS)
-    recording = found.recording
-    shown = list(curves(recording, _shown(found)))
+    return simulate(system, request.until, every=every, max_seconds=_SECONDS)
+
+
+def motion_of(found: Simulation, request: MotionRequest) -> MotionAnswer:
+    """What is seen of a motion."""
+    times = found.course.times
     return MotionAnswer(
-        player=found.film().page(request.frames if len(found.course.times) > 1 else 1).data(1.0),
-        times=_rounded(recording.times),
-        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=_rounded(c.values)) for c in shown],
+        player=found.film().page(request.frames if len(times) > 1 else 1).data(1.0),
+        start=float(times[0]),
+        end=float(times[-1]),
         events=[Happening(time=event.time, name=told(event.name, request.language)) for event in found.events],
         is_complete=found.is_complete,
         message=told(str(found.course.message or ""), request.language),
+    )
+
+
+def curves_of(found: Simulation) -> CurvesAnswer:
+    """What is measured along it."""
+    recording = found.recording
+    shown = curves(recording, _shown(found))
+    return CurvesAnswer(
+        times=rounded(recording.times),
+        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=rounded(c.values)) for c in shown],
+        recordable=[name for name in series_units(found.system) if name in recording.over_time],
         energy_error=_finite(found.summary().get("energy_error_relative")),
     )
 
@@ -52,7 +84,7 @@ def _shown(found: Simulation) -> list[str]:
     return [*usual, *(n for n in others if n not in _ENERGY), *(n for n in _ENERGY if n in others)]
 
 
-def _rounded(values: Array) -> list[Any]:
+def rounded(values: Array) -> list[Any]:
     """To the digits that anybody sees; nothing where there is no value."""
     array = np.asarray(values, dtype=np.float64)
     is_finite = np.isfinite(array)

@@ -8,6 +8,7 @@ Request Forgery Prevention; RFC 3986, section 3.5.
 
 from __future__ import annotations
 
+import asyncio
 import json
 import secrets
 from collections.abc import AsyncGenerator, Awaitable, Callable
@@ -54,7 +55,7 @@ _TYPES = {
     "woff2": "font/woff2",
     "svg": "image/svg+xml",
 }
-Answer = Callable[[Any], Awaitable[Any]]
+Answer = Callable[[Any, Request], Awaitable[Any]]
 
 
 def new_token() -> str:
@@ -78,7 +79,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             if refused is not None:
                 return refused
             try:
-                found = await answer(await _body(request))
+                found = await answer(await _body(request), request)
                 kind = Response if isinstance(found, bytes) else JSONResponse
                 return kind(found, headers=_HEADERS, media_type="application/json")
             except (ValidationError, json.JSONDecodeError, KeyError, UnicodeDecodeError):
@@ -102,7 +103,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             return _plain(403, "")
         return Response(style_sheet(), media_type=_TYPES["css"], headers=_HEADERS)
 
-    async def open_page(_body: Any) -> Any:
+    async def open_page(_body: Any, _request: Request) -> Any:
         opening = Opening(
             file=folder.first_opened(),
             files=folder.names(),
@@ -111,27 +112,31 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         )
         return opening.model_dump()
 
-    async def ask(body: Any) -> Any:
+    async def ask(body: Any, request: Request) -> Any:
         call = Call.model_validate(body)
         if call.kind not in WORK:
             raise KeyError(call.kind)
-        return await lanes.ask(call)
+        waiting = asyncio.create_task(_gone(request, lambda: lanes.leave(call.topic)))
+        try:
+            return await lanes.ask(call)
+        finally:
+            waiting.cancel()
 
-    async def cancel(body: Any) -> Any:
+    async def cancel(body: Any, _request: Request) -> Any:
         lanes.cancel(str(body["topic"]))
         return {}
 
-    async def leave(body: Any) -> Any:
+    async def leave(body: Any, _request: Request) -> Any:
         lanes.leave(str(body["topic"]))
         return {}
 
-    async def busy(_body: Any) -> Any:
+    async def busy(_body: Any, _request: Request) -> Any:
         return lanes.busy()
 
-    async def read_file(body: Any) -> Any:
+    async def read_file(body: Any, _request: Request) -> Any:
         return folder.opened(str(body["name"])).model_dump()
 
-    async def save(body: Any) -> Any:
+    async def save(body: Any, _request: Request) -> Any:
         request = SaveRequest.model_validate(body)
         try:
             return folder.save(request).model_dump()
@@ -139,7 +144,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             message = told(str(error), request.language)
             return SaveAnswer(version="", is_changed=False, message=message).model_dump()
 
-    async def examples(_body: Any) -> Any:
+    async def examples(_body: Any, _request: Request) -> Any:
         return [each.model_dump() for each in _examples()]
 
     answers: dict[str, Answer] = {
@@ -194,6 +199,13 @@ async def _body(request: Request) -> Any:
     if not isinstance(body, dict):
         raise KeyError
     return body  # pyright: ignore[reportUnknownVariableType]
+
+
+async def _gone(request: Request, leave: Callable[[], None]) -> None:
+    """When the window that has asked is gone, nobody waits for the answer."""
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
+    leave()
 
 
 def _plain(status: int, text: str) -> Response:

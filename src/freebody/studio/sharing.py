@@ -63,7 +63,8 @@ def opening_of(name: str, text: str) -> Opening:
 def _questions(request: ShareRequest, questions: list[str], bodies: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:
     """All that the page asks for where nothing is typed."""
     yield "read", {}
-    yield "motion", {"until": request.until, "frames": request.frames}
+    for kind in ("motion", "curves"):
+        yield kind, {"until": request.until, "frames": request.frames}
     yield "count", {"name": "mobility", "prefix": "count-"}
     yield "picture", {}
     yield from (("picture", {"free": [name]}) for name in bodies)

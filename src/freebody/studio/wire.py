@@ -100,6 +100,34 @@ class MotionRequest(Request):
     frames: int = Field(default=301, ge=2, le=3001)
 
 
+class Range(Said):
+    """Between which numbers, in which unit, a slider moves a parameter."""
+
+    name: str = Field(max_length=200)
+    low: float
+    high: float
+    unit: str = Field(max_length=60)
+
+
+class MarksRequest(Request):
+    """Say where something changes along sliders."""
+
+    ranges: list[Range] = Field(max_length=200)
+
+
+class SweepRequest(Request):
+    """Vary one name from `low` to `high`, quantities as in a file, in n cases. find: a question, by its id or in words;
+    record: of the motion to the time `until` [s], as "maximum of theta"; one of both"""
+
+    name: str = Field(max_length=200)
+    low: str = Field(min_length=1, max_length=60)
+    high: str = Field(min_length=1, max_length=60)
+    n: int = Field(ge=2, le=1001)
+    find: str = Field(default="", max_length=400)
+    record: str = Field(default="", max_length=400)
+    until: float = Field(default=UNTIL, gt=0, le=1e4)
+
+
 class PictureRequest(Request):
     """Draw the model, or bodies of it cut free."""
 
@@ -284,7 +312,7 @@ class Happening(Said):
 
 
 class Line(Said):
-    """One curve over the times of a motion."""
+    """One curve, over the times of a motion or the cases of a sweep."""
 
     name: str
     label: str
@@ -293,15 +321,59 @@ class Line(Said):
 
 
 class MotionAnswer(Said):
-    """player: what `player.js` draws; is_complete: whether all of the time could be followed, else message says why"""
+    """player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of
+    the time, else message says why"""
 
     player: dict[str, Any]
-    times: list[float]
-    lines: list[Line]
+    start: float
+    end: float
     events: list[Happening]
     is_complete: bool
     message: str
+
+
+class CurvesAnswer(Said):
+    """What is measured along a motion. recordable: the names of those lines of which a sweep records a value;
+    energy_error: relative"""
+
+    times: list[float]
+    lines: list[Line]
+    recordable: list[str]
     energy_error: float | None
+
+
+class Mark(Said):
+    """A number, in the unit of the slider of a parameter, at which some conditions change their truth. words: theirs"""
+
+    name: str
+    at: float
+    words: list[str]
+
+
+class MarksAnswer(Said):
+    marks: list[Mark]
+
+
+class Missing(Said):
+    """Cases of a sweep without a number: how many of a status, at which value the first of them is, and why."""
+
+    status: str
+    count: int
+    first: float
+    why: str
+
+
+class SweepAnswer(Said):
+    """What comes of a name at each of its values, in its unit. about: what was looked at; statuses: of each case in
+    words"""
+
+    name: str
+    unit: str
+    values: list[float]
+    about: str
+    lines: list[Line]
+    statuses: list[str]
+    missing: list[Missing]
 
 
 class Slider(Said):
@@ -323,10 +395,11 @@ class Valued(Said):
 
 class Moved(Said):
     """The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs
-    from that of the file's values; answers: to the questions of the file"""
+    from that of the file's values; curves: of each; answers: to the questions of the file"""
 
     sliders: list[Slider]
     replies: list[Reply]
+    curves: list[Reply]
     answers: list[Valued]
 
 
@@ -373,10 +446,11 @@ class FilesAnswer(Said):
 
 # -- around them ------------------------------------------------------------------------------
 class Call(Said):
-    """What the page posts. topic: a later request of the same topic takes the place of an earlier one"""
+    """What the page posts. topic: a later request of the same topic takes the place of an earlier one; each window has
+    its own"""
 
     kind: str
-    topic: str = Field(pattern="^[a-z-]{1,40}$")
+    topic: str = Field(pattern=r"^[a-z-]{1,40}(\.[a-z0-9]{0,20})?$")
     request: dict[str, Any]
 
 

@@ -26,10 +26,11 @@ class Lane:
     courtesy: int = 0
 
 
-READING, MOVING, COUNTING, STUDYING = (
+READING, MOVING, COUNTING, MARKING, STUDYING = (
     Lane("reading", 60),
     Lane("moving", 90),
     Lane("counting", 90, courtesy=5),
+    Lane("marking", 120, courtesy=15),
     Lane("studying", 600, courtesy=10),
 )
 
@@ -64,12 +65,15 @@ WORK: dict[str, Work] = {
     "join": Work(wire.JoinRequest, "joining", "join", READING),
     "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
     "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
+    "curves": Work(wire.MotionRequest, "moving", "curved", MOVING),
     "learn": Work(wire.LearnRequest, "kinds", "learned", COUNTING),
+    "marks": Work(wire.MarksRequest, "marking", "marks", MARKING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
     "judge": Work(wire.JudgeRequest, "quizzing", "judged", STUDYING),
     "hints": Work(wire.HintsRequest, "quizzing", "hints", STUDYING),
     "count": Work(wire.StudyRequest, "asking", "studied", COUNTING),
     "study": Work(wire.StudyRequest, "asking", "studied", STUDYING),
+    "sweep": Work(wire.SweepRequest, "sweeping", "swept", STUDYING),
     "export": Work(wire.ExportRequest, "asking", "exported", STUDYING),
     "page": Work(wire.PageRequest, "asking", "page_of", STUDYING),
     "share": Work(wire.ShareRequest, "sharing", "share", STUDYING),

@@ -12,7 +12,6 @@ from math import cos, radians
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull
 
 from freebody.present.figures import Array
 from freebody.present.space.solids import Edge, Solid
@@ -24,6 +23,8 @@ _FLAT = 1e-5  # by the size of the whole
 
 def mesh_hull(triangles: Array) -> Solid:
     """The convex hull of triangles (n, 3, 3)."""
+    from scipy.spatial import ConvexHull  # takes longer to import than the motion of a model without meshes
+
     found = ConvexHull(triangles.reshape(-1, 3))
     order = {int(k): n for n, k in enumerate(found.vertices)}
     points = found.points[found.vertices]

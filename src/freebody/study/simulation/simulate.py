@@ -215,7 +215,7 @@ def _simulated(
 def _output_times(start: float, until: float, every: float | None, at: Sequence[float]) -> Array:
     n = N_OUTPUTS if every is None else max(2, round((until - start) / every) + 1)
     times = np.linspace(start, until, n) if every is None else np.append(start + every * np.arange(n), until)
-    times = np.unique([*times, *at])
+    times = np.array(sorted({*times.tolist(), *map(float, at)}))  # `np.unique` imports masked arrays
     return times[(times >= start) & (times <= until)]
 
 

@@ -241,7 +241,7 @@ def _read(conditions: Sequence[str], start: Mapping[str, Expr]) -> tuple[tuple[V
     for text in conditions:
         statement = read_statement(text.expression) if isinstance(text, Stated) else None
         if statement is not None:
-            found.append((VectorStatement(with_known(statement, start)), str(text)))
+            found.append((VectorStatement(with_known(statement, start)), text))
         elif isinstance(text, Stated) or not is_scope(text):
             return None
     return tuple(found)
