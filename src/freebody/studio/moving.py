@@ -26,15 +26,16 @@ _latest: list[tuple[tuple[str, float, int], Simulation]] = []  # what was follow
 
 def motion(request: MotionRequest) -> MotionAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    return motion_of(_followed(request), request)
+    return motion_of(followed_last(request), request)
 
 
 def curved(request: MotionRequest) -> CurvesAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    return curves_of(_followed(request))
+    return curves_of(followed_last(request))
 
 
-def _followed(request: MotionRequest) -> Simulation:
+def followed_last(request: MotionRequest) -> Simulation:
+    """Raises CannotAnswer where the motion cannot begin."""
     asked = (request.text, request.until, request.frames)
     if not _latest or _latest[0][0] != asked:
         _latest.clear()  # two need not be kept at once
@@ -66,8 +67,8 @@ def curves_of(found: Simulation) -> CurvesAnswer:
     recording = found.recording
     shown = curves(recording, _shown(found))
     return CurvesAnswer(
-        times=_rounded(recording.times),
-        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=_rounded(c.values)) for c in shown],
+        times=rounded(recording.times),
+        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=rounded(c.values)) for c in shown],
         energy_error=_finite(found.summary().get("energy_error_relative")),
     )
 
@@ -82,7 +83,7 @@ def _shown(found: Simulation) -> list[str]:
     return [*usual, *(n for n in others if n not in _ENERGY), *(n for n in _ENERGY if n in others)]
 
 
-def _rounded(values: Array) -> list[Any]:
+def rounded(values: Array) -> list[Any]:
     """To the digits that anybody sees; nothing where there is no value."""
     array = np.asarray(values, dtype=np.float64)
     is_finite = np.isfinite(array)
