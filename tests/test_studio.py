@@ -284,6 +284,20 @@ def test_an_overlay_that_there_is_not_says_why() -> None:
     assert "dry friction" in answer.messages[0]
 
 
+def test_symbols_say_what_they_speak_of() -> None:
+    text = (ROOT / "examples" / "simple_pendulum.yaml").read_text(encoding="utf-8")
+    reply = done("study", {"text": text, "name": "solve", "options": {"question": "tension"}})
+    assert reply.answer is not None
+    found = {m["symbol"]: (m["bodies"], m["owner"]) for m in reply.answer["meanings"]}
+    assert found["T"] == (["bob"], "rod")
+    assert found["\u03b8"] == (["bob"], "")
+    assert found["m"] == (["bob"], "")
+    assert found["g"] == (["bob"], "weight")
+    drawn = done("picture", {"text": text, "free": ["bob"]})
+    assert drawn.answer is not None
+    assert drawn.answer["meanings"] == reply.answer["meanings"]
+
+
 def test_curves_are_those_of_the_motion_that_is_asked_about() -> None:
     """Whatever was followed before them."""
     requests = [

@@ -104,6 +104,8 @@ export class Studio {
   question = $state("");
   asking = $state<string | null>(null);
   joining = $state.raw<Joining | null>(null);
+  /** What a symbol speaks of that is pointed at, or the body. */
+  lit = $state.raw<{ symbol: string; bodies: string[]; owner: string } | null>(null);
   /** What is drawn over the motion. */
   shows = $state<OverlaysRequest["show"]>([]);
   /** Where the sliders of a shared page stand. */

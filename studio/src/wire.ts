@@ -243,6 +243,13 @@ export interface MarksRequest {
   ranges: Range[];
 }
 
+/** What a symbol speaks of. symbol: as it is shown, without its subscripts' places; owner: a connection or load, or nothing */
+export interface Meaning {
+  symbol: string;
+  bodies: string[];
+  owner: string;
+}
+
 /** player: what `player.js` draws; start, end: of what could be followed [s]; is_complete: whether that is all of the time, else message says why */
 export interface MotionAnswer {
   player: Record<string, unknown>;
@@ -320,9 +327,10 @@ export interface Parameter {
   is_positive: boolean;
 }
 
-/** content: of the picture, bytes in base64 */
+/** content: of the picture, bytes in base64; meanings: of symbols in it, where bodies are cut free */
 export interface PictureAnswer {
   content: string;
+  meanings: Meaning[];
 }
 
 /** Draw the model, or bodies of it cut free. */
@@ -445,11 +453,12 @@ export interface SpotsAnswer {
   spots: Spot[];
 }
 
-/** html: the report; plain: the same as data; is_complete: whether all that was asked is found */
+/** html: the report; plain: the same as data; is_complete: whether all that was asked is found; meanings: of symbols in it */
 export interface StudyAnswer {
   html: string;
   plain: Record<string, unknown>;
   is_complete: boolean;
+  meanings: Meaning[];
 }
 
 /** Do one of the table of studies. options: as words of the command line, by the name of the parameter; prefix: of the names in the HTML. */

@@ -1,6 +1,6 @@
 // A motion on a canvas. data: as `page.py` writes it; shown: what the page around it decides, read at every drawing:
 // isDark(), hasNames(), isPlaying(), isHeld() if anything can be, head of what lies over the top [px], axes(length) in words, traced (a set of points by number), selected (a set of labels), overlays() if
-// anything is drawn over the motion, with number(value) in words, drawn(frame, time)
+// anything is drawn over the motion, with number(value) in words and lit(arrow), drawn(frame, time)
 function playerOn(canvas, data, shown) {
 const pen = canvas.getContext("2d");
 let last = data.n_frames - 1, at = 0, view = null, taken = [];
@@ -402,12 +402,15 @@ function overlaid({ found, isStale }) {
     if (!(size > 1e-3 * largest)) continue;
     const turns = each.is_couple && data.planar, tip = turns ? turnOf(p, Math.sign(v[2]), paint) : [p[0] + way[0], p[1] + way[1]];
     if (!turns && l < 1) continue; // it points at the viewer
+    if (shown.lit?.(each)) { pen.beginPath(); pen.moveTo(...p); pen.lineTo(...tip); pen.strokeStyle = theme().measure; pen.lineWidth = 6; pen.stroke(); }
     if (!turns) arrow(p, way, paint);
     if (!turns && each.is_couple) arrow(p, way.map((c) => c * Math.max(0, 1 - 8 / l)), paint); // a moment has two heads
     if (!shown.hasNames()) continue;
     const letter = { velocity: "v", acceleration: "a" }[each.kind] ?? each.label, text = letter + " = " + shown.number(size) + " " + UNITS[scale];
     pen.textAlign = way[0] < -0.3 * l ? "right" : way[0] > 0.3 * l ? "left" : "center";
-    write(text, [tip[0] + 6 * way[0] / (l || 1), tip[1] + 11 * way[1] / (l || 1)], paint);
+    const spot = [tip[0] + 6 * way[0] / (l || 1), tip[1] + 11 * way[1] / (l || 1)]; // within the picture
+    const w = pen.measureText(text).width, before = { left: 0, right: w, center: w / 2 }[pen.textAlign];
+    write(text, [Math.max(before, Math.min(view.width - w + before, spot[0])), Math.max(9, Math.min(view.height - 9, spot[1]))], paint);
   }
   pen.globalAlpha = 1;
 }

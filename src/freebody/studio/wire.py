@@ -411,18 +411,30 @@ class Moved(Said):
     answers: list[Valued]
 
 
+class Meaning(Said):
+    """What a symbol speaks of. symbol: as it is shown, without its subscripts' places; owner: a connection or load, or
+    nothing"""
+
+    symbol: str
+    bodies: list[str]
+    owner: str
+
+
 class PictureAnswer(Said):
-    """content: of the picture, bytes in base64"""
+    """content: of the picture, bytes in base64; meanings: of symbols in it, where bodies are cut free"""
 
     content: str
+    meanings: list[Meaning]
 
 
 class StudyAnswer(Said):
-    """html: the report; plain: the same as data; is_complete: whether all that was asked is found"""
+    """html: the report; plain: the same as data; is_complete: whether all that was asked is found; meanings: of symbols
+    in it"""
 
     html: str
     plain: dict[str, Any]
     is_complete: bool
+    meanings: list[Meaning]
 
 
 class JudgeAnswer(Said):
