@@ -365,9 +365,10 @@ function draw() {
   pen.setLineDash([]);
   pen.font = "13px system-ui, sans-serif";
   pen.textBaseline = "middle";
-  if (shown.hasNames()) { labels([...strokes, ...solids]); data.words.forEach(wordBeside); }
   const over = shown.overlays?.();
+  valued = [];
   if (over) overlaid(over);
+  if (shown.hasNames()) { labels([...strokes, ...solids]); data.words.forEach(wordBeside); }
   corner();
   shown.drawn(at, data.t0 + at * data.dt);
 }
@@ -384,7 +385,8 @@ function traceOf(point) {
 }
 
 // -- over the motion: arrows, centres and friction cones, as long over all of it as the largest says
-const LONGEST = 90, CONE = 80, UNITS = { velocity: "m/s", acceleration: "m/s²", force: "N", couple: "N m" };
+let valued = []; // what is written there, which names keep clear of
+const LONGEST = 90, LEAST = 5, CONE = 80, UNITS = { velocity: "m/s", acceleration: "m/s²", force: "N", couple: "N m" };
 function overlaid({ found, isStale }) {
   const time = data.t0 + at * data.dt, inks = { velocity: "velocity", acceleration: "acceleration", reaction: "reaction", load: "force" };
   pen.globalAlpha = isStale ? 0.3 : 1;
@@ -405,12 +407,14 @@ function overlaid({ found, isStale }) {
     if (shown.lit?.(each)) { pen.beginPath(); pen.moveTo(...p); pen.lineTo(...tip); pen.strokeStyle = theme().measure; pen.lineWidth = 6; pen.stroke(); }
     if (!turns) arrow(p, way, paint);
     if (!turns && each.is_couple) arrow(p, way.map((c) => c * Math.max(0, 1 - 8 / l)), paint); // a moment has two heads
-    if (!shown.hasNames()) continue;
+    if (!shown.hasNames() || (!turns && l < LEAST)) continue;
     const letter = { velocity: "v", acceleration: "a" }[each.kind] ?? each.label, text = letter + " = " + shown.number(size) + " " + UNITS[scale];
     pen.textAlign = way[0] < -0.3 * l ? "right" : way[0] > 0.3 * l ? "left" : "center";
     const spot = [tip[0] + 6 * way[0] / (l || 1), tip[1] + 11 * way[1] / (l || 1)]; // within the picture
     const w = pen.measureText(text).width, before = { left: 0, right: w, center: w / 2 }[pen.textAlign];
-    write(text, [Math.max(before, Math.min(view.width - w + before, spot[0])), Math.max(9, Math.min(view.height - 9, spot[1]))], paint);
+    const [x, y] = [Math.max(before, Math.min(view.width - w + before, spot[0])), Math.max(9, Math.min(view.height - 9, spot[1]))];
+    write(text, [x, y], paint);
+    valued.push({ spot: [x - before + w / 2, y], half: [w / 2, 8] });
   }
   pen.globalAlpha = 1;
 }
@@ -552,7 +556,7 @@ function spotBeside(own, middle, half, k) {
 const areOver = (a, b) => Math.abs(a.spot[0] - b.spot[0]) < a.half[0] + b.half[0] && Math.abs(a.spot[1] - b.spot[1]) < a.half[1] + b.half[1];
 const N_WAYS = 13, FARTHER = 16, N_RINGS = 9, TOO_MUCH = 6;
 function labels(all) {
-  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = data.words.map(boxOfWord), ink = all.map(inkOf);
+  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = [...data.words.map(boxOfWord), ...valued], ink = all.map(inkOf);
   const names = [];
   for (const { owner, text } of data.labels) {
     const own = ink.filter((each) => each.owner === owner && each.spots.length), others = ink.filter((each) => each.owner !== owner);
