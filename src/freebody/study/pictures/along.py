@@ -149,13 +149,14 @@ class MotionShown:
             yield Spot("mass-centres", name, self.course.times, at)
         if len(own) > 1:
             total = sum(masses[name] for name in own)
-            yield Spot("mass-centres", "", self.course.times, sum(masses[n] * at for n, at in own.items()) / total)
+            middle = np.sum([masses[name] * at for name, at in own.items()], axis=0) / total
+            yield Spot("mass-centres", "", self.course.times, middle)
 
     def instant_centres(self) -> list[Spot]:
         """Of all pairs of bodies, where the pose moves in one way alone. Raises CannotAnswer elsewhere."""
         found: dict[str, Array] = {}
         for i, k in enumerate(self.few):
-            for (a, b), centre in instant_centres(self.system, instant_along(self.motion, int(k)).snapshot).items():
+            for (a, b), centre in instant_centres(self.system, instant_along(self.motion, k).snapshot).items():
                 name = b if a == GROUND else f"{a}\u2013{b}"
                 own = found.setdefault(name, np.full((len(self.few), 3), np.nan))
                 if centre.at is not None:
@@ -165,7 +166,7 @@ class MotionShown:
     @cached_property
     def _forces(self) -> list[list[ShownForce]]:
         """At the few instants: at the first of their bodies that moves."""
-        return [forces_in_numbers(instant_along(self.motion, int(k))) for k in self.few]
+        return [forces_in_numbers(instant_along(self.motion, k)) for k in self.few]
 
     def forces(self, kinds: Sequence[str]) -> list[Arrow]:
         """Of some of `FORCES`."""
@@ -254,13 +255,14 @@ def largest(arrows: Sequence[Arrow]) -> Mapping[str, float]:
     return sizes
 
 
-def _some(times: Array, events: Sequence[float]) -> Array:
+def _some(times: Array, events: Sequence[float]) -> list[int]:
     """Places of not too many times: equally many apart, with those about events, where forces change at once."""
     n = len(times)
     places = set(range(0, n, max(1, -(-(n - 1) // (_MOST - 1))))) | {n - 1}
-    for k in np.searchsorted(times, events).tolist()[:_MOST]:
+    at_events: list[int] = np.searchsorted(times, np.array(events, dtype=np.float64)).tolist()
+    for k in at_events[:_MOST]:
         places |= {max(0, k - 1), min(n - 1, k)}
-    return np.array(sorted(places))
+    return sorted(places)
 
 
 def _padded(components: Sequence[float]) -> Array:
