@@ -221,6 +221,83 @@ def test_a_motion_has_its_curves_and_what_the_player_draws() -> None:
         json.dumps(answer.model_dump(), allow_nan=False)
 
 
+def overlaid(text: str, *show: str, until: float = 2.0) -> dict[str, Any]:
+    """By the kind of what is drawn, and the whole answer under no name."""
+    reply = done_by_worker("overlays", {"text": text, "until": until, "show": list(show)})
+    assert reply.status == "done", reply.message
+    answer: Any = reply.answer
+    return {"": answer, **{each.kind: each for each in (*answer.arrows, *answer.spots, *answer.cones)}}
+
+
+def test_what_is_drawn_over_a_simple_pendulum_is_its_closed_form() -> None:
+    """With theta from the vertical: v = L theta' across the rod, a = L theta'' across and L theta'^2 along it, and
+    T = m g cos(theta) + m L theta'^2, where L theta'^2 = 2 g (cos(theta) - cos(theta_0))."""
+    text = (ROOT / "examples" / "simple_pendulum.yaml").read_text(encoding="utf-8")
+    found = overlaid(text, "velocity", "acceleration", "reaction", "load", "mass-centres", "instant-centres")
+    g, times = 9.81, found["velocity"].times
+    bob = list(zip(*found["mass-centres"].at[:2], strict=True))
+    assert found["mass-centres"].times == times
+    for (x, y), v, a in zip(
+        bob,
+        zip(*found["velocity"].vector[:2], strict=True),
+        zip(*found["acceleration"].vector[:2], strict=True),
+        strict=True,
+    ):
+        squared = 2.0 * g * (-y - 0.5)  # (L theta')^2 with cos(theta) = -y
+        assert v[0] ** 2 + v[1] ** 2 == pytest.approx(squared, abs=1e-5)
+        assert v[0] * x + v[1] * y == pytest.approx(0.0, abs=1e-5)
+        assert a == pytest.approx((-squared * x + g * x * y, -squared * y - g * x * x), abs=1e-4)
+    tension, weight = found["reaction"], found["load"]
+    where = dict(zip(times, bob, strict=True))
+    for t, rx, ry in zip(tension.times, *tension.vector[:2], strict=True):
+        x, y = where[t]
+        size = -g * y + 2.0 * g * (-y - 0.5)
+        assert (rx, ry) == pytest.approx((-size * x, -size * y), abs=1e-4)
+    assert (tension.body, tension.owner, tension.label) == ("bob", "rod", "T")
+    assert weight.vector == [[0.0], [-9.81], [0.0]]
+    assert found[""].longest["force"] == pytest.approx(2.0 * g, abs=1e-2)  # at the lowest point
+
+
+def test_points_of_turning_bodies_move_as_they_turn() -> None:
+    """The end of a rod on a pin moves twice as fast as its middle, and what is pinned stands still; in space, about a
+    fixed axis, too."""
+    found = overlaid(PENDULUM, "velocity")[""].arrows
+    by_name = {arrow.label: arrow for arrow in found}
+    middle, end, pinned = (by_name[name].vector for name in ("rod", "rod.end", "rod.start"))
+    assert [2.0 * v for v in middle[0]] == pytest.approx(end[0], abs=1e-5)
+    assert [2.0 * v for v in middle[1]] == pytest.approx(end[1], abs=1e-5)
+    assert max(abs(v) for column in pinned for v in column) < 1e-6
+
+
+def test_friction_cones_say_what_is_used_of_them() -> None:
+    """A block that slides up a slope uses mu_k / mu_s of what its cone allows."""
+    text = (ROOT / "examples" / "block_on_rough_incline.yaml").read_text(encoding="utf-8")
+    cone = overlaid(text, "friction-cones", until=0.1)["friction-cones"]
+    assert math.tan(cone.half) == pytest.approx(0.3, rel=1e-9)
+    assert cone.used[1] == pytest.approx(math.atan(0.3), rel=1e-5)
+    assert [c[0] for c in cone.axis] == pytest.approx((-math.sin(math.radians(25)), math.cos(math.radians(25)), 0.0))
+
+
+def test_an_overlay_that_there_is_not_says_why() -> None:
+    answer = overlaid(PENDULUM, "friction-cones")[""]
+    assert not answer.cones
+    assert "dry friction" in answer.messages[0]
+
+
+def test_symbols_say_what_they_speak_of() -> None:
+    text = (ROOT / "examples" / "simple_pendulum.yaml").read_text(encoding="utf-8")
+    reply = done("study", {"text": text, "name": "solve", "options": {"question": "tension"}})
+    assert reply.answer is not None
+    found = {m["symbol"]: (m["bodies"], m["owner"]) for m in reply.answer["meanings"]}
+    assert found["T"] == (["bob"], "rod")
+    assert found["\u03b8"] == (["bob"], "")
+    assert found["m"] == (["bob"], "")
+    assert found["g"] == (["bob"], "weight")
+    drawn = done("picture", {"text": text, "free": ["bob"]})
+    assert drawn.answer is not None
+    assert drawn.answer["meanings"] == reply.answer["meanings"]
+
+
 def test_curves_are_those_of_the_motion_that_is_asked_about() -> None:
     """Whatever was followed before them."""
     requests = [

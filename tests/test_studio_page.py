@@ -106,6 +106,59 @@ def test_a_mistake_is_marked_and_its_fix_mends_it(page: Any) -> None:
     assert not page.is_visible(".stamp")
 
 
+def image(page: Any) -> str:
+    return str(page.evaluate(PICTURE))
+
+
+def test_velocities_are_drawn_over_the_motion_where_they_are_switched_on(page: Any) -> None:
+    """They follow the motion, and go at once where they are switched off; by keys alone."""
+    asked: list[Any] = []
+    page.on("request", lambda sent: asked.append(json.loads(sent.post_data)) if sent.url.endswith("/ask") else None)
+    page.locator(".scrub input").focus()
+    for _ in range(20):
+        page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(200)
+    before = image(page)
+    page.locator(".transport details summary").press("Enter")
+    box = page.locator(".sheet label:has-text('velocities') input")
+    box.focus()
+    page.keyboard.press("Space")
+    page.wait_for_timeout(100)
+    page.locator(".sheet p:has-text('updating')").wait_for(state="detached")
+    page.wait_for_timeout(200)
+    assert image(page) != before
+    assert [each["request"]["show"] for each in asked if each["kind"] == "overlays"] == [["velocity"]]
+    page.keyboard.press("Space")
+    page.wait_for_timeout(200)
+    assert image(page) == before
+
+
+def test_what_a_symbol_speaks_of_lights_up_and_back(page: Any) -> None:
+    page.wait_for_selector("#panel .freebody-report mi")
+    before = image(page)
+    page.locator("#panel .freebody-report mi", has_text="\u03b8").first.hover()
+    page.wait_for_selector("#panel .freebody-report mi.lit")
+    page.wait_for_timeout(200)
+    assert image(page) != before
+    page.mouse.move(5, 5)
+    page.wait_for_timeout(200)
+    assert image(page) == before
+    page.locator("#panel .symbols button").first.focus()  # by keys
+    page.wait_for_timeout(200)
+    assert image(page) != before
+    page.locator(".scrub input").focus()
+    # back: the body in the scene lights up the symbols that speak of it
+    box = page.locator(".view canvas").bounding_box()
+    for k in range(60):
+        for j in range(3):
+            page.mouse.move(
+                box["x"] + box["width"] * (0.1 + 0.8 * k / 60), box["y"] + box["height"] * (0.35 + 0.15 * j)
+            )
+            if page.locator("#panel .freebody-report mi.lit").count():
+                return
+    pytest.fail("nothing lights up")
+
+
 def test_a_slider_is_an_edit_that_keeps_comments_and_is_undone_at_once(page: Any) -> None:
     slider = page.locator(".sliders label:has-text('L') input").first
     slider.focus()

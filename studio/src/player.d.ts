@@ -1,4 +1,5 @@
 declare module "virtual:player" {
+  import type { OverlaysAnswer } from "./wire";
   /** What the page around a player decides; it is asked at every drawing. */
   export interface Shown {
     traced: Set<number>;
@@ -9,6 +10,9 @@ declare module "virtual:player" {
     isHeld(): boolean;
     head: number;
     axes(length: number): string;
+    overlays(): { found: OverlaysAnswer; isStale: boolean } | null;
+    number(value: number): string;
+    lit(arrow: { owner: string }): boolean;
     drawn(frame: number, time: number): void;
   }
   export type Place = [number, number, number];

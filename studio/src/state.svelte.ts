@@ -7,7 +7,7 @@ import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
 import type { Place } from "virtual:player";
-import type { Answers, CurvesAnswer, Element, End, Kind, Mark, MotionAnswer, OpenedFile, Parameter, Range, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
+import type { Answers, CurvesAnswer, Element, End, Kind, Mark, MotionAnswer, OpenedFile, OverlaysRequest, Parameter, Range, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
 import { WORDS, type Word, keysIn } from "./words";
 
 export type Language = "en" | "de";
@@ -76,7 +76,7 @@ export class Studio {
   /** Of that motion, or of the one before for as long as they are on their way. */
   curves = $state.raw<CurvesAnswer | null>(null);
   motionMessage = $state("");
-  motionText = "";
+  motionText = $state("");
   count = $state.raw<StudyAnswer | null>(null);
   /** Where something changes along the sliders, in the text that they were found for. */
   private marks = $state.raw<{ text: string; language: Language; marks: Mark[] }>({ text: "", language: "en", marks: [] });
@@ -104,6 +104,10 @@ export class Studio {
   question = $state("");
   asking = $state<string | null>(null);
   joining = $state.raw<Joining | null>(null);
+  /** What a symbol speaks of that is pointed at, or the body. */
+  lit = $state.raw<{ symbol: string; bodies: string[]; owner: string } | null>(null);
+  /** What is drawn over the motion. */
+  shows = $state<OverlaysRequest["show"]>([]);
   /** Where the sliders of a shared page stand. */
   places = $state.raw<number[]>(server.sliders.map((slider) => slider.own));
 
@@ -254,8 +258,8 @@ export class Studio {
     }
   }
   private view() {
-    const { file, version, savedText, panel, pane, selected, time, derived, asking } = this;
-    return { file, version, savedText, panel, pane, selected, time, derived, asking, editor: this.writer?.kept() };
+    const { file, version, savedText, panel, pane, selected, time, derived, asking, shows } = this;
+    return { file, version, savedText, panel, pane, selected, time, derived, asking, shows: [...shows], editor: this.writer?.kept() };
   }
   private restore(view: ReturnType<Studio["view"]>): void {
     // what the text was made of: if the file is another one now, that is told
@@ -263,6 +267,7 @@ export class Studio {
     if (view.editor) this.writer?.restore(view.editor);
     this.told = "";
     const { panel, pane, selected, time, derived, asking } = view;
+    this.shows = view.shows ?? [];
     [this.panel, this.pane, this.selected, this.time, this.derived] = [panel, pane, selected, time, derived];
     [this.asking, this.question] = [asking, asking ?? ""];
     void this.lookAtFile();

@@ -9,6 +9,18 @@ export interface AddRequest {
   value: string;
 }
 
+/** vector: along the axes of the ground; of a couple its moment. owner: the connection or load */
+export interface Arrow {
+  kind: string;
+  label: string;
+  body: string;
+  times: number[];
+  at: ((number | null)[])[];
+  vector: ((number | null)[])[];
+  is_couple: boolean;
+  owner: string;
+}
+
 /** A question of the file. */
 export interface Asked {
   id: string;
@@ -20,6 +32,18 @@ export interface Call {
   kind: string;
   topic: string;
   request: Record<string, unknown>;
+}
+
+/** Within which dry friction holds. axis: of the normal force; half: angle to its sides [rad]; used: to the resultant */
+export interface Cone {
+  kind: string;
+  label: string;
+  body: string;
+  times: number[];
+  at: ((number | null)[])[];
+  axis: ((number | null)[])[];
+  half: number;
+  used: (number | null)[];
 }
 
 /** What is measured along a motion. recordable: the names of those lines of which a sweep records a value; energy_error: relative */
@@ -39,6 +63,15 @@ export interface DragRequest {
   to: number[];
   across?: [number, number, number];
   up?: [number, number, number];
+}
+
+/** Something that moves over the scene. body: along whose axes its place is given, from its mass centre; empty for the ground; times: [s]; at: for each of three axes one number a time, or one for all; nothing where it is not */
+export interface Drawn {
+  kind: string;
+  label: string;
+  body: string;
+  times: number[];
+  at: ((number | null)[])[];
 }
 
 /** Set the value at a path, as the YAML of a scalar; None takes it out. */
@@ -211,6 +244,13 @@ export interface MarksRequest {
   ranges: Range[];
 }
 
+/** What a symbol speaks of. symbol: as it is shown, without its subscripts' places; owner: a connection or load, or nothing */
+export interface Meaning {
+  symbol: string;
+  bodies: string[];
+  owner: string;
+}
+
 /** Cases of a sweep without a number: how many of a status, at which value the first of them is, and why. */
 export interface Missing {
   status: string;
@@ -261,6 +301,24 @@ export interface Opening {
   until: number;
 }
 
+/** longest: of the arrows along the motion, by kind; messages: why something is not there */
+export interface OverlaysAnswer {
+  arrows: Arrow[];
+  spots: Drawn[];
+  cones: Cone[];
+  longest: Record<string, number>;
+  messages: string[];
+}
+
+/** Say what is drawn over that motion. */
+export interface OverlaysRequest {
+  text: string;
+  language?: "en" | "de";
+  until: number;
+  frames?: number;
+  show: ("velocity" | "acceleration" | "reaction" | "load" | "friction-cones" | "mass-centres" | "instant-centres")[];
+}
+
 /** The motion as one HTML file that plays without a server. */
 export interface PageRequest {
   text: string;
@@ -278,9 +336,10 @@ export interface Parameter {
   is_positive: boolean;
 }
 
-/** content: of the picture, bytes in base64 */
+/** content: of the picture, bytes in base64; meanings: of symbols in it, where bodies are cut free */
 export interface PictureAnswer {
   content: string;
+  meanings: Meaning[];
 }
 
 /** Draw the model, or bodies of it cut free. */
@@ -403,11 +462,12 @@ export interface SpotsAnswer {
   spots: Spot[];
 }
 
-/** html: the report; plain: the same as data; is_complete: whether all that was asked is found */
+/** html: the report; plain: the same as data; is_complete: whether all that was asked is found; meanings: of symbols in it */
 export interface StudyAnswer {
   html: string;
   plain: Record<string, unknown>;
   is_complete: boolean;
+  meanings: Meaning[];
 }
 
 /** Do one of the table of studies. options: as words of the command line, by the name of the parameter; prefix: of the names in the HTML. */
@@ -480,6 +540,7 @@ export interface Requests {
   suggest: SuggestRequest;
   motion: MotionRequest;
   curves: MotionRequest;
+  overlays: OverlaysRequest;
   learn: LearnRequest;
   marks: MarksRequest;
   picture: PictureRequest;
@@ -504,6 +565,7 @@ export interface Answers {
   suggest: SuggestAnswer;
   motion: MotionAnswer;
   curves: CurvesAnswer;
+  overlays: OverlaysAnswer;
   learn: LearnAnswer;
   marks: MarksAnswer;
   picture: PictureAnswer;

@@ -1,5 +1,6 @@
 // A motion on a canvas. data: as `page.py` writes it; shown: what the page around it decides, read at every drawing:
-// isDark(), hasNames(), isPlaying(), isHeld() if anything can be, head of what lies over the top [px], axes(length) in words, traced (a set of points by number), selected (a set of labels), drawn(frame, time)
+// isDark(), hasNames(), isPlaying(), isHeld() if anything can be, head of what lies over the top [px], axes(length) in words, traced (a set of points by number), selected (a set of labels), overlays() if
+// anything is drawn over the motion, with number(value) in words and lit(arrow), drawn(frame, time)
 function playerOn(canvas, data, shown) {
 const pen = canvas.getContext("2d");
 let last = data.n_frames - 1, at = 0, view = null, taken = [];
@@ -364,6 +365,9 @@ function draw() {
   pen.setLineDash([]);
   pen.font = "13px system-ui, sans-serif";
   pen.textBaseline = "middle";
+  const over = shown.overlays?.();
+  valued = [];
+  if (over) overlaid(over);
   if (shown.hasNames()) { labels([...strokes, ...solids]); data.words.forEach(wordBeside); }
   corner();
   shown.drawn(at, data.t0 + at * data.dt);
@@ -378,6 +382,117 @@ function traceOf(point) {
   track.push(seen(position(point.place, at)));
   way(track);
   rule(color("body", point.color), 1.4, 1);
+}
+
+// -- over the motion: arrows, centres and friction cones, as long over all of it as the largest says
+let valued = []; // what is written there, which names keep clear of
+const LONGEST = 90, LEAST = 5, CONE = 80, UNITS = { velocity: "m/s", acceleration: "m/s²", force: "N", couple: "N m" };
+function overlaid({ found, isStale }) {
+  const time = data.t0 + at * data.dt, inks = { velocity: "velocity", acceleration: "acceleration", reaction: "reaction", load: "force" };
+  pen.globalAlpha = isStale ? 0.3 : 1;
+  for (const cone of found.cones) coneOf(cone, time);
+  for (const spot of found.spots) {
+    const p = footOf(spot, time);
+    if (p && spot.kind === "mass-centres") massCentre(p, spot.label ? 6 : 9);
+    else if (p) instantCentre(p, spot.label);
+  }
+  for (const each of found.arrows) {
+    const p = footOf(each, time), v = sampled(each.vector, each.times, time);
+    if (!p || !v) continue;
+    const size = Math.hypot(...v), scale = each.is_couple ? "couple" : UNITS[each.kind] ? each.kind : "force", largest = found.longest[scale];
+    const paint = theme()[inks[each.kind]], way = onSheet(v).map((c) => c / largest * LONGEST), l = Math.hypot(...way);
+    if (!(size > 1e-3 * largest)) continue;
+    const turns = each.is_couple && data.planar, tip = turns ? turnOf(p, Math.sign(v[2]), paint) : [p[0] + way[0], p[1] + way[1]];
+    if (!turns && l < 1) continue; // it points at the viewer
+    if (shown.lit?.(each)) { pen.beginPath(); pen.moveTo(...p); pen.lineTo(...tip); pen.strokeStyle = theme().measure; pen.lineWidth = 6; pen.stroke(); }
+    if (!turns) arrow(p, way, paint);
+    if (!turns && each.is_couple) arrow(p, way.map((c) => c * Math.max(0, 1 - 8 / l)), paint); // a moment has two heads
+    if (!shown.hasNames() || (!turns && l < LEAST)) continue;
+    const letter = { velocity: "v", acceleration: "a" }[each.kind] ?? each.label, text = letter + " = " + shown.number(size) + " " + UNITS[scale];
+    pen.textAlign = way[0] < -0.3 * l ? "right" : way[0] > 0.3 * l ? "left" : "center";
+    const spot = [tip[0] + 6 * way[0] / (l || 1), tip[1] + 11 * way[1] / (l || 1)]; // within the picture
+    const w = pen.measureText(text).width, before = { left: 0, right: w, center: w / 2 }[pen.textAlign];
+    const [x, y] = [Math.max(before, Math.min(view.width - w + before, spot[0])), Math.max(9, Math.min(view.height - 9, spot[1]))];
+    write(text, [x, y], paint);
+    valued.push({ spot: [x - before + w / 2, y], half: [w / 2, 8] });
+  }
+  pen.globalAlpha = 1;
+}
+function sampled(columns, times, time) {
+  // between two times; nothing where there is nothing at one of them
+  let low = 0, high = times.length - 1;
+  while (high - low > 1) { const middle = (low + high) >> 1; if (times[middle] <= time) low = middle; else high = middle; }
+  const s = high > low ? Math.max(0, Math.min(1, (time - times[low]) / (times[high] - times[low]))) : 0;
+  const found = columns.map((c) => {
+    const [a, b] = c.length === 1 ? [c[0], c[0]] : [c[low], c[high]];
+    return s < 1e-9 ? a : s > 1 - 1e-9 ? b : a === null || b === null ? null : a + s * (b - a);
+  });
+  return found.includes(null) ? null : found;
+}
+function footOf(each, time) {
+  const place = sampled(each.at, each.times, time), body = data.names.indexOf(each.body);
+  return place && onPaper(seen(each.body ? position([body, ...place], at) : place));
+}
+const onSheet = (v) => [dot(camera.axes[0], v), -dot(camera.axes[1], v)];
+function turnOf([x, y], sense, paint) {
+  // a couple about z, counter-clockwise where it is positive; gives where its name stands
+  const r = 22, from = sense > 0 ? 0.5 : Math.PI - 0.5, to = from + sense * 4.2, tip = [x + r * Math.cos(to), y - r * Math.sin(to)];
+  pen.beginPath();
+  pen.arc(x, y, r, -from, -to, sense > 0);
+  pen.strokeStyle = paint;
+  pen.lineWidth = 1.5;
+  pen.stroke();
+  const along = [-sense * Math.sin(to), -sense * Math.cos(to)];
+  arrow([tip[0] - 9 * along[0], tip[1] - 9 * along[1]], along.map((c) => 9 * c), paint);
+  return [x, y - r - 10];
+}
+function massCentre([x, y], r) {
+  pen.lineWidth = 1.4;
+  pen.strokeStyle = pen.fillStyle = theme().ink;
+  for (const [from, isFilled] of [[0, 1], [0.5, 0], [1, 1], [1.5, 0]]) {
+    pen.beginPath();
+    pen.moveTo(x, y);
+    pen.arc(x, y, r, from * Math.PI, (from + 0.5) * Math.PI);
+    pen.fillStyle = isFilled ? theme().ink : theme().paper;
+    pen.fill();
+  }
+  pen.beginPath();
+  pen.arc(x, y, r, 0, 2 * Math.PI);
+  pen.stroke();
+}
+function instantCentre([x, y], label) {
+  pen.beginPath();
+  for (const s of [-1, 1]) { pen.moveTo(x - 6, y - 6 * s); pen.lineTo(x + 6, y + 6 * s); }
+  pen.strokeStyle = theme().acceleration;
+  pen.lineWidth = 2;
+  pen.stroke();
+  pen.textAlign = "left";
+  if (shown.hasNames()) write(label, [x + 9, y - 9], theme().acceleration);
+}
+function coneOf(cone, time) {
+  const p = footOf(cone, time), axis = sampled(cone.axis, cone.times, time), used = sampled([cone.used], cone.times, time);
+  if (!p || !axis || !used) return;
+  const side = (a) => {
+    const [c, s] = [Math.cos(a), Math.sin(a)], [dx, dy] = onSheet([c * axis[0] - s * axis[1], s * axis[0] + c * axis[1], 0]);
+    return [p[0] + CONE / c * dx, p[1] + CONE / c * dy];
+  };
+  const part = (from, to, alpha) => {
+    const before = pen.globalAlpha;
+    pen.beginPath();
+    for (const q of [p, side(from), side(to)]) pen.lineTo(...q);
+    pen.closePath();
+    pen.globalAlpha = alpha * before;
+    pen.fillStyle = theme().reaction;
+    pen.fill();
+    pen.globalAlpha = before;
+  };
+  part(-cone.half, cone.half, 0.12);
+  part(0, used[0], 0.3);
+  pen.beginPath();
+  for (const a of [-cone.half, cone.half]) { pen.moveTo(...p); pen.lineTo(...side(a)); }
+  pen.strokeStyle = theme().reaction;
+  pen.lineWidth = 1;
+  pen.stroke();
 }
 
 // -- names beside their bodies: each keeps its side until another one is clearly better
@@ -441,7 +556,7 @@ function spotBeside(own, middle, half, k) {
 const areOver = (a, b) => Math.abs(a.spot[0] - b.spot[0]) < a.half[0] + b.half[0] && Math.abs(a.spot[1] - b.spot[1]) < a.half[1] + b.half[1];
 const N_WAYS = 13, FARTHER = 16, N_RINGS = 9, TOO_MUCH = 6;
 function labels(all) {
-  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = data.words.map(boxOfWord), ink = all.map(inkOf);
+  const isDue = drawn++ % 12 === 0 || !shown.isPlaying(), placed = [...data.words.map(boxOfWord), ...valued], ink = all.map(inkOf);
   const names = [];
   for (const { owner, text } of data.labels) {
     const own = ink.filter((each) => each.owner === owner && each.spots.length), others = ink.filter((each) => each.owner !== owner);

@@ -14,6 +14,7 @@ from freebody.model.noting import did_you_mean
 from freebody.present.report.formats.html import html_content
 from freebody.present.report.results import Result, finite
 from freebody.studies import STUDIES, Study
+from freebody.studio.meanings import meanings
 from freebody.studio.reading import checked_system
 from freebody.studio.wire import (
     ExportRequest,
@@ -44,16 +45,18 @@ def drawn(request: PictureRequest) -> PictureAnswer:
             content = made.png(dark=bool(request.dark))
         case _:
             content = made.pdf(dark=bool(request.dark))
-    return PictureAnswer(content=_coded(content))
+    return PictureAnswer(content=_coded(content), meanings=meanings(system) if request.free else [])
 
 
 def studied(request: StudyRequest) -> StudyAnswer:
     """What a study finds, as a part of a page."""
     found = _found(request)
+    html = html_content(found.told, request.prefix)
     return StudyAnswer(
-        html=html_content(found.told, request.prefix),
+        html=html,
         plain=finite(found.to_plain()),
         is_complete=found.is_complete,
+        meanings=meanings(checked_system(request.text)) if "<mi" in html else [],
     )
 
 

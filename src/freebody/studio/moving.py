@@ -27,15 +27,16 @@ _latest: list[tuple[tuple[str, float, int], Simulation]] = []  # what was follow
 
 def motion(request: MotionRequest) -> MotionAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    return motion_of(_followed(request), request)
+    return motion_of(followed_last(request), request)
 
 
 def curved(request: MotionRequest) -> CurvesAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    return curves_of(_followed(request))
+    return curves_of(followed_last(request))
 
 
-def _followed(request: MotionRequest) -> Simulation:
+def followed_last(request: MotionRequest) -> Simulation:
+    """Raises CannotAnswer where the motion cannot begin."""
     asked = (request.text, request.until, request.frames)
     if not _latest or _latest[0][0] != asked:
         _latest.clear()  # two need not be kept at once

@@ -13,6 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field
 LONGEST_TEXT = 1_000_000
 UNTIL = 3.0  # [s]
 Language = Literal["en", "de"]
+Overlay = Literal["velocity", "acceleration", "reaction", "load", "friction-cones", "mass-centres", "instant-centres"]
 
 
 class Said(BaseModel):
@@ -98,6 +99,12 @@ class MotionRequest(Request):
 
     until: float = Field(gt=0, le=1e4)
     frames: int = Field(default=301, ge=2, le=3001)
+
+
+class OverlaysRequest(MotionRequest):
+    """Say what is drawn over that motion."""
+
+    show: list[Overlay] = Field(min_length=1, max_length=8)
 
 
 class Range(Said):
@@ -342,6 +349,44 @@ class CurvesAnswer(Said):
     energy_error: float | None
 
 
+class Drawn(Said):
+    """Something that moves over the scene. body: along whose axes its place is given, from its mass centre; empty for
+    the ground; times: [s]; at: for each of three axes one number a time, or one for all; nothing where it is not"""
+
+    kind: str
+    label: str
+    body: str
+    times: list[float]
+    at: list[list[float | None]]
+
+
+class Arrow(Drawn):
+    """vector: along the axes of the ground; of a couple its moment. owner: the connection or load"""
+
+    vector: list[list[float | None]]
+    is_couple: bool
+    owner: str
+
+
+class Cone(Drawn):
+    """Within which dry friction holds. axis: of the normal force; half: angle to its sides [rad]; used: to the
+    resultant"""
+
+    axis: list[list[float | None]]
+    half: float
+    used: list[float | None]
+
+
+class OverlaysAnswer(Said):
+    """longest: of the arrows along the motion, by kind; messages: why something is not there"""
+
+    arrows: list[Arrow]
+    spots: list[Drawn]
+    cones: list[Cone]
+    longest: dict[str, float]
+    messages: list[str]
+
+
 class Mark(Said):
     """A number, in the unit of the slider of a parameter, at which some conditions change their truth. words: theirs"""
 
@@ -403,18 +448,30 @@ class Moved(Said):
     answers: list[Valued]
 
 
+class Meaning(Said):
+    """What a symbol speaks of. symbol: as it is shown, without its subscripts' places; owner: a connection or load, or
+    nothing"""
+
+    symbol: str
+    bodies: list[str]
+    owner: str
+
+
 class PictureAnswer(Said):
-    """content: of the picture, bytes in base64"""
+    """content: of the picture, bytes in base64; meanings: of symbols in it, where bodies are cut free"""
 
     content: str
+    meanings: list[Meaning]
 
 
 class StudyAnswer(Said):
-    """html: the report; plain: the same as data; is_complete: whether all that was asked is found"""
+    """html: the report; plain: the same as data; is_complete: whether all that was asked is found; meanings: of symbols
+    in it"""
 
     html: str
     plain: dict[str, Any]
     is_complete: bool
+    meanings: list[Meaning]
 
 
 class JudgeAnswer(Said):

@@ -66,6 +66,7 @@ WORK: dict[str, Work] = {
     "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
     "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
     "curves": Work(wire.MotionRequest, "moving", "curved", MOVING),
+    "overlays": Work(wire.OverlaysRequest, "overlays", "overlaid", COUNTING),  # no motion waits for forces
     "learn": Work(wire.LearnRequest, "kinds", "learned", COUNTING),
     "marks": Work(wire.MarksRequest, "marking", "marks", MARKING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),

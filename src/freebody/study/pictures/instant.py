@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.system.system import System
+
+if TYPE_CHECKING:
+    from freebody.study.simulation.simulate import Simulation
 
 _MOST_STEPS = 50_000  # to the instant that is drawn
 _AT_ONCE = 1e-6  # [s] a motion of which only the start is wanted
@@ -83,15 +87,17 @@ def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_
         raise CannotAnswer(
             Message("the motion ends at t = {t:.6g} s: {why}", t=result.t_end, why=result.message or result.status)
         )
-    k = -1 if at else 0
+    return instant_along(result, -1 if at else 0)
+
+
+def instant_along(result: Simulation, k: int) -> Instant:
+    """The k-th output time of a motion."""
     course, reference, engine = result.course, result.simulator.reference, result.simulator.engine
     q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
-    snapshot = reference.snapshot(q, v, float(course.times[k]))
-    accelerations = {body.name: course.accelerations[k, j] for j, body in enumerate(system.moving)}
-    n = 3 if system.space else 2
+    n = 3 if result.system.space else 2
     return Instant(
-        snapshot,
-        {name: vector[:n] for name, vector in accelerations.items()},
+        reference.snapshot(q, v, float(course.times[k])),
+        {body.name: course.accelerations[k, j, :n] for j, body in enumerate(result.system.moving)},
         {
             row.name: row.sign * float(course.multipliers[k, j])
             for j, row in enumerate(result.rows)
