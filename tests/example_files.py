@@ -24,3 +24,10 @@ def plain() -> dict[str, dict[str, Any]]:
 def document(name: str) -> dict[str, Any]:
     """What stands in one file, as the reader of models takes it; not to be changed."""
     return Document.load(FOLDER / f"{name}.yaml").data
+
+
+def names_a_file(part: Any) -> bool:
+    """Whether something stands in a file beside the model: data alone has no folder in which to look for it."""
+    if isinstance(part, dict | list):
+        return any(map(names_a_file, part.values() if isinstance(part, dict) else part))
+    return isinstance(part, str) and "." in part and " " not in part and (FOLDER / part).is_file()

@@ -14,6 +14,9 @@ import numpy as np
 from freebody.model.glyphs import Field, Rail, Roller, Track
 from freebody.present.figures import GROUND, Array, Heading, Place, ShownGlyph
 
+Wheel = Roller[Place, float]
+Road = Track[Place, Heading, float]
+
 # radius of a wheel, by the distance of the axles and by the height of the mass centre
 _OF_WHEELBASE, _OF_HEIGHT = 0.12, 0.8
 _STEEPEST = 0.3  # sine of the angle of the road to the vertical
@@ -24,24 +27,22 @@ def on_wheels(shown: Iterable[ShownGlyph]) -> Iterator[ShownGlyph]:
     the ground are parallel where the axles lie in the direction of the slots, which is looked at."""
     every = tuple(shown)
     gravity = next((s.sign.along for s in every if isinstance(s.sign, Field)), None)
-    wheels = {} if gravity is None else _wheels(every, gravity)
+    wheels: Mapping[int, tuple[Wheel, Road]] = {} if gravity is None else _wheels(every, gravity)
     for k, item in enumerate(every):
         if k not in wheels:
             yield item
-        for sign in wheels.get(k, ()):
-            yield replace(item, sign=sign)
+        else:
+            yield from (replace(item, sign=sign) for sign in wheels[k])
 
 
-def _wheels(
-    shown: tuple[ShownGlyph, ...], gravity: Heading
-) -> Mapping[int, tuple[Roller[Place, float], Track[Place, Heading, float]]]:
+def _wheels(shown: tuple[ShownGlyph, ...], gravity: Heading) -> Mapping[int, tuple[Wheel, Road]]:
     """A wheel and its road, by the number of the glyph of its slot."""
     slots = {
         k: item.sign
         for k, item in enumerate(shown)
         if isinstance(item.sign, Rail) and item.sign.turning != "not" and item.sign.along.body == GROUND
     }
-    found: dict[int, tuple[Roller[Place, float], Track[Place, Heading, float]]] = {}
+    found: dict[int, tuple[Wheel, Road]] = {}
     for k, slot in slots.items():
         along = np.array(slot.along.xy)
         side = -1.0 if float(np.array(slot.along.normal().xy) @ np.array(gravity.xy)) > 0.0 else 1.0

@@ -116,7 +116,7 @@ class StartMotion:
         parts = velocity.x, velocity.y
         size = symbol_of(self.system, parts, math.hypot, is_angle=False)
         self._straight(velocity.of, way, name("v") if size is None else formula(Symbol(size)))
-        angle = symbol_of(self.system, parts, lambda vx, vy: math.atan2(abs(vy), abs(vx)), is_angle=True)
+        angle = symbol_of(self.system, parts, _steepness, is_angle=True)
         if angle is not None:
             at, level = self._at(velocity.of), np.array((math.copysign(1.0, x), 0.0))
             begin = math.atan2(0.0, level[0])
@@ -210,6 +210,10 @@ def size_label(rate: Expr, called: str = "", *, is_back: bool) -> Label:
         is_plain = not called or isinstance(rate, Number | Symbol)
         return formula(rate) if is_plain else beside(formula(Call("rate", Symbol(called))), formula(rate), " = ")
     return formula(Number(-rate.value) if isinstance(rate, Number) else -rate)
+
+
+def _steepness(vx: float, vy: float) -> float:
+    return math.atan2(abs(vy), abs(vx))
 
 
 def symbol_of(system: System, parts: Sequence[Expr], of: Callable[..., float], *, is_angle: bool) -> str | None:

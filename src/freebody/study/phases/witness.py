@@ -289,7 +289,7 @@ class NumericMode:
         target = reference.number(asked.value)
 
         if isinstance(asked, Peak):
-            return slope_of(self, asked.quantity, begin)
+            return Watched(slope_of(self, asked.quantity, begin))
 
         def gap(s: Snapshot) -> float:
             return (s.rate(asked.measure) if asked.order else s.value(asked.measure)) - target
