@@ -679,6 +679,10 @@ def test_every_example_has_equilibria_or_a_reason_and_small_motions(path: Path) 
         with pytest.raises(CannotAnswer, match="name angles or places"):
             modes(system, "start")
         return
+    if path.stem == "car_on_a_surveyed_track":  # it starts on a point of its curve, whose third derivative jumps there
+        with pytest.raises(CannotAnswer, match="not smooth in this pose"):
+            modes(system, "start")
+        return
     motion = modes(system, "start")
     if is_turning:  # round-off splits the zeros of what keeps turning
         assert np.isfinite(motion.small.A).all()

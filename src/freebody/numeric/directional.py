@@ -42,8 +42,8 @@ def derivative(f: Callable[[float], Array], scale: Array) -> Array:
         before = slope, gap
     raise CannotAnswer(
         Message(
-            "the loads are not smooth in this pose (a friction or a stop that switches), so they have "
-            "no linear law of small motions there"
+            "the loads are not smooth in this pose (a friction or a stop that switches, or a point of a given curve), "
+            "so they have no linear law of small motions there"
         )
     )
 
