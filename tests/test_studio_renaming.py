@@ -7,7 +7,7 @@ import pytest
 from freebody.errors import InputError
 from freebody.examples_folder import folder, listed_examples
 from freebody.numeric.reference import Reference
-from freebody.studio import wire
+from freebody.studio import reading, wire
 from freebody.studio.renaming import rename
 from freebody.system.system import System
 
@@ -69,16 +69,18 @@ def test_a_name_that_could_be_taken_for_something_else_is_refused(name: str) -> 
 
 
 @pytest.mark.parametrize("name", [name for name, _title in listed_examples()][::9])
-def test_every_name_of_an_example_goes_there_and_back(name: str) -> None:
+def test_every_name_of_an_example_goes_there_and_back(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """To another name and back is the text as it was; between, the system starts in the same pose."""
-    text = (folder() / f"{name}.yaml").read_text(encoding="utf-8")
-    system = System.from_text(text)
+    monkeypatch.setattr(reading, "_folders", [folder()])  # what a model names is looked for there
+    file = folder() / f"{name}.yaml"
+    text = file.read_text(encoding="utf-8")
+    system = System.from_text(text, str(file))
     sections = ("parameters", "bodies", "connections", "loads", "measures")
     paths = [(section, key) for section in sections for key in system.document.data.get(section) or {}]
     for section, key in paths:
         there = renamed(text, f"{section}.{key}", "qqx")
         assert "qqx" in there
-        other = System.from_text(there)
+        other = System.from_text(there, str(file))
         assert sorted(Reference(other).assemble()) == pytest.approx(sorted(Reference(system).assemble()), abs=1e-7)
         back = there.replace("qqx", key)
         assert back == text, (section, key)
