@@ -72,6 +72,7 @@ def test_a_name_that_could_be_taken_for_something_else_is_refused(name: str) -> 
 def test_every_name_of_an_example_goes_there_and_back(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """To another name and back is the text as it was; between, the system starts in the same pose."""
     monkeypatch.setattr(reading, "_folders", [folder()])  # what a model names is looked for there
+    monkeypatch.setattr(reading, "_latest", [])
     file = folder() / f"{name}.yaml"
     text = file.read_text(encoding="utf-8")
     system = System.from_text(text, str(file))

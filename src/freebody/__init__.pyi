@@ -992,7 +992,8 @@ class Rolling(_Rolling):
 
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
-    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5)."""
+    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
+    `on` or `inside` another one, fixed or moving (3 rows)."""
 
     def __init__(
         self,
