@@ -79,7 +79,7 @@ def test_a_motion_in_phases_has_no_derivation_by_lagrange() -> None:
 
 
 def test_without_a_closed_form_the_reason_is_that_of_the_solver() -> None:
-    (derivation,) = explain(load("stick_slip_oscillator"), "time when slipping ends").derivations
+    (derivation,) = explain(load("particle_leaving_dome"), "time when contact opens").derivations
     assert derivation.answer.expression is None
     assert derivation.reason
 
