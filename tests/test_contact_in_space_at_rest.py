@@ -229,7 +229,7 @@ loads: {weight: {gravity: g}, push: {force: {at: table, along: [0, 0, 1], magnit
 """
 
 
-@pytest.mark.parametrize("language", ["en", "de"])
+@pytest.mark.parametrize("language", ["en", pytest.param("de", marks=pytest.mark.slow)])
 def test_limit_of_a_table_on_three_legs_is_derived_from_the_sums_of_their_forces(language: str) -> None:
     """mu = sqrt((m g sin)^2 + P^2)/(m g cos), whatever each of the legs carries."""
     system = fb.System.from_text(TRIPOD)

@@ -191,7 +191,7 @@ questions: [acceleration of phi, tooth force of mesh, reaction of sun_bearing al
 """
 
 
-@pytest.mark.parametrize("n", [1, 2, 3, 5])
+@pytest.mark.parametrize("n", [1, 2, 3, pytest.param(5, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("order", [("carrier.spider", "planet"), ("planet", "carrier.spider")])
 def test_helical_planets_share_the_load(n: int, order: tuple[str, str]) -> None:
     """J x'' = T - n F r, J_p x'' z/z_p = F r z_p/z; the thrusts F tan(beta) of all planets add up on the sun."""
@@ -258,7 +258,7 @@ def test_two_planets_of_a_differential_move_it_as_two_that_are_written_out() -> 
     assert str(copied.mobility().degrees_of_freedom) == str(written.mobility().degrees_of_freedom)
 
 
-@pytest.mark.parametrize("n", [2, 3, 4])
+@pytest.mark.parametrize("n", [2, pytest.param(3, marks=pytest.mark.slow), pytest.param(4, marks=pytest.mark.slow)])
 def test_bevel_planets_share_the_load_of_a_differential(n: int) -> None:
     """The side wheels turn alike with the carrier, and by the difference D against the planets: with k = z_s/z_p,
     (J_s + n J_p k^2/2) D'' = T_R - T_L, and of the left wheel J_s x'' = -T_L - n r F."""

@@ -39,7 +39,9 @@ loads: {weight: {gravity: g}}
 """
 
 
-@pytest.mark.parametrize(("up", "at"), [("true", "[0, r - R, 0]"), ("{up: z}", "[0, 0, r - R]")])
+@pytest.mark.parametrize(
+    ("up", "at"), [("true", "[0, r - R, 0]"), pytest.param("{up: z}", "[0, 0, r - R]", marks=pytest.mark.slow)]
+)
 def test_small_oscillations_in_a_bowl_have_a_closed_form(up: str, at: str, agrees: Agree) -> None:
     system = fb.System.from_text(BOWL.replace("{SPACE}", up).replace("AT", at))
     solution = system.solve("period of small oscillations")

@@ -135,7 +135,7 @@ def moved(height: float, mu: float, more: str = "", until: float = 0.5) -> fb.Si
     return fb.System.from_text(model).simulate(until)
 
 
-@pytest.mark.parametrize("model", ["floor", "box"])
+@pytest.mark.parametrize("model", ["floor", pytest.param("box", marks=pytest.mark.slow)])
 def test_upright_can_slides_to_rest_by_mu_g_without_tipping(model: str) -> None:
     more = ", velocity: [0.6, 0, -0.8]"
     if model == "floor":

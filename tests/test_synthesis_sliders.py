@@ -98,7 +98,7 @@ def test_the_cognate_of_a_slider_crank_has_its_own_slide_and_traces_the_same_poi
     assert off_the_quartic(other, beyond) < 1e-10
 
 
-@pytest.mark.parametrize("n", [3, 8])
+@pytest.mark.parametrize("n", [3, pytest.param(8, marks=pytest.mark.slow)])
 def test_slider_cranks_through_points_without_crank_angles(n: int) -> None:
     """Eight unknowns besides the crank angles, so that eight points are met, fewer leave some free."""
     points = SliderCrank().path(np.linspace(0.2, 5.5, n))
