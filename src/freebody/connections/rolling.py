@@ -56,7 +56,7 @@ ground: {lines: {floor: {along: right}}}
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 connections: {it: {rolling: {body: wheel, on: floor}}}
 """
-    more_examples: ClassVar[Mapping[str, str]] = {
+    more_examples: ClassVar[dict[str, str]] = {
         name: f"""
 space: true
 bodies:
