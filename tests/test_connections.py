@@ -937,6 +937,10 @@ def test_a_contact_with_a_misspelt_line_of_the_ground_is_told_which_is_meant() -
             "it has no size; slider takes body, along, on, through, friction, e.g.",
         ),
         ("{slider: {body: block, along: right}, closing: true}", "it has no closing. Did you mean closes?"),
+        (
+            "{weld: {first: block, second: ground, closes: at start}}",
+            "write closes beside weld, not inside it: {weld: {first: block, second: ground}, closes: at start}",
+        ),
     ],
 )
 def test_what_stands_beside_a_kind_is_led_to_where_it_belongs(entry: str, told: str) -> None:
@@ -944,3 +948,11 @@ def test_what_stands_beside_a_kind_is_led_to_where_it_belongs(entry: str, told: 
     with pytest.raises(fb.ModelError) as found:
         fb.System.from_text(text)
     assert told in str(found.value)
+
+
+def test_the_place_of_a_body_written_into_its_shape_is_led_beside_it() -> None:
+    with pytest.raises(fb.ModelError) as found:
+        fb.System.from_text("bodies: {A: {rod: {mass: 1 kg, length: 1 m, angle: 30 deg, points: {P: [0, 0]}}}}")
+    assert "write angle and points beside rod, not inside it: {rod: {mass: 1 kg, length: 1 m}, angle: 30 deg" in str(
+        found.value
+    )

@@ -342,6 +342,26 @@ def test_block_wedged_between_walls_has_reactions_without_limit() -> None:
     assert least.notes == ("there is no lower limit: μ need only be larger than 0",)
 
 
+def test_a_disk_that_rolls_off_does_not_slip_at_rest() -> None:
+    """Rest ends at F = 0, by rolling: no slip has to do with it, so words of slipping mean the motion, F <= 3 mu m g
+    (F = 3/2 m a and a friction of m a/2, BJ Dynamics ch. 16)."""
+    spool = """
+parameters: {m: 3 kg, R: 0.2 m, F: 5 N, mu: 0.5, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {spool: {disk: {mass: m, radius: R}}}
+connections: {floor: {contact: {between: [spool, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: spool, along: right, magnitude: F}}}
+measures: {x: {x of spool}}
+start: {x: 0, rate(x): 0}
+"""
+    rest = asked(spool, "largest F so that it stays at rest")["q1"]
+    assert rest.value == 0.0
+    assert not any("slips" in str(note) for note in rest.notes)
+    slip = asked(spool, "largest F so that it does not slip")["q1"]
+    assert slip.value is None
+    assert "'largest F for which floor does not slip'" in str(slip.reason)
+
+
 def test_no_coefficient_of_friction_helps_where_the_block_tips() -> None:
     answer = asked(BLOCK.replace("F: 10 N", "F: 40 N"), "least mu so that it stays at rest")["q1"]
     assert answer.reason == "no value of mu keeps the system at rest: block tips about block.bottom_right"

@@ -56,7 +56,8 @@ def seen(
     sizes = np.linalg.norm(problem.J * problem.moves, axis=1)
     sizes = np.where(sizes > 0.0, sizes, 1.0)
     scaled = raw / sizes
-    still = _STILL * float(np.abs(scaled).max(initial=0.0))
+    # beside the motion itself: where all contacts roll, their rates are rounding alone
+    still = _STILL * max(float(np.abs(scaled).max(initial=0.0)), float(np.linalg.norm(v / problem.moves)))
     opens: set[str] = set()
     slips: dict[str, int] = {}
     for row, sign in problem.normals:

@@ -199,7 +199,7 @@ class BodySections:
         if len(kinds) != 1:
             return None, ""
         ((word, kind),) = kinds.items()
-        return self.source.spec(Shape.kinds[kind], entry[word], word), word
+        return self.source.spec(Shape.kinds[kind], entry[word], word, beside=options), word
 
     def _able(self, fields: Collection[str]) -> list[str]:
         """Shapes that take all these fields, the plainest first."""

@@ -178,8 +178,8 @@ class Source:
             good[name] = value
         return good
 
-    def spec(self, kind: type[SpecT], value: Any, *path: str | int) -> SpecT | None:
-        """One description, its problems noted with their places."""
+    def spec(self, kind: type[SpecT], value: Any, *path: str | int, beside: Collection[str] = ()) -> SpecT | None:
+        """One description, its problems noted with their places; beside: the keys that stand next to a kind."""
         if kind.space_only and not self.names.space:
             other = kind.in_plane_take
             told = Message("; in the plane take {other}", other=other) if other else ""
@@ -195,7 +195,10 @@ class Source:
             if isinstance(value, list) and absent and not strange:
                 self._too_short(kind, len(cast("list[Any]", value)), absent, *path)
             else:
-                self._misnamed(kind, absent, list(reversed(strange)), *path)
+                inside = [key for key in reversed(strange) if key in beside]
+                self._misnamed(kind, absent, [key for key in reversed(strange) if key not in inside], *path)
+                if inside:
+                    self._inside_a_kind(kind, inside, value, *path)
             for where, fault in reversed(faults.items()):
                 if fault["type"] in ("extra_forbidden", "missing"):
                     continue
@@ -283,6 +286,18 @@ class Source:
         )
         self.names.problem(told, *path)
 
+    def _inside_a_kind(self, kind: type[Spec], inside: Sequence[str], value: Any, *path: str | int) -> None:
+        """Keys of the entry that are written among the fields of its kind."""
+        fields = {key: field for key, field in cast("dict[str, Any]", value).items() if key not in inside}
+        lifted = {str(path[-1]): fields or None, **{key: value[key] for key in inside}}
+        told = Message(
+            "write {keys} beside {kind}, not inside it: {entry}",
+            keys=listed(inside, "{first} and {second}"),
+            kind=str(path[-1]),
+            entry=flow_text(lifted),
+        )
+        self.names.problem(told, *path, inside[0])
+
     def _beside_a_kind(self, name: str, kind: type[Spec], more: Sequence[str], beside: Collection[str]) -> None:
         """Keys that stand next to a kind: its own fields, which belong inside of it, or such as nothing has."""
         fields = [f.alias or n for n, f in kind.model_fields.items()]
@@ -330,7 +345,7 @@ class Source:
                 if meant is None:
                     self.names.problem(self._no_kind(section, kind, fields, kinds), kind)
                     continue
-                spec = self.spec(kinds[meant], fields, kind)
+                spec = self.spec(kinds[meant], fields, kind, beside=beside)
                 if spec is not None:
                     found[name] = spec
         return found
