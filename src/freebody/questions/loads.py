@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO, Expr, differentiate, free_symbols, negate
 from freebody.language.sentences import Message, Sentence
-from freebody.language.units import ENERGY, POWER, TORQUE, Dimension
+from freebody.language.units import ENERGY, LENGTH, POWER, TORQUE, Dimension
+from freebody.model.elements import VALUE, AppliedLoad
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked
@@ -43,6 +45,41 @@ questions: {it: force in spring}
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.load", {"load": self.load})
+
+
+@dataclass(frozen=True)
+class Extension(Quantity, kind="extension"):
+    """By how much a spring is longer than without force, or shorter (its compression): its force over its stiffness.
+    What acts on one side only, as an elastic string, has none where it exerts no force."""
+
+    load: str
+    is_compression: bool = False
+
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
+loads: {spring: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1 m}}}
+questions: {it: extension of spring at start}
+"""
+    measured_in = LENGTH
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        """(l - l0) = F/k, with the law F = k (l - l0) + F0 of a spring with a preload as well."""
+        pushes = [p for p in system.applied_loads if p.load == self.load]
+        force = system.loads[self.load].pulls_with([state.law(p) for p in pushes], state.sqrt)
+        stiffness = stiffness_of(pushes[0])
+        assert force is not None
+        assert stiffness is not None
+        return (-1 if self.is_compression else 1) * force / state.scalar(stiffness)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.compression" if self.is_compression else "what.extension", {"load": self.load})
+
+
+def stiffness_of(push: AppliedLoad) -> Expr | None:
+    """The slope of a law that is linear in a length; None of others."""
+    slope = differentiate(push.law, VALUE.name)
+    is_linear = VALUE.name not in free_symbols(slope)
+    return negate(slope) if is_linear and slope != ZERO and push.measure.dimension == LENGTH else None
 
 
 @dataclass(frozen=True)
@@ -124,6 +161,23 @@ def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
         names.problem(Message("{of} exerts a force and no torque; ask for: force in {of}", of=of), *path)
         return None
     return LoadForce(of, names.loads[of])
+
+
+@asked(
+    "extension | compression of SPRING",
+    rf"(?P<what>extension|elongation|compression) of (?:the )?(?P<of>{NAME})",
+    rank=70,
+)
+def _extension(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = str(found["of"])
+    springs = dict.fromkeys(
+        p.load for p in names.applied_loads if "spring" in names.called.get(p.load, ()) and stiffness_of(p) is not None
+    )
+    if of not in springs:
+        told = Message("{name} is no spring with a stiffness.{hint}", name=of, hint=did_you_mean(of, [*springs]))
+        names.unknown(of, told, *path)
+        return None
+    return Extension(of, is_compression=found["what"] == "compression")
 
 
 @asked("power | work of LOAD", rf"(?P<what>power|work) of (?P<of>{NAME})", rank=30)

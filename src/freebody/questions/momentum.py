@@ -6,7 +6,6 @@ import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from freebody.errors import CannotAnswer
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, MOMENTUM
 from freebody.measures.geometry import Direction, Point
@@ -15,6 +14,7 @@ from freebody.model.spins import body_axes
 from freebody.model.state import State
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
 from freebody.questions.energy import times_tensor
+from freebody.questions.mass_center import of_mass_center
 from freebody.questions.vectors import (
     IN_BASIS,
     ORIGIN,
@@ -28,6 +28,7 @@ from freebody.questions.vectors import (
     components_of,
     cross,
     has_name,
+    is_among,
     place,
     read_basis,
     said_along,
@@ -173,35 +174,15 @@ questions: {it: angular momentum of ball about ground.origin}
         return Sentence("what.spin", args)
 
 
-def is_among(name: str, group: Group) -> bool:
-    """Whether a body is one of those that are meant."""
-    return group is None or name == group or (isinstance(group, tuple) and name in group)
-
-
 def point_about(system: Described, state: State[Any], quantity: AngularMomentum) -> tuple[Vector, Vector]:
     """Position and velocity of the point about which an angular momentum is meant."""
     group, about = quantity.body, quantity.about
     if about == SYSTEM_CENTER:
-        return _mass_center(system, state, group)
+        return of_mass_center(system, state, group, 0), of_mass_center(system, state, group, 1)
     if about is None:
         about = system.bodies[group].mass_center if isinstance(group, str) else ORIGIN
     assert isinstance(about, Point)
     return place(system, state, about), place(system, state, about, 1)
-
-
-def _mass_center(system: Described, state: State[Any], group: Group) -> tuple[Vector, Vector]:
-    """r_C = sum m r / sum m"""
-    total: Any = 0
-    moment: Vector = (0,) * len(axes_of(system))
-    for b in system.moving:
-        if is_among(b.name, group):
-            m, r = state.scalar(b.mass), place(system, state, b.mass_center)
-            total, moment = total + m, tuple(t + m * c for t, c in zip(moment, r, strict=True))
-    momentum = Momentum(group).value(system, state)
-    try:
-        return tuple(c / total for c in moment), tuple(c / total for c in momentum)
-    except ZeroDivisionError:
-        raise CannotAnswer(Message("these bodies have no mass, and so no mass centre")) from None
 
 
 def _own_spin(system: Described, state: State[Any], b: RigidBody) -> Vector:

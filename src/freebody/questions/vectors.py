@@ -65,6 +65,11 @@ def said_relative(other: str) -> Argument:
     return NOTHING if other == GROUND else Sentence("what.relative", {"body": other})
 
 
+def is_among(name: str, group: Group) -> bool:
+    """Whether a body is one of those that are meant."""
+    return group is None or name == group or (isinstance(group, tuple) and name in group)
+
+
 def said_of(group: Group) -> Sentence:
     """'of cart and bob', 'of the system'"""
     if group is None:

@@ -26,9 +26,9 @@ from freebody.numeric.jets import Array
 from freebody.numeric.start_velocities import start_velocities
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved, GeneralizedMomentum
-from freebody.questions.momentum import AngularMomentum, Momentum, is_among
+from freebody.questions.momentum import AngularMomentum, Momentum
 from freebody.questions.reading import Question
-from freebody.questions.vectors import Group
+from freebody.questions.vectors import Group, is_among
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.conservation.balance import RateBalance, RatePrinciple

@@ -19,9 +19,9 @@ from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre, motion_at_origin
 from freebody.questions.energy import Energy, is_lossy
-from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, is_among, point_about
+from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, point_about
 from freebody.questions.reading import Question
-from freebody.questions.vectors import ORIGIN, place
+from freebody.questions.vectors import ORIGIN, is_among, place
 from freebody.symbolic.tidy import tidy
 
 

@@ -21,10 +21,9 @@ from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import is_among
 from freebody.questions.motion import AngularVelocity, OfPoint
 from freebody.questions.reading import Question
-from freebody.questions.vectors import Group
+from freebody.questions.vectors import Group, is_among
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 

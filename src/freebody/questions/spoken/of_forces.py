@@ -403,10 +403,7 @@ def _in_springs(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("extension")
 def _extension(names: Names, quantity: str, rest: Clause) -> Groups:
-    """By how much a spring is longer than without force: what it pulls with over its stiffness."""
+    """By how much a spring is longer than without force."""
     of = [name for _, name in rest.names]
-    if len(of) > 1 or not rest.only("name", *SILENT):
-        return
-    for spring in lookup.springs(names):
-        stiffness = given.stiffness(names, spring)
-        yield [f"force in {spring} / {stiffness}"] if stiffness and spring in (of or [spring]) else []
+    if len(of) <= 1 and rest.only("name", *SILENT):
+        yield [f"extension of {spring}" for spring in lookup.springs(names) if spring in (of or [spring])]

@@ -27,8 +27,8 @@ from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import AngularMomentum, Momentum, is_among, point_about
-from freebody.questions.vectors import Group, components_of, cross, dot, place
+from freebody.questions.momentum import AngularMomentum, Momentum, point_about
+from freebody.questions.vectors import Group, components_of, cross, dot, is_among, place
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.state import SymbolicState, law_polynomial

@@ -14,8 +14,8 @@ from freebody.model.spins import body_axes
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, is_among
-from freebody.questions.vectors import Group, axes_of
+from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum
+from freebody.questions.vectors import Group, axes_of, is_among
 from freebody.study.setup import Setup
 from freebody.system.system import System
 
