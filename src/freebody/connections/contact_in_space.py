@@ -29,6 +29,7 @@ from freebody.model.elements import (
     DryFriction,
     NonholonomicForm,
     RigidBody,
+    RimPivot,
     UnilateralConstraint,
 )
 from freebody.model.friction import Friction
@@ -108,10 +109,28 @@ class PairInSpace:
                     place.is_separating,
                     place.lost,
                     place.spinning() if self._is_spread(place) else None,
+                    self._pivot(place, component, family),
                 )
             )
             rubs += self._rubs(place, component, row)
         return bounds, rubs
+
+    def _pivot(self, flat: ContactPlace, component: str, family: str) -> RimPivot | None:
+        """What a flat end tips about, with the friction there."""
+        if flat.pivot is None or flat.reach is None:
+            return None
+        pivot, own = flat.pivot, f"pivot of {component}"
+        row = self._row(pivot.place, own, "normal force", pivot.place.measure, is_bound=True)
+        return RimPivot(
+            f"{self.connection}.{flat.rim}",
+            UnilateralConstraint(row, self.surface.restitution, family=family),
+            tuple(self._rubs(pivot.place, own, row)),
+            pivot.settings,
+            pivot.lowest,
+            pivot.along,
+            pivot.sign,
+            flat.reach,
+        )
 
     def _is_spread(self, place: ContactPlace) -> bool:
         """Whether friction under a flat end resists its spinning by pressure that is spread in a way not known."""

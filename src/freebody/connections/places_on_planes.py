@@ -14,11 +14,11 @@ the plane are rates of no measure; a point that is always the same one slips by 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from freebody.connections.contact_places import ContactPlace
+from freebody.connections.contact_places import COS, HEIGHT, SIN, ContactPlace, PivotPlace, settings_of
 from freebody.connections.joints import across_names
 from freebody.connections.polyhedra import corners_of
 from freebody.language.expression import ZERO, Call, Expr, Symbol, number
@@ -64,6 +64,7 @@ class PlaceOnPlane:
     within: tuple[Span, ...] = ()
     lost: Measure | None = None
     reach: Expr | None = None  # of a flat end
+    across: tuple[Direction, Direction] | None = None  # of a flat end: two directions across its axis
 
     def on(self, plane: BodyPlane, facing: str) -> ContactPlace:
         """With its slip along two directions of the plane, and its turning about them and the normal."""
@@ -81,7 +82,33 @@ class PlaceOnPlane:
             pitfall=self.pitfall,
             lost=self.lost,
             reach=self.reach,
+            pivot=self._pivot(plane, facing),
         )
+
+    def _pivot(self, plane: BodyPlane, facing: str) -> PivotPlace | None:
+        """The point of the rim about which a flat end tips."""
+        if self.across is None or self.reach is None:
+            return None
+        known, directions = settings_of(self.label, facing), along_plane(plane)
+        lowest = tuple(Alignment(b, plane.normal) for b in self.across)
+        height = Symbol("@h") + self.reach * (COS * Symbol("@n1") + SIN * Symbol("@n2")) - HEIGHT
+        seen = (("@h", self.gap), ("@n1", lowest[0]), ("@n2", lowest[1]), *known)
+        arm: Arm = [
+            (Composed(self.reach * share, (setting,), LENGTH), b)
+            for share, setting, b in zip((COS, SIN), known, self.across, strict=False)
+        ]
+        point = replace(
+            self,
+            gap=Composed(height, seen, LENGTH, here=True),
+            target=ZERO,
+            arm=arm,
+            within=(),
+            reach=None,
+            across=None,
+        )
+        along = tuple(tuple(Alignment(b, d) for d in directions) for b in self.across)
+        settings = tuple(measure for _name, measure in known)
+        return PivotPlace(point.on(plane, facing), settings, lowest, along, 1)  # type: ignore[arg-type]
 
     def _slip(self, along: Direction, plane: BodyPlane) -> Measure | NonholonomicForm:
         """What slips along a direction of the plane."""
@@ -149,7 +176,16 @@ def _ends_on(body: RigidBody, center: Point, label: str, radius: Expr, plane: Bo
     lies, upright = Message("{rim} lies flat on {face}", rim=label, face=plane.name), _height(center, plane)
     return [
         PlaceOnPlane(label, center, gap, target, arm, lies, (Span(tilted, low=ZERO),), tilted),
-        PlaceOnPlane(label, center, upright, None, None, within=(Span(flat, low=ZERO),), reach=radius),
+        PlaceOnPlane(
+            label,
+            center,
+            upright,
+            None,
+            None,
+            within=(Span(flat, low=ZERO),),
+            reach=radius,
+            across=(across[0], across[1]),
+        ),
     ]
 
 

@@ -98,8 +98,8 @@ def merged(
         else last.tracks,
         near=last.near,
         contact=ContactRecord(
-            tuple(b.name for b in bounded.barriers),
-            tuple(d.name for d in bounded.drags),
+            tuple(b.name for k, b in enumerate(bounded.barriers) if k not in bounded.ends.stands_for),
+            tuple(d.name for k, d in enumerate(bounded.drags) if k not in bounded.ends.rubs_for),
             states.astype(np.int8),
             slips.astype(np.int8),
             collisions,
@@ -122,7 +122,9 @@ def _rotation(parts: list[tuple[Trajectory, slice]]) -> RotationHistory | None:
 
 
 def _rows(bounded: Bounded, phase: PhaseRecord) -> tuple[Floats, Floats, Floats, Floats]:
-    """(n_times, n_rows) multipliers and whether they are unique; (n_times, n_barriers), (n_times, n_drags) states."""
+    """(n_times, n_rows) multipliers and whether they are unique; (n_times, n_barriers), (n_times, n_drags) states. What
+    is of a pivot is told of the rim for which it stands."""
+    bounded.ends.set(phase.mode.pivots)
     course, mode = phase.course, phase.mode
     n = len(course.times)
     multipliers, unique = np.zeros((n, len(bounded.rows))), np.ones((n, len(bounded.rows)))
@@ -143,7 +145,27 @@ def _rows(bounded: Bounded, phase: PhaseRecord) -> tuple[Floats, Floats, Floats,
                 multipliers[:, place], unique[:, place] = -share * load, is_unique
     for group in mode.groups:
         _share(bounded, group, multipliers, unique)
-    return multipliers, unique, states, slips
+    ends = bounded.ends
+    for place, rim in ends.rows_for.items():
+        if place in held:
+            multipliers[:, rim], unique[:, rim] = multipliers[:, place], unique[:, place]
+    for k, rim in ends.stands_for.items():
+        states[:, rim] += states[:, k]
+    for k, rim in ends.rubs_for.items():
+        if phase.mode.drags[k] is not None:
+            slips[:, rim] = slips[:, k]
+            if phase.mode.drags[k]:
+                for place in (bounded.drags[k].keeps, bounded.drags[k].keeps_across):
+                    if place >= 0:
+                        to = ends.rows_for[place]
+                        multipliers[:, to], unique[:, to] = multipliers[:, place], unique[:, place]
+    n_rows = bounded.n_rows
+    return (
+        multipliers[:, :n_rows],
+        unique[:, :n_rows],
+        np.delete(states, list(ends.stands_for), axis=1),
+        np.delete(slips, list(ends.rubs_for), axis=1),
+    )
 
 
 def _components(bounded: Bounded, phase: PhaseRecord, k: int, state: int) -> list[tuple[int, Floats | float]]:
