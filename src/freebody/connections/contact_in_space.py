@@ -90,10 +90,12 @@ class PairInSpace:
         if not places:
             self._refuse(names)
         self._tell_hulls(names)
+        # a flat end is a second place of its rim
+        is_one = self.is_alone and sum(place.reach is None for place in places) == 1
         bounds: list[UnilateralConstraint] = []
         rubs: list[DryFriction] = []
         for place in places:
-            component = "contact" if self.is_alone and len(places) == 1 else place.name
+            component = "contact" if is_one and place.reach is None else place.name
             row = self._row(place, component, "normal force", place.measure, is_bound=True)
             family = f"{self.connection}: {self.first}, {self.second_label}"
             bounds.append(
@@ -109,20 +111,20 @@ class PairInSpace:
                     place.is_separating,
                     place.lost,
                     place.spinning() if self._is_spread(place) else None,
-                    self._pivot(place, component, family),
+                    self._pivot(place, component, family, "contact" if is_one else place.rim),
                 )
             )
             rubs += self._rubs(place, component, row)
         return bounds, rubs
 
-    def _pivot(self, flat: ContactPlace, component: str, family: str) -> RimPivot | None:
-        """What a flat end tips about, with the friction there."""
+    def _pivot(self, flat: ContactPlace, component: str, family: str, rim: str) -> RimPivot | None:
+        """What a flat end tips about, with the friction there; rim: the component of that."""
         if flat.pivot is None or flat.reach is None:
             return None
         pivot, own = flat.pivot, f"pivot of {component}"
         row = self._row(pivot.place, own, "normal force", pivot.place.measure, is_bound=True)
         return RimPivot(
-            f"{self.connection}.{flat.rim}",
+            f"{self.connection}.{rim}",
             UnilateralConstraint(row, self.surface.restitution, family=family),
             tuple(self._rubs(pivot.place, own, row)),
             pivot.settings,

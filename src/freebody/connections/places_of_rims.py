@@ -178,7 +178,10 @@ def _ends_on(can: Round, rim: Rim, face: Face, solid: Polyhedron) -> Iterator[Co
 def _pivot(can: Round, rim: Rim, face: Face, solid: Polyhedron) -> PivotPlace:
     """The point of the rim about which a flat end on a face tips."""
     middle, axes, m = solid.body.mass_center, body_axes(solid.body.name), face.normal.components
-    known, across = settings_of(rim.label, face.label), [Direction(can.body.name, v) for v in perpendiculars(can.body.axis)]
+    known, across = (
+        settings_of(rim.label, face.label),
+        [Direction(can.body.name, v) for v in perpendiculars(can.body.axis)],
+    )
     turned = [(f"@b{j}{k}", Alignment(b, e)) for j, b in enumerate(across) for k, e in enumerate(axes)]
     frame = ContactFrame.of(rim.center, middle, axes, D, *turned, *known)
     b = [tuple(Symbol(f"@b{j}{k}") for k in range(3)) for j in range(2)]

@@ -40,7 +40,6 @@ if TYPE_CHECKING:
 LEAST = number(Fraction(1, 10**10))  # of the square of a sine, so that nothing is divided by zero
 FLAT = number(Fraction(2, 10**5))  # the sine of a tilt below which an end is flat
 _SQUARE = Symbol("@n1") * Symbol("@n1") + Symbol("@n2") * Symbol("@n2")
-TILT = Call("sqrt", _SQUARE)
 
 
 def bounded(square: Expr, least: Expr) -> Expr:
@@ -140,7 +139,7 @@ def places_on_plane(names: Names, text: str, plane: BodyPlane) -> list[PlaceOnPl
         ends = [(body.point(end), f"{body.name}.{end}") for end in ("start", "end")]
         return [place for end in ends for place in _ends_on(body, *end, body.sizes[0], plane)]
     if body.round == "disk" and body.radius is not None:
-        return [_rim(body, body.center, body.name, body.radius, plane)]
+        return _ends_on(body, body.center, body.name, body.radius, plane)
     return []
 
 
@@ -160,14 +159,8 @@ def sphere_arm(body: RigidBody, radius: Expr, plane: BodyPlane) -> Arm:
     ]
 
 
-def _rim(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPlane) -> PlaceOnPlane:
-    across, n = _across(body, plane)
-    told = Message("the rim of {rim} is parallel to {face}", rim=label, face=plane.name)
-    return PlaceOnPlane(label, center, *_lowest(across, n, center, radius, plane, TILT), pitfall=told)
-
-
 def _ends_on(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPlane) -> list[PlaceOnPlane]:
-    """An end of a cylinder: its rim, as long as it is tilted, and all of it where it is flat."""
+    """An end of a cylinder, or a disk: its rim, as long as it is tilted, and all of it where it is flat."""
     across, n = _across(body, plane)
     size = Call("sqrt", bounded(_SQUARE, LEAST))
     tilted = Composed(size - FLAT, n, DIMENSIONLESS, here=True)
@@ -204,10 +197,9 @@ def _lowest(
     size: Expr,
 ) -> tuple[Measure, Expr | None, Arm]:
     """The gap of a rim, its target, and the arm to where it is lowest; size: |n x a|."""
-    here = size != TILT
-    gap = Composed(Symbol("@h") - radius * size, (("@h", _height(center, plane)), *n), LENGTH, here=here)
+    gap = Composed(Symbol("@h") - radius * size, (("@h", _height(center, plane)), *n), LENGTH, here=True)
     arm: Arm = [
-        (Composed(-radius * Symbol(name) / size, n, LENGTH, here=here), b)
+        (Composed(-radius * Symbol(name) / size, n, LENGTH, here=True), b)
         for (name, _), b in zip(n, across, strict=True)
     ]
     return gap, None, arm

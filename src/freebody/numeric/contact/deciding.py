@@ -27,9 +27,7 @@ def decide(
     b = still_at.bounded
     speed = still_at.speed(result.y, now)
     closed = [
-        k
-        for k in touching
-        if abs(b.ends.opening(k, now)) <= STILL * speed and ("closed", k, None) not in forbidden
+        k for k in touching if abs(b.ends.opening(k, now)) <= STILL * speed and ("closed", k, None) not in forbidden
     ]
     while True:
         drags = still_at.drags_on(now, closed, speed)

@@ -19,8 +19,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from freebody.model.elements import RimPivot
 from freebody.numeric.kernels import kinematics
 

@@ -24,13 +24,13 @@ from freebody.numeric.contact.after import After, Choice
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.overlaps import without_direction
 from freebody.numeric.contact.problem import OutcomeCount as Consistency
-from freebody.numeric.contact.record import PhaseRecord, merged
+from freebody.numeric.contact.record import PhaseRecord, beside_its_way, cut, merged
 from freebody.numeric.contact.rows import ContactInstant, ModeOf, within
 from freebody.numeric.contact.sharing import SharedReactions
 from freebody.numeric.contact.stillness import STILL
 from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.contact.transition import InstantTransition
-from freebody.numeric.contact.trouble import advised, contradiction, jammed, unresisted_spin
+from freebody.numeric.contact.trouble import advised, contradiction, jammed, turned_by_friction, unresisted_spin
 from freebody.numeric.contact.words import events_between
 from freebody.numeric.engine.course import BlowRecord, Collision, Event, Status, Trajectory
 from freebody.numeric.engine.engine import Engine
@@ -183,6 +183,10 @@ class Hybrid:
 
         # what it leaves
         self.phases.append(PhaseRecord(course, engine, mode))
+        if (turned := beside_its_way(self.bounded, self.phases[-1])) is not None:
+            self.phases[-1] = PhaseRecord(cut(course, turned[0] + 1), engine, mode)
+            end = self.bounded.barriers[turned[1]].bound
+            return Status.INCONSISTENT, turned_by_friction(end, float(course.times[turned[0]]))
         at.near = course.near
         y = engine.state_at(course, -1)
         y[engine.at_work] = course.work[-1]
