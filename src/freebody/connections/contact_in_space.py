@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
+from freebody.connections.places_of_cylinders import places_of_cylinders
 from freebody.connections.places_of_polyhedra import places_of_polyhedra
 from freebody.connections.places_of_rims import places_of_rims
 from freebody.connections.places_on_bodies import places_on_body
@@ -43,7 +44,7 @@ ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, a
 ON_BODY = Message(
     "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a convex body, a cylinder, a disk, "
     "a ring, a rod or a point, a point a sphere, a box or a convex body, a cylinder or a disk a box or a convex body, "
-    "and boxes and convex bodies touch each other"
+    "a cylinder a cylinder, and boxes and convex bodies touch each other"
 )
 
 
@@ -82,7 +83,7 @@ class PairInSpace:
             for pair in both:
                 if found := places_of(names, *pair):
                     return found
-        return places_of_polyhedra(names, self.first, self.second)
+        return places_of_cylinders(names, *both[0]) or places_of_polyhedra(names, *both[0])
 
     def elements(self, names: Names) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The bound and the dry friction of every place; a problem is noted where there is none."""

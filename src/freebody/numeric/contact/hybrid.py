@@ -197,7 +197,7 @@ class Hybrid:
         if course.violated < 0:
             return self._stopped(course, mode)
         what, k = about[course.violated]
-        if what == "foot":
+        if what in ("foot", "gap"):
             self.bounded.instant(y, course.t_end, at.near)
             if (spread := self._spread_out((k,), course.t_end)) is not None:
                 return spread

@@ -282,7 +282,16 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
     found, stopped = list[str](), list[str]()
     for bound in bounds:
         gap = gap_of(reference, g, bound)
-        if bound.obstacle:
+        if _is_lost(reference, g, bound) and gap < -PENETRATION * reference.sizes.length:
+            if is_within(reference, g, bound):
+                raise CannotAnswer(
+                    Message(
+                        "at the start {what} ({contact})",
+                        what=bound.pitfall or bound.name,
+                        contact=bound.row.connection,
+                    )
+                )
+        elif bound.obstacle:
             faced.setdefault(f"{bound.family} {bound.obstacle}", []).append((gap, bound))
         elif gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
             (stopped if bound.is_stop else found).append(_said(reference, bound, -gap))
@@ -305,6 +314,11 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
                 what=what,
             )
         )
+
+
+def _is_lost(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> bool:
+    """Whether bodies would touch there in a way that is not followed."""
+    return bound.lost is not None and reference.jet(g, bound.lost, bound.name).value <= PENETRATION
 
 
 def _said(reference: Reference, bound: UnilateralConstraint, depth: float) -> str:
