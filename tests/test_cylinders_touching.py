@@ -1,8 +1,8 @@
 """Cylinders that touch each other with their curved sides, beside closed forms, identities and the model in the plane.
 
 Three equal cylinders in a pile rest where the friction between them is at least tan(15 deg) = 2 - sqrt(3) and that on
-the floor at least a third of it: Meriam & Kraige, Statics, ch. 6, problems on friction; a bar on two others slides along
-itself where tan(alpha) > mu, with g (sin(alpha) - mu cos(alpha)).
+the floor at least a third of it: Meriam & Kraige, Statics, ch. 6, problems on friction; a bar on two others slides
+along itself where tan(alpha) > mu, with g (sin(alpha) - mu cos(alpha)).
 """
 
 from __future__ import annotations
@@ -56,7 +56,9 @@ def pile(mu: float, nu: float, *, in_space: bool = True) -> fb.System:
     known = {
         "SPACE": "space: true" if in_space else "",
         "FLOOR": "planes" if in_space else "lines",
-        "SHAPE": "cylinder: {mass: 2, radius: 0.1, length: 0.3, axis: z}" if in_space else "disk: {mass: 2, radius: 0.1}",
+        "SHAPE": "cylinder: {mass: 2, radius: 0.1, length: 0.3, axis: z}"
+        if in_space
+        else "disk: {mass: 2, radius: 0.1}",
         "ZERO": ", 0" if in_space else "",
         "MU": str(mu),
         "NU": str(nu),
@@ -64,7 +66,9 @@ def pile(mu: float, nu: float, *, in_space: bool = True) -> fb.System:
     text = PILE
     for name, value in known.items():
         text = text.replace(name, value)
-    return fb.System.from_text((text if in_space else text.replace("normal: up", "through: [0, 0], along: right")) + WEIGHT)
+    return fb.System.from_text(
+        (text if in_space else text.replace("normal: up", "through: [0, 0], along: right")) + WEIGHT
+    )
 
 
 def bars(alpha: float) -> fb.System:
@@ -108,16 +112,20 @@ def test_bar_across_two_bars_holds_up_to_the_angle_of_friction(alpha: float, *, 
     assert bars(alpha).statics().holds == holds
 
 
-def test_steep_bar_slides_along_itself_with_g_sin_minus_mu_cos_until_its_end_comes_to_the_other() -> None:
-    found = bars(20).simulate(0.6)
+def test_steep_bar_slides_along_itself_with_g_sin_minus_mu_cos_and_tips_over_the_lower_one() -> None:
+    """It tips where its friction, at r below the axis, and its weight have no moment about the lower bar: its middle is
+    then mu r before that."""
+    found = bars(20).simulate(0.41)
+    assert found.course.status is Status.FINISHED, found.course.message
     a = math.radians(20)
+    acceleration = G * (math.sin(a) - 0.2 * math.cos(a))
     n = int(np.searchsorted(found.course.times, 0.2))
     t, way = found.course.times[n], found.course.poses[n, 0, :3] - found.course.poses[0, 0, :3]
-    assert way == pytest.approx(
-        0.5 * t**2 * G * (math.sin(a) - 0.2 * math.cos(a)) * np.array((0, -math.sin(a), math.cos(a))), abs=1e-9
-    )
-    assert found.course.status is Status.INCONSISTENT
-    assert "rod.start comes to the curved side of two" in found.course.message
+    assert way == pytest.approx(0.5 * t**2 * acceleration * np.array((0, -math.sin(a), math.cos(a))), abs=1e-9)
+    tips = 0.1 / math.cos(a) + 0.05 * math.tan(a) - 0.2 * 0.02
+    assert [(str(e.name), e.time) for e in found.course.events] == [
+        ("rod leaves two", pytest.approx(math.sqrt(2 * tips / acceleration), rel=1e-6))
+    ]
 
 
 def test_rod_falls_across_a_cylinder_and_lies_there() -> None:
@@ -127,6 +135,7 @@ def test_rod_falls_across_a_cylinder_and_lies_there() -> None:
     assert found.course.poses[-1, 0, :3] == pytest.approx((0, 0.2, 0), abs=1e-9)
 
 
+@pytest.mark.slow
 def test_cylinder_rolls_off_another_one_as_a_disk_off_a_disk() -> None:
     """From rest at the top it would leave at cos = 4/7 of a rough one; with friction it slips a little before."""
     lean = 0.2
@@ -164,7 +173,7 @@ connections: {{c: {{contact: {{between: [roll, hill], friction: 3}}}}}}
     [
         ("y", "0, 0.4, 0", "", "top.start comes to the curved side of low, and their axes are not parallel"),
         ("x", "0.16, 0.3, 0", "", "top.start comes to the curved side of low"),
-        ("z", "0, 0.21, 0", ", turned: 0.1 deg about y", "comes to the curved side of low"),
+        ("z", "0, 0.21, 0", ", turned: 0.02 deg about y", "comes to the curved side of low"),
         ("z", "0, 0.3, 0.4", "", "axes are not parallel"),
     ],
 )

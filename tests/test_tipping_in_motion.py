@@ -22,7 +22,7 @@ space: true
 ground: {planes: {floor: {normal: up}}}
 bodies:
   can:
-    {cylinder: {mass: 2 kg, radius: 0.1 m, length: LENGTH, axis: y}, at: [0, HEIGHT, 0], points: {top: [0, TOP m, 0]}MORE}
+    {cylinder: {mass: 2, radius: 0.1, length: LENGTH, axis: y}, at: [0, HEIGHT, 0], points: {top: [0, TOP m, 0]}MORE}
 connections: {contact: {contact: {between: [can, ground.floor], friction: MU}}}
 loads: {weight: {gravity: 9.81 m/s^2}PUSH}
 """

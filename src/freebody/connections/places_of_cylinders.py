@@ -6,8 +6,8 @@ With a, b the axes, C_1, C_2 the middles, R_1, R_2 the radii and E an end of the
     parallel axes       the ends of the line along which they touch, each an end E of one of them beside the other:
                         v = d - (d.b) b,  d from C_2 to E,   gap |v| - R_1 - R_2,   n = v/(R_1 + R_2).
 
-A cylinder lies within the points that are no farther than R from its axis between its ends, so that two of them are apart
-while these axes are farther apart than R_1 + R_2. Where an end of an axis comes as near as that, and the axes are not
+A cylinder lies within the points that are no farther than R from its axis between its ends, so that two of them are
+apart while these axes are farther apart than R_1 + R_2. Where an end of an axis comes as near as that, and the axes are not
 parallel, a rim may touch a curved side or another rim: that is not followed, and refused by name. So are axes that are
 nearly parallel, which touch near an end of the line. Source: Ericson, Real-Time Collision Detection, 2005, sec. 5.1.9,
 for segments.
@@ -139,8 +139,8 @@ def _beside(can: Round, rim: Rim, other: Round, *, is_first: bool) -> ContactPla
         ),
         bodies=(can.body.name, other.body.name),
         pitfall=Message(
-            "{rim} comes to the curved side of {other}, and their axes are not parallel: there a rim may touch it, which "
-            "is not followed",
+            "{rim} comes to the curved side of {other}, and their axes are not parallel: there a rim may touch it, "
+            "which is not followed",
             rim=rim.label,
             other=other.body.name,
         ),

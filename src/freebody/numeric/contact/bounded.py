@@ -239,8 +239,8 @@ class Bounded:
 
     def engine(self, mode: ModeOf) -> tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]:
         """The engine of a mode, its guards, and what each of them guards: ("gap", barrier), ("press", barrier),
-        ("foot", barrier), ("tilt", barrier), ("slip", drag), ("grip", drag). Slip in a plane is pointed before each phase
-        (`point`)."""
+        ("foot", barrier), ("tilt", barrier), ("slip", drag), ("grip", drag). Slip in a plane is pointed before each
+        phase (`point`)."""
         mode = replace(mode, ways=())
         if mode not in self._engines:
             guards: list[Guard] = []
