@@ -7,10 +7,10 @@ With a, b the axes, C_1, C_2 the middles, R_1, R_2 the radii and E an end of the
                         v = d - (d.b) b,  d from C_2 to E,   gap |v| - R_1 - R_2,   n = v/(R_1 + R_2).
 
 A cylinder lies within the points that are no farther than R from its axis between its ends, so that two of them are
-apart while these axes are farther apart than R_1 + R_2. Where an end of an axis comes as near as that, and the axes are not
-parallel, a rim may touch a curved side or another rim: that is not followed, and refused by name. So are axes that are
-nearly parallel, which touch near an end of the line. Source: Ericson, Real-Time Collision Detection, 2005, sec. 5.1.9,
-for segments.
+apart while these axes are farther apart than R_1 + R_2. Where an end of an axis comes as near as that, and the axes
+are not parallel, a rim may touch a curved side or another rim: that is not followed, and refused by name. So are
+axes that are nearly parallel, which touch near an end of the line. Source: Ericson, Real-Time Collision Detection,
+2005, sec. 5.1.9, for segments.
 """
 
 from __future__ import annotations
@@ -90,7 +90,8 @@ def _crossed(can: Round, length: Expr, other: Round, other_length: Expr) -> Iter
         n = (number(sign) * AQ / W, number(-sign) * AP / W, ZERO)
         arm = tuple(FOOT_ON_A * a - can.radius * c for a, c in zip((AP, AQ, AB), n, strict=True))
         yield ContactPlace(
-            *names[::sign],
+            names[sign < 0],
+            names[sign > 0],
             frame.composed(GAP, LENGTH),
             number(sign) * reach,
             (frame.slip(along, arm), frame.slip(across, arm)),
