@@ -149,6 +149,26 @@ def test_tilted_can_that_also_spins_rolls_on_its_rim_past_lying_flat_and_keeps_i
             assert energy(found, at) == pytest.approx(first, rel=1e-8)
 
 
+def test_can_on_a_truck_that_speeds_up_ever_more_tips_at_g_times_width_over_height() -> None:
+    """m a h/2 about the rear edge is m g r at most; a = 2 j t."""
+    text = """
+space: true
+parameters: {j: 2 m/s^3}
+bodies:
+  truck: {box: {mass: 10, size: [2, 0.2, 1]}, at: [0, 0, 0], planes: {bed: {through: [0, 0.1, 0], normal: y}}}
+  can: {cylinder: {mass: 2, radius: 0.1, length: 0.3, axis: y}, at: [0, 0.25, 0]}
+connections:
+  guide: {prismatic: {first: ground, second: truck, along: x}}
+  engine: {driver: {measure: x, follows: j*t^3/3}}
+  contact: {contact: {between: [can, truck.bed], friction: 0.9}}
+measures: {x: x of truck}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+    found = fb.System.from_text(text).simulate(1.7)
+    assert found.course.status is Status.FINISHED, found.course.message
+    assert [(e.kind, e.time) for e in found.course.events] == [("tips", pytest.approx(G * 2 * R / H / 4, rel=1e-8))]
+
+
 @pytest.mark.slow
 def test_on_a_box_it_tips_and_rocks_as_on_a_plane() -> None:
     height, turned = tilted(5, H)
