@@ -282,8 +282,10 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
     found, stopped = list[str](), list[str]()
     for bound in bounds:
         gap = gap_of(reference, g, bound)
-        if _is_lost(reference, g, bound) and gap < -PENETRATION * reference.sizes.length:
-            if is_within(reference, g, bound):
+        if bound.obstacle:
+            faced.setdefault(f"{bound.family} {bound.obstacle}", []).append((gap, bound))
+        elif gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
+            if _is_lost(reference, g, bound):
                 raise CannotAnswer(
                     Message(
                         "at the start {what} ({contact})",
@@ -291,9 +293,6 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
                         contact=bound.row.connection,
                     )
                 )
-        elif bound.obstacle:
-            faced.setdefault(f"{bound.family} {bound.obstacle}", []).append((gap, bound))
-        elif gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
             (stopped if bound.is_stop else found).append(_said(reference, bound, -gap))
     for places in faced.values():
         gap, bound = max(places, key=lambda place: place[0])
