@@ -607,6 +607,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         name: {"freedom": "6"}
         for name in ("can_off_a_table", "coin_coming_to_rest", "crate_off_a_ledge", "tippe_top", "tumbling_cube")
     },
+    # Meriam & Kraige, Dynamics, sec. 6/3: m a h/2 about the rear edge is m g r at most
+    "can_on_a_truck": {"freedom": "6", "most": "2*r*g/h"},
     # slip u = v + omega x r; u' = -7/2 mu g u/|u|, then v = 5/7 v0 - 2/7 omega x r (Coriolis)
     "ball_with_side_spin": {
         "rolling": f"2*{_SLIP}/(7*mu*g)",

@@ -158,16 +158,6 @@ def test_upright_can_falls_flat_and_stands() -> None:
     assert found.course.poses[-1, 0, :3] == pytest.approx((0, 0.15, 0), abs=1e-9)
 
 
-def test_where_it_tips_or_comes_to_stand_the_motion_ends_with_a_sentence() -> None:
-    """Sliding at mu > 2 r/h its friction tips it at once; a can tilted by 5 deg about its lowest place falls back."""
-    tips = moved(0.15, 0.8, ", velocity: [1, 0, 0]")
-    assert tips.course.status is Status.INCONSISTENT
-    assert "can.start tips about its rim on floor at t = 0 s" in tips.course.message
-    back = moved(0.161, 5.0, ", turned: 5 deg about z")
-    assert back.course.status is Status.INCONSISTENT
-    assert "can.start lies flat on floor at t = 0.0955" in back.course.message
-
-
 def test_across_the_edge_of_a_box_it_is_refused_where_it_gets_there() -> None:
     text = ON_BOX.replace("MU", "0.2").replace("AT, h/2, 0]", "0, h/2, 0], velocity: [3, 0, 0]")
     found = fb.System.from_text(text.replace("value: 1 N", "value: 0 N")).simulate(0.5)

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
+from freebody.connections.places_of_cylinders import places_of_cylinders
 from freebody.connections.places_of_polyhedra import places_of_polyhedra
 from freebody.connections.places_of_rims import places_of_rims
 from freebody.connections.places_on_bodies import places_on_body
@@ -29,6 +30,7 @@ from freebody.model.elements import (
     DryFriction,
     NonholonomicForm,
     RigidBody,
+    RimPivot,
     UnilateralConstraint,
 )
 from freebody.model.friction import Friction
@@ -42,7 +44,7 @@ ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, a
 ON_BODY = Message(
     "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a convex body, a cylinder, a disk, "
     "a ring, a rod or a point, a point a sphere, a box or a convex body, a cylinder or a disk a box or a convex body, "
-    "and boxes and convex bodies touch each other"
+    "a cylinder a cylinder, and boxes and convex bodies touch each other"
 )
 
 
@@ -81,7 +83,7 @@ class PairInSpace:
             for pair in both:
                 if found := places_of(names, *pair):
                     return found
-        return places_of_polyhedra(names, self.first, self.second)
+        return places_of_cylinders(names, *both[0]) or places_of_polyhedra(names, *both[0])
 
     def elements(self, names: Names) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The bound and the dry friction of every place; a problem is noted where there is none."""
@@ -89,10 +91,12 @@ class PairInSpace:
         if not places:
             self._refuse(names)
         self._tell_hulls(names)
+        # a flat end is a second place of its rim
+        is_one = self.is_alone and sum(place.reach is None for place in places) == 1
         bounds: list[UnilateralConstraint] = []
         rubs: list[DryFriction] = []
         for place in places:
-            component = "contact" if self.is_alone and len(places) == 1 else place.name
+            component = "contact" if is_one and place.reach is None else place.name
             row = self._row(place, component, "normal force", place.measure, is_bound=True)
             family = f"{self.connection}: {self.first}, {self.second_label}"
             bounds.append(
@@ -108,10 +112,28 @@ class PairInSpace:
                     place.is_separating,
                     place.lost,
                     place.spinning() if self._is_spread(place) else None,
+                    self._pivot(place, component, family, "contact" if is_one else place.rim),
                 )
             )
             rubs += self._rubs(place, component, row)
         return bounds, rubs
+
+    def _pivot(self, flat: ContactPlace, component: str, family: str, rim: str) -> RimPivot | None:
+        """What a flat end tips about, with the friction there; rim: the component of that."""
+        if flat.pivot is None or flat.reach is None:
+            return None
+        pivot, own = flat.pivot, f"pivot of {component}"
+        row = self._row(pivot.place, own, "normal force", pivot.place.measure, is_bound=True)
+        return RimPivot(
+            f"{self.connection}.{rim}",
+            UnilateralConstraint(row, self.surface.restitution, family=family),
+            tuple(self._rubs(pivot.place, own, row)),
+            pivot.settings,
+            pivot.lowest,
+            pivot.along,
+            pivot.sign,
+            flat.reach,
+        )
 
     def _is_spread(self, place: ContactPlace) -> bool:
         """Whether friction under a flat end resists its spinning by pressure that is spread in a way not known."""

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
 from freebody.model.elements import NonholonomicForm, Span
 
 Rate = Measure | NonholonomicForm
@@ -36,8 +38,36 @@ class ContactPlace:
     is_separating: bool = False  # of two polyhedra
     lost: Measure | None = None  # in `within`, not positive where more than a place touches: the pitfall says how
     reach: Expr | None = None  # of a flat end on a face: its radius, within which the pressure may be centred
+    pivot: PivotPlace | None = None  # of a flat end on a face: about which it tips
 
     @property
     def name(self) -> str:
         """`can.start on floor`, where its rim touches, and `flat can.start on floor`."""
         return f"{'' if self.reach is None else 'flat '}{self.label} on {self.facing}"
+
+    @property
+    def rim(self) -> str:
+        """The name of the place at which the rim of a flat end touches where it is tilted."""
+        return f"{self.label} on {self.facing}"
+
+
+@dataclass(frozen=True)
+class PivotPlace:
+    """A point of the rim of a flat end; see `RimPivot`."""
+
+    place: ContactPlace
+    settings: tuple[Measure, Measure, Measure]
+    lowest: tuple[Measure, Measure]
+    along: tuple[tuple[Measure, Measure], tuple[Measure, Measure]]
+    sign: int
+
+
+COS, SIN, HEIGHT = Symbol("@cos"), Symbol("@sin"), Symbol("@height")
+
+
+def settings_of(label: str, facing: str) -> tuple[tuple[str, Measure], ...]:
+    """The settings of a pivot, by what formulas call them."""
+    return tuple(
+        (name.name, Composed(Symbol(f"{name.name} of {label} on {facing}"), (), dimension))
+        for name, dimension in ((COS, DIMENSIONLESS), (SIN, DIMENSIONLESS), (HEIGHT, LENGTH))
+    )

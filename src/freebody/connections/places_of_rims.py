@@ -24,7 +24,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.connections.contact_places import ContactPlace
+from freebody.connections.contact_places import COS, HEIGHT, SIN, ContactPlace, PivotPlace, settings_of
 from freebody.connections.frames_of_contact import ContactFrame
 from freebody.connections.places_of_polyhedra import (
     AB,
@@ -171,7 +171,38 @@ def _ends_on(can: Round, rim: Rim, face: Face, solid: Polyhedron) -> Iterator[Co
         pitfall=Message("{rim} lies flat across an edge of {face}, with part of it", rim=rim.label, face=face.label),
         lost=lost,
         reach=can.radius,
+        pivot=_pivot(can, rim, face, solid),
     )
+
+
+def _pivot(can: Round, rim: Rim, face: Face, solid: Polyhedron) -> PivotPlace:
+    """The point of the rim about which a flat end on a face tips."""
+    middle, axes, m = solid.body.mass_center, body_axes(solid.body.name), face.normal.components
+    known, across = (
+        settings_of(rim.label, face.label),
+        [Direction(can.body.name, v) for v in perpendiculars(can.body.axis)],
+    )
+    turned = [(f"@b{j}{k}", Alignment(b, e)) for j, b in enumerate(across) for k, e in enumerate(axes)]
+    frame = ContactFrame.of(rim.center, middle, axes, D, *turned, *known)
+    b = [tuple(Symbol(f"@b{j}{k}") for k in range(3)) for j in range(2)]
+    arm = tuple(can.radius * (COS * x + SIN * y) for x, y in zip(*b, strict=True))
+    directions = along_plane(BodyPlane(middle, face.normal.along))
+    p, q = (along.components for along in directions)
+    place = ContactPlace(
+        rim.label,
+        face.label,
+        frame.composed(dot(m, D) + dot(m, arm) - face.offset - HEIGHT, LENGTH),
+        ZERO,
+        (frame.slip(p, arm), frame.slip(q, arm)),
+        ("1", "2"),
+        lambda: (frame.turning(p), frame.turning(q)),
+        lambda: frame.turning(m),
+        bodies=(can.body.name, solid.body.name),
+    )
+    lowest = tuple(frame.composed(dot(m, own), DIMENSIONLESS) for own in b)
+    along = tuple(tuple(Alignment(each, d) for d in directions) for each in across)
+    settings = tuple(measure for _name, measure in known)
+    return PivotPlace(place, settings, lowest, along, face.normal.sign)  # type: ignore[arg-type]
 
 
 # -- on edges ------------------------------------------------------------------------------------

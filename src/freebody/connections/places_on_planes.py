@@ -14,11 +14,11 @@ the plane are rates of no measure; a point that is always the same one slips by 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from freebody.connections.contact_places import ContactPlace
+from freebody.connections.contact_places import COS, HEIGHT, SIN, ContactPlace, PivotPlace, settings_of
 from freebody.connections.joints import across_names
 from freebody.connections.polyhedra import corners_of
 from freebody.language.expression import ZERO, Call, Expr, Symbol, number
@@ -40,7 +40,6 @@ if TYPE_CHECKING:
 LEAST = number(Fraction(1, 10**10))  # of the square of a sine, so that nothing is divided by zero
 FLAT = number(Fraction(2, 10**5))  # the sine of a tilt below which an end is flat
 _SQUARE = Symbol("@n1") * Symbol("@n1") + Symbol("@n2") * Symbol("@n2")
-TILT = Call("sqrt", _SQUARE)
 
 
 def bounded(square: Expr, least: Expr) -> Expr:
@@ -64,6 +63,7 @@ class PlaceOnPlane:
     within: tuple[Span, ...] = ()
     lost: Measure | None = None
     reach: Expr | None = None  # of a flat end
+    across: tuple[Direction, Direction] | None = None  # of a flat end: two directions across its axis
 
     def on(self, plane: BodyPlane, facing: str) -> ContactPlace:
         """With its slip along two directions of the plane, and its turning about them and the normal."""
@@ -81,7 +81,33 @@ class PlaceOnPlane:
             pitfall=self.pitfall,
             lost=self.lost,
             reach=self.reach,
+            pivot=self._pivot(plane, facing),
         )
+
+    def _pivot(self, plane: BodyPlane, facing: str) -> PivotPlace | None:
+        """The point of the rim about which a flat end tips."""
+        if self.across is None or self.reach is None:
+            return None
+        known, directions = settings_of(self.label, facing), along_plane(plane)
+        lowest = tuple(Alignment(b, plane.normal) for b in self.across)
+        height = Symbol("@h") + self.reach * (COS * Symbol("@n1") + SIN * Symbol("@n2")) - HEIGHT
+        seen = (("@h", self.gap), ("@n1", lowest[0]), ("@n2", lowest[1]), *known)
+        arm: Arm = [
+            (Composed(self.reach * share, (setting,), LENGTH), b)
+            for share, setting, b in zip((COS, SIN), known, self.across, strict=False)
+        ]
+        point = replace(
+            self,
+            gap=Composed(height, seen, LENGTH, here=True),
+            target=ZERO,
+            arm=arm,
+            within=(),
+            reach=None,
+            across=None,
+        )
+        along = tuple(tuple(Alignment(b, d) for d in directions) for b in self.across)
+        settings = tuple(measure for _name, measure in known)
+        return PivotPlace(point.on(plane, facing), settings, lowest, along, 1)  # type: ignore[arg-type]
 
     def _slip(self, along: Direction, plane: BodyPlane) -> Measure | NonholonomicForm:
         """What slips along a direction of the plane."""
@@ -113,7 +139,7 @@ def places_on_plane(names: Names, text: str, plane: BodyPlane) -> list[PlaceOnPl
         ends = [(body.point(end), f"{body.name}.{end}") for end in ("start", "end")]
         return [place for end in ends for place in _ends_on(body, *end, body.sizes[0], plane)]
     if body.round == "disk" and body.radius is not None:
-        return [_rim(body, body.center, body.name, body.radius, plane)]
+        return _ends_on(body, body.center, body.name, body.radius, plane)
     return []
 
 
@@ -133,14 +159,8 @@ def sphere_arm(body: RigidBody, radius: Expr, plane: BodyPlane) -> Arm:
     ]
 
 
-def _rim(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPlane) -> PlaceOnPlane:
-    across, n = _across(body, plane)
-    told = Message("the rim of {rim} is parallel to {face}", rim=label, face=plane.name)
-    return PlaceOnPlane(label, center, *_lowest(across, n, center, radius, plane, TILT), pitfall=told)
-
-
 def _ends_on(body: RigidBody, center: Point, label: str, radius: Expr, plane: BodyPlane) -> list[PlaceOnPlane]:
-    """An end of a cylinder: its rim, as long as it is tilted, and all of it where it is flat."""
+    """An end of a cylinder, or a disk: its rim, as long as it is tilted, and all of it where it is flat."""
     across, n = _across(body, plane)
     size = Call("sqrt", bounded(_SQUARE, LEAST))
     tilted = Composed(size - FLAT, n, DIMENSIONLESS, here=True)
@@ -149,7 +169,16 @@ def _ends_on(body: RigidBody, center: Point, label: str, radius: Expr, plane: Bo
     lies, upright = Message("{rim} lies flat on {face}", rim=label, face=plane.name), _height(center, plane)
     return [
         PlaceOnPlane(label, center, gap, target, arm, lies, (Span(tilted, low=ZERO),), tilted),
-        PlaceOnPlane(label, center, upright, None, None, within=(Span(flat, low=ZERO),), reach=radius),
+        PlaceOnPlane(
+            label,
+            center,
+            upright,
+            None,
+            None,
+            within=(Span(flat, low=ZERO),),
+            reach=radius,
+            across=(across[0], across[1]),
+        ),
     ]
 
 
@@ -168,10 +197,9 @@ def _lowest(
     size: Expr,
 ) -> tuple[Measure, Expr | None, Arm]:
     """The gap of a rim, its target, and the arm to where it is lowest; size: |n x a|."""
-    here = size != TILT
-    gap = Composed(Symbol("@h") - radius * size, (("@h", _height(center, plane)), *n), LENGTH, here=here)
+    gap = Composed(Symbol("@h") - radius * size, (("@h", _height(center, plane)), *n), LENGTH, here=True)
     arm: Arm = [
-        (Composed(-radius * Symbol(name) / size, n, LENGTH, here=here), b)
+        (Composed(-radius * Symbol(name) / size, n, LENGTH, here=True), b)
         for (name, _), b in zip(n, across, strict=True)
     ]
     return gap, None, arm

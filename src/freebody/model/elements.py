@@ -301,6 +301,7 @@ class UnilateralConstraint:
     is_separating: bool = False  # of polyhedra in space: of its normal and those of the others one parts them
     lost: Measure | None = None  # in `within`, not positive where more than a place touches: the pitfall says how
     spinning: Measure | NonholonomicForm | None = None  # of a rough flat end: how its friction resists it is not known
+    pivot: RimPivot | None = None  # of a flat end: about which it tips
 
     @property
     def name(self) -> str:
@@ -310,6 +311,26 @@ class UnilateralConstraint:
     def is_stop(self) -> bool:
         """Whether it limits what a measure may be, and nothing touches."""
         return self.row.reaction.startswith("stop ")
+
+
+@dataclass(frozen=True)
+class RimPivot:
+    """The material point of a rim about which a flat end tips, and on which it falls back. It stands on the face in
+    place of the rim while the tilt is too small to say where that is lowest.
+
+    With b_1, b_2 two directions of the body across its axis and m the outer normal of the face it is at R (c b_1 +
+    s b_2) from the middle of the end; settings: c, s, and the height at which it is kept, numbers that a motion sets
+    where it begins to hold. lowest: b_1 . m and b_2 . m; along: b_j . p and b_j . q, p and q the directions of the face
+    along which slip and turning count, and sign that of m . (p x q)."""
+
+    rim: str  # the bound of the rim where it is tilted
+    bound: UnilateralConstraint
+    dry_friction: tuple[DryFriction, ...]
+    settings: tuple[Measure, Measure, Measure]
+    lowest: tuple[Measure, Measure]
+    along: tuple[tuple[Measure, Measure], tuple[Measure, Measure]]
+    sign: int
+    radius: Expr
 
 
 TIPPING = "tipping moment"

@@ -40,6 +40,7 @@ class After:
     jammed: int | None = None  # the barrier that took an impulse without a collision
     behind: set[int] = field(default_factory=set[int])  # far sides of what touches: passed through, not met
     handed: set[int] = field(default_factory=set[int])  # a place that ends and those of the same outlines that go on
+    tipping: set[int] = field(default_factory=set[int])  # flat ends that begin to tip
     settled: float = 0.0  # work of the friction of rebounds that are too small to be followed
 
 

@@ -19,7 +19,8 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
 from freebody.measures.turned import carriers
-from freebody.model.elements import ConstraintRow, NonholonomicForm, UnilateralConstraint
+from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm, RimPivot, UnilateralConstraint
+from freebody.numeric.contact.ends import FlatEnds
 from freebody.numeric.contact.problem import ContactProblem, FrictionProblemRow
 from freebody.numeric.contact.rows import (
     BlowRow,
@@ -57,7 +58,9 @@ class Bounded:
         system = numbers.system
         insist_on_few_places(system)
         self.numbers, self.watches, self.tracked = numbers, tuple(watches), tuple(tracked)
-        self.rows = system.rows
+        pivots = {bound.name: bound.pivot for bound in system.bounds if bound.pivot is not None}
+        self.n_rows = len(system.rows)  # those after it are of pivots
+        self.rows = (*system.rows, *(row for pivot in pivots.values() for row in _rows_of(pivot)))
         places = {row.name: k for k, row in enumerate(self.rows)}
         ideal = [UnilateralConstraint(row) for row in system.constraint_rows if row.unilateral]
         self._packing = packed(numbers, watches, tracked)
@@ -67,10 +70,11 @@ class Bounded:
         self.past = frozenset[int]()  # the blows that have happened in the motion under way
         self.bilateral = tuple(k for k, row in enumerate(system.constraint_rows) if not (row.unilateral or row.needs))
         # in the order of their names: where several outcomes are alike, none in the file chooses one
-        bounds = sorted([*ideal, *system.bounds], key=lambda bound: bound.name)
+        bounds = sorted([*ideal, *system.bounds, *(p.bound for p in pivots.values())], key=lambda bound: bound.name)
         grips = {bound.name: _grips(system, bound) for bound in ideal}
         self.barriers = [self._barrier(b, places[b.name], grips.get(b.name, ()), b in ideal) for b in bounds]
-        self.drags = self._drags(system, places)
+        self.drags = self._drags((*system.dry_friction, *(r for p in pivots.values() for r in p.dry_friction)), places)
+        self.ends = FlatEnds(self, pivots)
         self._engines: dict[ModeOf, tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]] = {}
 
     def _enter(
@@ -90,8 +94,22 @@ class Bounded:
                 packing.watch(blow.event.measure)
             for row in blow.rows:
                 packing.closing(row)
+        for bound in system.bounds:
+            if bound.pivot is not None:
+                self._enter_pivot(bound.pivot, places)
 
-    def _drags(self, system: SystemDescription, places: Mapping[str, int]) -> list[FrictionRow]:
+    def _enter_pivot(self, pivot: RimPivot, places: Mapping[str, int]) -> None:
+        packing = self._packing
+        for measure in pivot.settings:
+            packing.setting(measure)
+        packing.bound(pivot.bound)
+        for rub in pivot.dry_friction:
+            loads = tuple(places[name] for name in rub.load)
+            packing.friction(rub, loads, self._load_sign(loads))
+        for measure in (*pivot.lowest, *pivot.along[0], *pivot.along[1]):
+            packing.watch(measure)
+
+    def _drags(self, dry_friction: Sequence[DryFriction], places: Mapping[str, int]) -> list[FrictionRow]:
         """Dry friction in the order of its names, each with the barrier without which there is none."""
         number = {barrier.name: k for k, barrier in enumerate(self.barriers)}
         return [
@@ -108,7 +126,7 @@ class Bounded:
                 self.written.across_of_friction(k),
                 self._packing.dry_friction[k].keeps_across,
             )
-            for k, rub in sorted(enumerate(system.dry_friction), key=lambda numbered: numbered[1].name)
+            for k, rub in sorted(enumerate(dry_friction), key=lambda numbered: numbered[1].name)
         ]
 
     def _blow(self, blow: BlowEvent, places: Mapping[str, int]) -> BlowRow:
@@ -221,7 +239,8 @@ class Bounded:
 
     def engine(self, mode: ModeOf) -> tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]:
         """The engine of a mode, its guards, and what each of them guards: ("gap", barrier), ("press", barrier),
-        ("foot", barrier), ("slip", drag), ("grip", drag). Slip in a plane is pointed before each phase (`point`)."""
+        ("foot", barrier), ("tilt", barrier), ("slip", drag), ("grip", drag). Slip in a plane is pointed before each
+        phase (`point`)."""
         mode = replace(mode, ways=())
         if mode not in self._engines:
             guards: list[Guard] = []
@@ -229,6 +248,8 @@ class Bounded:
             for k, barrier in enumerate(self.barriers):
                 # an open contact: its gap; a closed one: its force, and that it stays within the ends of its edge
                 if k not in mode.closed:
+                    if k in self.ends.by_edge:
+                        continue  # a pivot is put, and never met
                     guards.append(Guard(OF_VALUE, barrier.row, sign=barrier.sign))
                     about.append(("gap", k))
                     continue
@@ -242,6 +263,10 @@ class Bounded:
                 if barrier.lost >= 0:
                     guards.append(Guard(OF_VALUE, barrier.lost))
                     about.append(("foot", k))
+                if k in self.ends.by_edge:  # until the rim has a lowest place of its own
+                    rim = self.barriers[self.ends.by_edge[k].rim]
+                    guards.append(Guard(OF_VALUE, rim.lost, sign=-1.0))
+                    about.append(("tilt", k))
             for k, state in enumerate(mode.drags):
                 # sticking friction: what is left of its limit, shared in a group; sliding friction: its slip rate
                 if state == 0 and k not in mode.followers:
@@ -353,8 +378,14 @@ class Bounded:
     def spread_out(self, closed: Iterable[int]) -> UnilateralConstraint | None:
         """Of closed contacts at the same instant one that is not in a single place."""
         rows = self.free.room.rows
-        lost = (b for k in closed if (b := self.barriers[k]).lost >= 0 and rows[b.lost, kinematics.VALUE] <= TOUCHING)
+        several = (self.barriers[k] for k in closed if k not in self.ends.by_rim)
+        lost = (b for b in several if b.lost >= 0 and rows[b.lost, kinematics.VALUE] <= TOUCHING)
         return next((barrier.bound for barrier in lost), None)
+
+    def is_flattened(self, rim: int, y: Floats, t: float, near: Floats) -> bool:
+        """Whether a rim has no lowest place of its own any more."""
+        self.instant(y, t, near)
+        return bool(self.free.room.rows[self.barriers[rim].lost, kinematics.VALUE] <= TOUCHING)
 
     def spinning(self, closed: Iterable[int], *, by: str = "") -> UnilateralConstraint | None:
         """Of closed contacts at the same instant a rough flat end that spins, or the one whose watch is named."""
@@ -363,11 +394,6 @@ class Bounded:
         rows = self.free.room.rows
         spins = (b for k in closed if (b := self.barriers[k]).spinning >= 0)
         return next((b.bound for b in spins if abs(rows[b.spinning, kinematics.RATE]) > SPINS), None)
-
-    def tipping(self, drags: Sequence[int | None]) -> FrictionRow | None:
-        """A flat end that tips about its rim."""
-        tips = (drag for drag, state in zip(self.drags, drags, strict=True) if drag.rub.is_tipping and state)
-        return next(tips, None)
 
     def problem(
         self, now: ContactInstant, closed: Sequence[int], drags: dict[int, int], *, of_rates: bool
@@ -428,7 +454,9 @@ class Bounded:
         kinetic = number(rub.coefficient(1)), number(rub.coefficient(-1))
         loads = tuple(at[place] for place in drag.loads if place in at)
         if len(loads) == 1 and drag.load_sign:
-            return FrictionProblemRow(row, static, kinetic, normals=loads, sliding=sliding)
+            return FrictionProblemRow(
+                row, static, kinetic, normals=loads, sliding=sliding, lifts=rub.is_tipping and k in self.ends.by_moment
+            )
         return FrictionProblemRow(row, static, kinetic, magnitudes=(loads,) if loads else (), sliding=sliding)
 
     def _limits(self, k: int, t: float) -> tuple[float, float]:
@@ -447,6 +475,10 @@ class Bounded:
         self.written.keep(d.packed, float(rows[d.row, kinematics.VALUE]))
         if d.across >= 0:
             self.written.keep_across(d.packed, float(rows[d.across, kinematics.VALUE]))
+
+
+def _rows_of(pivot: RimPivot) -> tuple[ConstraintRow, ...]:
+    return (pivot.bound.row, *(row for rub in pivot.dry_friction for row in rub.rows))
 
 
 def _spin_watches(k: int, bound: UnilateralConstraint) -> list[EngineWatch]:

@@ -101,9 +101,13 @@ def push(bounded: Bounded, y: Floats, weighted: Floats, impulses: Floats) -> flo
 
 
 def recorded(
-    t: float, problem: RowProblem, outcome: ImpactOutcome, rates: dict[int, float], change: float
+    bounded: Bounded, t: float, problem: RowProblem, outcome: ImpactOutcome, rates: dict[int, float], change: float
 ) -> ImpactRecord:
     """What is kept of a collision. rates: before it, by barrier; change: of the kinetic energy."""
+    after = {k: float(outcome.velocities[problem.row_of_barrier(k)]) for k in problem.closed}
+    for end in (bounded.ends.by_flat[k] for k in problem.closed if k in bounded.ends.by_flat):
+        turning = outcome.velocities[[problem.row_of_drag(end.moment), problem.across[end.moment]]]
+        after[end.flat] -= end.radius * float(np.linalg.norm(turning))
     rows = {k: problem.row_of_barrier(k) for k in problem.closed}
     is_open = _not_unique(problem.matrices.A)
     joints = {
@@ -116,7 +120,7 @@ def recorded(
         {k: float(outcome.impulses[row]) for k, row in rows.items()},
         {problem.places[row]: float(outcome.impulses[row]) for row in problem.rows_of_friction},
         {k: rates[k] for k in rows},
-        {k: float(outcome.velocities[row]) for k, row in rows.items()},
+        after,
         change,
         outcome.energy_grew,
         joints,

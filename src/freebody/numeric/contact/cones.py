@@ -2,6 +2,10 @@
 
     T_1^2 + T_2^2 <= (c L)^2,        slipping: T = -c L u,  u = a/|a|,  a = (a_1, a_2) the acceleration of the slip
 
+A flat end of radius R whose moment T has L = N the normal force and c = R lifts its middle as it tips: the gap that N
+closes is a_N - R |a|, that of the lowest point of its rim. Then forces and accelerations are in dual cones, as they are
+for points of the rim one by one, and the moment does no work.
+
 A projected Gauss-Seidel iteration comes near to forces that obey this: every normal force in turn is made such that its
 row does not accelerate, or zero; every friction is moved against its slip, and put back to the edge of its circle. What
 it ends near says which rows are closed, stick or slip. With that the law is a system of equations, with the angle of
@@ -102,6 +106,7 @@ class _Search:
             _Plane(by_row[row], by_row[other], system.scale[[self.place[row], self.place[other]]])
             for row, other in across.items()
         ]
+        self.lifting = {plane.along.normals[0]: plane for plane in self.planes if plane.along.rub.lifts}
         second = set(across.values()) | set(across)
         self.lines = [friction for friction in system.frictions if friction.rub.row not in second]
 
@@ -123,7 +128,7 @@ class _Search:
         for _ in range(_SWEEPS):
             before = x.copy()
             for i in range(self.system.n_normals):
-                x[i] = max(0.0, x[i] - float(A[i] @ x + b[i]))
+                x[i] = max(0.0, x[i] - self._opening(i, x) / self._yielding(i))
             for line in self.lines:
                 load, rub, i = max(0.0, line.load(x.tolist(), x)), line.rub, line.row
                 if rub.sliding:
@@ -189,13 +194,31 @@ class _Search:
     def _acceleration(self, i: int, x: Array) -> float:
         return float(self.system.A[i] @ x + self.system.b[i])
 
+    def _opening(self, i: int, x: Array) -> float:
+        """The acceleration of a gap: of a flat end that of the lowest point of its rim."""
+        a = self._acceleration(i, x)
+        plane = self.lifting.get(i)
+        if plane is None:
+            return a
+        slip = (self.system.A[plane.rows] @ x + self.system.b[plane.rows]) / plane.scales
+        return a - self._lift(plane) * math.hypot(*slip.tolist())
+
+    def _lift(self, plane: _Plane) -> float:
+        """By how much the row of its normal opens with the slip of a plane: c, scaled as that row is."""
+        return plane.along.rub.static[0] * float(self.system.scale[plane.along.normals[0]])
+
+    def _yielding(self, i: int) -> float:
+        """By how much a gap opens for a unit of its force, whose moment is that of the rim."""
+        plane = self.lifting.get(i)
+        return 1.0 if plane is None else 1.0 + float(((self._lift(plane) / plane.scales) ** 2).max())
+
     def _none(self, i: int, x: Array) -> float:
         """An acceleration of a row that is none."""
         return self.near * float(self.system.magnitude[i] @ np.abs(x) + self.system.size[i])
 
     def _rests(self, i: int, x: Array) -> bool:
         """Whether what is not pressed does not open either."""
-        return abs(self._acceleration(i, x)) <= self._none(i, x)
+        return abs(self._opening(i, x)) <= self._none(i, x)
 
     def _stays(self, plane: _Plane, x: Array) -> bool:
         """Whether friction at its limit does not let go either."""
@@ -257,6 +280,12 @@ class _Search:
                 E[i, i] += 1.0
                 E[i, n + k] = c * change * load
             slip = (A[plane.rows] @ x + self.system.b[plane.rows]) / plane.scales
+            i = plane.along.normals[0] if plane.along.rub.lifts else -1
+            if i >= 0 and mode[i] is RowState.CLOSED:
+                lift = self._lift(plane)
+                E[i, :n] -= lift * ((np.array(u) / plane.scales) @ A[plane.rows])
+                e[i] -= lift * float(np.array(u) @ slip)
+                E[i, n + k] -= lift * float(np.array(turned) @ slip)
             E[n + k, :n] = (np.array(turned) / plane.scales) @ A[plane.rows]
             E[n + k, n + k], e[n + k] = -float(np.array(u) @ slip), float(np.array(turned) @ slip)
         return E, e
@@ -268,9 +297,10 @@ class _Search:
         slack = _SOLVED * (sizes + 1e-3 * sizes.max(initial=0.0))
         small = _AT_LIMIT[0] * float(np.abs(x).max(initial=0.0))
         for i in range(system.n_normals):
-            if mode[i] is RowState.CLOSED and (x[i] < -small or abs(a[i]) > slack[i]):
+            opening = self._opening(i, x)
+            if mode[i] is RowState.CLOSED and (x[i] < -small or abs(opening) > slack[i]):
                 return False
-            if mode[i] is RowState.OPEN and a[i] < -slack[i]:
+            if mode[i] is RowState.OPEN and opening < -slack[i]:
                 return False
         for line in self.lines:
             if not _line_obeys(line, mode[line.row], x, a, float(slack[line.row]), small):

@@ -27,9 +27,7 @@ def decide(
     b = still_at.bounded
     speed = still_at.speed(result.y, now)
     closed = [
-        k
-        for k in touching
-        if abs(float(now.rates[b.barriers[k].place])) <= STILL * speed and ("closed", k, None) not in forbidden
+        k for k in touching if abs(b.ends.opening(k, now)) <= STILL * speed and ("closed", k, None) not in forbidden
     ]
     while True:
         drags = still_at.drags_on(now, closed, speed)
@@ -62,7 +60,7 @@ def decide(
         if states[k] and k in problem.across:
             ways[k] = directions[problem.row_of_drag(k)]
     chosen = tuple((k, ways[k]) for k in drags if states[k] and k in ways)
-    result.mode = ModeOf(frozenset(still), tuple(states), ways=chosen)
+    result.mode = ModeOf(frozenset(still), tuple(states), ways=chosen, pivots=b.ends.settings(still))
     return outcome
 
 

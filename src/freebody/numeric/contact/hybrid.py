@@ -24,13 +24,13 @@ from freebody.numeric.contact.after import After, Choice
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.overlaps import without_direction
 from freebody.numeric.contact.problem import OutcomeCount as Consistency
-from freebody.numeric.contact.record import PhaseRecord, merged
+from freebody.numeric.contact.record import PhaseRecord, beside_its_way, cut, merged
 from freebody.numeric.contact.rows import ContactInstant, ModeOf, within
 from freebody.numeric.contact.sharing import SharedReactions
 from freebody.numeric.contact.stillness import STILL
 from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.contact.transition import InstantTransition
-from freebody.numeric.contact.trouble import advised, contradiction, jammed, unresisted_spin
+from freebody.numeric.contact.trouble import advised, contradiction, jammed, turned_by_friction, unresisted_spin
 from freebody.numeric.contact.words import events_between
 from freebody.numeric.engine.course import BlowRecord, Collision, Event, Status, Trajectory
 from freebody.numeric.engine.engine import Engine
@@ -112,16 +112,6 @@ class Hybrid:
             if not self.phases:
                 self.phases.append(self._no_phase(at.result.y, t))
             return spread
-        if (tips := self.bounded.tipping(at.result.mode.drags)) is not None:
-            if not self.phases:
-                self.phases.append(self._no_phase(at.result.y, t))
-            return Status.INCONSISTENT, Message(
-                "{end} tips about its rim on {face} at t = {t:.9g} s. From standing flat that is not followed: start "
-                "it tilted",
-                t=t,
-                end=tips.rub.row.ends[0],
-                face=tips.rub.row.ends[1],
-            )
         if (spins := self._spins(at)) is not None:
             if not self.phases:
                 self.phases.append(self._no_phase(at.result.y, t))
@@ -151,6 +141,7 @@ class Hybrid:
         left, steps_left = self._left(began)
 
         # the engine of the mode at its start, with what sticks kept where it is, and what is not unique shared
+        self.bounded.ends.set(mode.pivots)
         now = self.bounded.instant(y, t, at.near)
         mode = self.bounded.grouped(replace(mode, past=self.bounded.past), now)
         engine, guards, about = self.bounded.engine(mode)
@@ -192,6 +183,10 @@ class Hybrid:
 
         # what it leaves
         self.phases.append(PhaseRecord(course, engine, mode))
+        if (turned := beside_its_way(self.bounded, self.phases[-1])) is not None:
+            self.phases[-1] = PhaseRecord(cut(course, turned[0] + 1), engine, mode)
+            end = self.bounded.barriers[turned[1]].bound
+            return Status.INCONSISTENT, turned_by_friction(end, float(course.times[turned[0]]))
         at.near = course.near
         y = engine.state_at(course, -1)
         y[engine.at_work] = course.work[-1]
@@ -202,7 +197,7 @@ class Hybrid:
         if course.violated < 0:
             return self._stopped(course, mode)
         what, k = about[course.violated]
-        if what == "foot":
+        if what in ("foot", "gap"):
             self.bounded.instant(y, course.t_end, at.near)
             if (spread := self._spread_out((k,), course.t_end)) is not None:
                 return spread
@@ -256,6 +251,8 @@ class Hybrid:
         at.n_at_once = 0 if is_progress else at.n_at_once + 1
         at.t = course.t_end
         at.forbidden = ([] if is_progress else at.forbidden) + self._excluded(what, k, mode, is_progress=is_progress)
+        if self._hands_over(what, k, at, mode, y):
+            return
         after = partial(
             self.transition.after,
             y,
@@ -263,7 +260,7 @@ class Hybrid:
             at.near,
             mode,
             touched=(k,) if what == "gap" else (),
-            left=k if what == "foot" else None,
+            left=k if what == "foot" else self._pivot_of(what, k, mode),
         )
         has_stopped = what == "slip" and is_progress
         at.result = after(stopped=(k,) if has_stopped else (), forbidden=tuple(at.forbidden))
@@ -271,6 +268,24 @@ class Hybrid:
         passed = {k} if what == "foot" else set[int]()
         at.asleep = at.result.behind | passed | (set[int]() if is_progress else at.asleep)
         self._note(mode, at.result, at.t)
+
+    def _hands_over(self, what: str, k: int, at: _Between, mode: ModeOf, y: Floats) -> bool:
+        """Whether a pivot and the rim for which it stands change places; then what follows is known."""
+        ends = self.bounded.ends
+        if what == "tilt":
+            at.result = self.transition.after(y, at.t, at.near, mode, touched=(ends.by_edge[k].rim,), left=k)
+        elif what == "foot" and k in ends.by_rim and self.bounded.is_flattened(k, y, at.t, at.near):
+            at.result = self.transition.falls_back(y, at.t, at.near, mode, k)
+        else:
+            return False
+        at.again, at.asleep = None, at.result.behind
+        self._note(mode, at.result, at.t)
+        return True
+
+    def _pivot_of(self, what: str, k: int, mode: ModeOf) -> int | None:
+        """The pivot of a flat end that has come down."""
+        end = self.bounded.ends.by_flat.get(k) if what == "gap" else None
+        return end.edge if end is not None and end.edge in mode.closed else None
 
     # -- blows --------------------------------------------------------------------------------
     def _by_clock(self, until: float) -> int | None:
@@ -317,6 +332,8 @@ class Hybrid:
     # -- between phases -----------------------------------------------------------------------
     def _excluded(self, what: str, k: int, mode: ModeOf, *, is_progress: bool) -> list[Choice]:
         """What a violation shows to be impossible from now on."""
+        if what == "tilt":
+            return []
         if what in ("press", "foot"):
             return [("closed", k, None)]
         if what == "gap":

@@ -49,8 +49,9 @@ class FrictionProblemRow:
     `sliding` is the sign of the slip rate, 0 at rest. At rest in a plane `across` is the row at right angles to
     `row`: then the resultant of both stays within static L, and slip begins against it (`cones`). A brake has a
     constant load, a dry slider the magnitude of one held row, a pin that of two. `normals` may name a held row (a
-    taut string) whose force must not be negative: a mode in which it is counts as inconsistent. Raises ValueError
-    unless 0 <= kinetic <= static and constant >= 0.
+    taut string) whose force must not be negative: a mode in which it is counts as inconsistent. What `lifts`, a flat
+    end that tips, takes its one normal with it: the gap of that opens by at least static |a|, a the acceleration in the
+    plane (`cones`). Raises ValueError unless 0 <= kinetic <= static and constant >= 0.
     """
 
     row: int
@@ -61,6 +62,7 @@ class FrictionProblemRow:
     magnitudes: tuple[tuple[int, ...], ...] = ()
     sliding: int = 0
     across: int = -1
+    lifts: bool = False
 
     def __post_init__(self) -> None:
         if not (0.0 <= self.kinetic[0] <= self.static[0] and 0.0 <= self.kinetic[1] <= self.static[1]):

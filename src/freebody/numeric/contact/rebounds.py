@@ -25,8 +25,9 @@ def settle(still: MotionSpeeds, result: After, now: ContactInstant, touching: li
     hit = {k for impact in result.impacts for k, rate in impact.before.items() if rate < 0.0}
     now = b.instant(result.y, now.t, near)
     speed = still.speed(result.y, now)
-    rates = {k: b.barriers[k].sign * float(now.rates[b.barriers[k].place]) for k in touching}
+    rates = {k: b.ends.opening(k, now) for k in touching}
     rising = [k for k in touching if rates[k] > STILL * speed and (k not in hit or b.barriers[k].restitution < 1.0)]
+    rising = [k for k in rising if k not in b.ends.by_flat or b.ends.is_level(k, now, STILL * speed)]
     if not rising:
         return
     accelerations = _accelerations(still, now, touching, rising, rates, speed)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
+from freebody.language.units import LENGTH
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.rows import FrictionRow, ModeOf
 from freebody.numeric.contact.stillness import STILL
@@ -24,6 +25,7 @@ from freebody.numeric.engine.engine import Engine
 from freebody.numeric.kernels import kinematics, stepping
 from freebody.numeric.kernels.arrays import Floats
 
+BESIDE = 1e-6  # of a radius: so far from a line is beside it
 ABSENT = 2  # in `ContactRecord.slips`: no friction
 
 
@@ -98,8 +100,8 @@ def merged(
         else last.tracks,
         near=last.near,
         contact=ContactRecord(
-            tuple(b.name for b in bounded.barriers),
-            tuple(d.name for d in bounded.drags),
+            tuple(b.name for k, b in enumerate(bounded.barriers) if k not in bounded.ends.stands_for),
+            tuple(d.name for k, d in enumerate(bounded.drags) if k not in bounded.ends.rubs_for),
             states.astype(np.int8),
             slips.astype(np.int8),
             collisions,
@@ -109,6 +111,37 @@ def merged(
         ),
         rotation=_rotation(parts),
     )
+
+
+def beside_its_way(bounded: Bounded, phase: PhaseRecord) -> tuple[int, int] | None:
+    """The first output of a phase at which a flat end slides with its pressure beside the line through its middle along
+    which it does, and that end, by its barrier. The pressure N at c from the middle has the moment M = c x N m about
+    it, m the normal, and friction along u there the moment -mu N m . (c x u) = mu M . u about m."""
+    held = {place: column for column, place in enumerate(bounded.held_in(phase.mode))}
+    found: list[tuple[int, int]] = []
+    for end in bounded.ends.ends:
+        if end.flat not in phase.mode.closed:
+            continue
+        moment = bounded.drags[end.moment]
+        for k, drag in enumerate(bounded.drags):
+            state = phase.mode.drags[k]
+            if drag.of != end.flat or not state or drag.rub.row.measure.dimension != LENGTH:
+                continue
+            M = phase.course.multipliers[:, [held[moment.keeps], held[moment.keeps_across]]]
+            (_p, one), (_q, other) = _components(bounded, phase, k, state)
+            pressed = np.abs(phase.course.multipliers[:, held[bounded.barriers[end.flat].place]])
+            beside = np.abs(M[:, 0] * one + M[:, 1] * other) > BESIDE * end.radius * pressed
+            found += [(int(np.argmax(beside)), end.flat)] if beside.any() else []
+    return min(found, default=None)
+
+
+def cut(course: Trajectory, n: int) -> Trajectory:
+    """The first outputs of a course."""
+    names = ("times", "poses", "velocities", "work", "accelerations", "multipliers", "unique")
+    rotation = course.rotation
+    if rotation is not None:
+        rotation = RotationHistory(**{f.name: getattr(rotation, f.name)[:n] for f in fields(RotationHistory)})
+    return replace(course, rotation=rotation, **{name: getattr(course, name)[:n] for name in names})
 
 
 def _rotation(parts: list[tuple[Trajectory, slice]]) -> RotationHistory | None:
@@ -122,7 +155,9 @@ def _rotation(parts: list[tuple[Trajectory, slice]]) -> RotationHistory | None:
 
 
 def _rows(bounded: Bounded, phase: PhaseRecord) -> tuple[Floats, Floats, Floats, Floats]:
-    """(n_times, n_rows) multipliers and whether they are unique; (n_times, n_barriers), (n_times, n_drags) states."""
+    """(n_times, n_rows) multipliers and whether they are unique; (n_times, n_barriers), (n_times, n_drags) states. What
+    is of a pivot is told of the rim for which it stands."""
+    bounded.ends.set(phase.mode.pivots)
     course, mode = phase.course, phase.mode
     n = len(course.times)
     multipliers, unique = np.zeros((n, len(bounded.rows))), np.ones((n, len(bounded.rows)))
@@ -143,7 +178,27 @@ def _rows(bounded: Bounded, phase: PhaseRecord) -> tuple[Floats, Floats, Floats,
                 multipliers[:, place], unique[:, place] = -share * load, is_unique
     for group in mode.groups:
         _share(bounded, group, multipliers, unique)
-    return multipliers, unique, states, slips
+    ends = bounded.ends
+    for place, rim in ends.rows_for.items():
+        if place in held:
+            multipliers[:, rim], unique[:, rim] = multipliers[:, place], unique[:, place]
+    for k, rim in ends.stands_for.items():
+        states[:, rim] += states[:, k]
+    for k, rim in ends.rubs_for.items():
+        if phase.mode.drags[k] is not None:
+            slips[:, rim] = slips[:, k]
+            if phase.mode.drags[k]:
+                for place in (bounded.drags[k].keeps, bounded.drags[k].keeps_across):
+                    if place >= 0:
+                        to = ends.rows_for[place]
+                        multipliers[:, to], unique[:, to] = multipliers[:, place], unique[:, place]
+    n_rows = bounded.n_rows
+    return (
+        multipliers[:, :n_rows],
+        unique[:, :n_rows],
+        np.delete(states, list(ends.stands_for), axis=1),
+        np.delete(slips, list(ends.rubs_for), axis=1),
+    )
 
 
 def _components(bounded: Bounded, phase: PhaseRecord, k: int, state: int) -> list[tuple[int, Floats | float]]:

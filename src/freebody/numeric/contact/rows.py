@@ -79,6 +79,7 @@ class ModeOf:
     groups: tuple[tuple[int, ...], ...] = ()  # drags that stick along the same slip: one row holds all of a group
     past: frozenset[int] = frozenset()  # the blows that have happened
     ways: tuple[tuple[int, float], ...] = ()  # of drags that slide in a plane: the angle of their slip from its row
+    pivots: tuple[tuple[int, tuple[float, float, float]], ...] = ()  # of flat ends that tip, by barrier: their settings
 
     @property
     def followers(self) -> frozenset[int]:

@@ -285,6 +285,14 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
         if bound.obstacle:
             faced.setdefault(f"{bound.family} {bound.obstacle}", []).append((gap, bound))
         elif gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
+            if _is_lost(reference, g, bound):
+                raise CannotAnswer(
+                    Message(
+                        "at the start {what} ({contact})",
+                        what=bound.pitfall or bound.name,
+                        contact=bound.row.connection,
+                    )
+                )
             (stopped if bound.is_stop else found).append(_said(reference, bound, -gap))
     for places in faced.values():
         gap, bound = max(places, key=lambda place: place[0])
@@ -305,6 +313,11 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
                 what=what,
             )
         )
+
+
+def _is_lost(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> bool:
+    """Whether bodies would touch there in a way that is not followed."""
+    return bound.lost is not None and reference.jet(g, bound.lost, bound.name).value <= PENETRATION
 
 
 def _said(reference: Reference, bound: UnilateralConstraint, depth: float) -> str:

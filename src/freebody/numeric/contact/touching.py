@@ -18,13 +18,15 @@ def touching_at(b: Bounded, now: ContactInstant, before: frozenset[int], touched
     found: list[int] = []
     touched = set(touched)
     for k, barrier in enumerate(b.barriers):
-        if not b.is_valid(k):
+        is_put = k in b.ends.by_edge and k not in before and k not in touched  # a pivot is put, and never met
+        if is_put or not b.is_valid(k):
             continue
         gap = barrier.sign * float(now.values[barrier.place])
         size = 1.0 if b.is_angle(barrier.bound.row) else b.numbers.length
         if k in touched or k in before or abs(gap) <= TOUCHING * size:
             found.append(k)
-    return found
+    standing = {b.ends.by_edge[k].flat for k in found if k in b.ends.by_edge}
+    return [k for k in found if k not in standing]
 
 
 def far_sides(still: MotionSpeeds, now: ContactInstant, touching: list[int], known: frozenset[int]) -> set[int]:

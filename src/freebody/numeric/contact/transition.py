@@ -9,7 +9,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -39,6 +39,12 @@ class InstantTransition:
         self.bounded, self.jams = bounded, jams
         self.collisions = Collisions(bounded, law)
         self.still = MotionSpeeds(bounded)
+
+    def falls_back(self, y: Floats, t: float, near: Floats, mode: ModeOf, rim: int) -> After:
+        """What follows where a tilted rim has come down so far that a pivot takes its place."""
+        end = self.bounded.ends.by_rim[rim]
+        self.bounded.ends.put_at_lowest(end, self.bounded.instant(y, t, near))
+        return self.after(y, t, near, mode, touched=(end.edge,), left=rim)
 
     def after(
         self,
@@ -74,17 +80,43 @@ class InstantTransition:
         now = self._impacts(result, t, near, touching)
         if result.status is OutcomeCount.NONE:
             return result
+        slow = STILL * self.still.speed(y, now)
+        touching = self._pivoting(result, now, touching, {k for k in touching if b.ends.tips(k, now, slow)})
         # rebounds too small to be followed end at once; then accelerations decide on the mode
-        settle(self.still, result, now, touching, near)
+        settle(self.still, result, b.instant(y, t, near), touching, near)
         now = b.instant(y, t, near)
         outcome = decide(self.still, result, now, touching, mode, forbidden)
+        if result.mode is not None and (tipping := self._tipping(result.mode)):
+            touching = self._pivoting(result, now, touching, set(tipping), tipping)
+            now = b.instant(y, t, near)
+            outcome = decide(self.still, result, now, touching, mode, forbidden)
         if self.jams and outcome.status is OutcomeCount.NONE and self._jam(result, now, touching):
             now = b.instant(y, t, near)
             outcome = decide(self.still, result, now, touching, None, forbidden)
         result.status = outcome.status
         if left is not None and result.mode is not None and not result.impacts:
             result.handed = self._handed(result.mode, before, left, now)
+        result.handed |= {edge for edge in b.ends.by_edge if left in (edge, b.ends.by_edge[edge].rim)}
         return result
+
+    def _tipping(self, mode: ModeOf) -> dict[int, float]:
+        """Flat ends that tip by the accelerations of a mode, with the angles of these."""
+        ways, ends = dict(mode.ways), self.bounded.ends
+        return {end.flat: ways[k] for k, end in ends.by_moment.items() if mode.drags[k] and k in ways}
+
+    def _pivoting(
+        self, result: After, now: ContactInstant, touching: list[int], flat: set[int], angles: Mapping[int, float] = {}
+    ) -> list[int]:
+        """What touches, with pivots for flat ends that tip: by their turning, or by angles that are known."""
+        b, found = self.bounded, [k for k in touching if k not in flat]
+        for k in sorted(flat):
+            end = b.ends.by_flat[k]
+            b.ends.put_against(end, angles.get(k, b.way(end.moment, now)), now)
+            found.append(end.edge)
+            result.tipping.add(k)
+            family = b.barriers[k].family
+            self.still.stopped |= {j for j, d in enumerate(b.drags) if d.of >= 0 and b.barriers[d.of].family == family}
+        return found
 
     def _impacts(self, result: After, t: float, near: Floats, touching: list[int]) -> ContactInstant:
         """Impacts, one after another, until nothing that touches approaches; and the instant after them. Without a
@@ -94,7 +126,7 @@ class InstantTransition:
         for _ in range(N_IMPACTS):
             now = b.instant(result.y, t, near)
             speed = self.still.speed(result.y, now)
-            rates = {k: b.barriers[k].sign * float(now.rates[b.barriers[k].place]) for k in touching}
+            rates = {k: b.ends.opening(k, now) for k in touching}
             if not any(rate < -STILL * speed for rate in rates.values()):
                 break
             collision = self.collisions.impulses(now, touching, rates)
@@ -103,7 +135,7 @@ class InstantTransition:
                 break
             outcome, problem = collision
             change = push(b, result.y, problem.weighted, outcome.impulses)
-            result.impacts.append(recorded(t, problem, outcome, rates, change))
+            result.impacts.append(recorded(b, t, problem, outcome, rates, change))
         return now
 
     def _handed(self, mode: ModeOf, before: frozenset[int], left: int, now: ContactInstant) -> set[int]:
@@ -139,7 +171,7 @@ class InstantTransition:
             return False
         rates = {touching[0]: b.barriers[touching[0]].sign * float(now.rates[b.barriers[touching[0]].place])}
         change = push(b, result.y, problem.weighted, outcome.impulses)
-        result.impacts.append(recorded(now.t, problem, outcome, rates, change))
+        result.impacts.append(recorded(b, now.t, problem, outcome, rates, change))
         result.jammed = touching[0]
         return True
 

@@ -59,3 +59,15 @@ def unresisted_spin(end: UnilateralConstraint, t: float) -> Message:
         face=end.row.ends[1],
         t=t,
     )
+
+
+def turned_by_friction(end: UnilateralConstraint, t: float) -> Message:
+    """A rough flat end slides, and what presses on it is not on the line along which it does."""
+    return Message(
+        "{end} slides on {face} at t = {t:.9g} s with its pressure beside the line through its middle along which it "
+        "slides. There friction turns it about the normal, and how the pressure is spread, on which that depends once "
+        "it turns, is not known",
+        end=end.row.ends[0],
+        face=end.row.ends[1],
+        t=t,
+    )

@@ -23,7 +23,7 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
     was = frozenset[int]() if before is None else before.closed
     hit = {k for impact in after.impacts for k in _hit(impact)}
     for k, barrier in enumerate(bounded.barriers):
-        if k in after.handed:
+        if k in after.handed or k in bounded.ends.by_edge or (k in after.tipping and k not in hit):
             continue
         is_now = k in mode.closed
         if before is None and k not in hit:
@@ -41,6 +41,8 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
             yield Event(t, *_rebounds(barrier))
     if before is None:
         return
+    for k in sorted(after.tipping):
+        yield Event(t, *_tips(bounded.barriers[k]))
     for k, drag in enumerate(bounded.drags):
         old, new = before.drags[k], mode.drags[k]
         if old == new or old is None or new is None:
@@ -61,9 +63,15 @@ def event_names(bounded: Bounded) -> list[str]:
         a, b = barrier.words
         found += [_opens(barrier)[0], _closes(barrier)[0], _rebounds(barrier)[0], _rest(barrier)[0]]
         found.append(Message("{a} jams on {b}" if b else "{a} jams", a=a, b=b))
+    found += [_tips(bounded.barriers[k])[0] for k in bounded.ends.by_flat]
     for drag in bounded.drags:
         found += [_slips(drag, old, new)[0] for old, new in ((0, 1), (1, 0), (1, -1))]
     return list(dict.fromkeys(found))
+
+
+def _tips(row: UnilateralRow) -> tuple[str, str]:
+    a, b = row.words
+    return Message("{body} tips about its rim on {other}", body=a, other=b), "tips"
 
 
 def _closes(row: UnilateralRow) -> tuple[str, str]:

@@ -50,6 +50,7 @@ class Packing:
         self.bases: list[Base] = []
         self.other: list[Composition | RowProduct] = []
         self.by_measure: dict[Measure | NonholonomicForm, Where] = {}
+        self.settings: dict[Measure, int] = {}  # base rows of numbers that a motion sets
         self.held: list[Hold] = []
         self.dry_friction: list[Slide] = []
         self.watched: list[Where] = []
@@ -106,6 +107,8 @@ class Packing:
     # -- rows ---------------------------------------------------------------------------------
     def _linear(self, measure: Measure) -> Base | None:
         """A measure as a combination of elementary ones with constant coefficients, if it is one."""
+        if measure in self.settings:
+            return None
         if isinstance(measure, Combination):
             total = Base(0.0, ())
             for coefficient, part in measure.terms:
@@ -144,7 +147,14 @@ class Packing:
             self.by_measure[measure] = self._new_row(measure)
         return self.by_measure[measure]
 
+    def setting(self, measure: Measure) -> None:
+        """Enters a number that a motion sets (`Written.set`): a row of its own, of no pose."""
+        self.settings[measure] = len(self.bases)
+        self.bases.append(Base(0.0, ()))
+
     def _new_row(self, measure: Measure | NonholonomicForm) -> Where:
+        if measure in self.settings:
+            return "base", self.settings[measure]
         if isinstance(measure, NonholonomicForm):
             terms = [(self._coefficient(c), self.row(m)) for c, m in measure.terms]
             self.other.append(RowProduct(terms))
@@ -169,8 +179,8 @@ class Packing:
     def _expression(self, measure: Measure, inputs: dict[str, int]) -> Expr:
         """A measure as an expression in base rows, which are entered in `inputs` under names of their own."""
         linear = self._linear(measure)
-        if linear is not None:
-            row = self._enter(linear)
+        if linear is not None or measure in self.settings:
+            row = self.settings[measure] if linear is None else self._enter(linear)
             inputs[f"@row{row}"] = row
             return Symbol(f"@row{row}")
         if isinstance(measure, Composed):

@@ -37,9 +37,13 @@ from freebody.numeric.numbers import Numbers
 class Writer(OperationGraph):
     """Writes programs of one system."""
 
-    def __init__(self, numbers: Numbers, bearing_of: Callable[[Measure], int]) -> None:
-        """bearing_of: the place in the layout of a measure that counts turns, else -1."""
+    def __init__(
+        self, numbers: Numbers, bearing_of: Callable[[Measure], int], setting: Callable[[Measure], float | None]
+    ) -> None:
+        """bearing_of: the place in the layout of a measure that counts turns, else -1. setting: what a number is that a
+        motion sets, None of another measure."""
         super().__init__()
+        self._setting = setting
         self.numbers = numbers
         self._bearing_of = bearing_of
         self._functions: dict[str, Any] = {name: self._function(SQRT + k, name) for k, name in enumerate(FUNCTIONS)}
@@ -63,6 +67,10 @@ class Writer(OperationGraph):
             total = total + factor * node
         return self.written(total)
 
+    def forget(self) -> None:
+        """What was written of measures, where a setting has changed."""
+        self._written.clear()
+
     def _rate_of(self, measure: Measure | NonholonomicForm) -> ProgramNode:
         if isinstance(measure, NonholonomicForm):
             total = self.constant(0.0)
@@ -84,6 +92,8 @@ class Writer(OperationGraph):
                 total = total + self.scalar(coefficient) * self._of(part)
             return total
         if isinstance(measure, Composed):
+            if (value := self._setting(measure)) is not None:
+                return self.constant(value)
             return self.apply(measure.expression, {name: self._of(part) for name, part in measure.measures})
         self._place = -1 if isinstance(measure, Component) else self._bearing_of(measure)
         return measure.value(self)

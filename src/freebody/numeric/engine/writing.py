@@ -14,6 +14,7 @@ import numpy as np
 
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.units import LENGTH
+from freebody.measures.base import Measure
 from freebody.model.elements import VALUE, AppliedLoad, DryFriction, NonholonomicForm
 from freebody.numeric.engine.complement import held_entries, schur_complement
 from freebody.numeric.engine.lending import lent_sizes
@@ -57,7 +58,7 @@ class ArrayBuilder:
         self.n_bodies = packing.n_bodies
         self.width = packing.measures.width
         self._tapes = Tapes(packing.numbers.values)
-        self._writer = Writer(packing.numbers, packing.bearing_of)
+        self._writer = Writer(packing.numbers, packing.bearing_of, self._setting)
         self._programs: dict[tuple[int, int, float, int, float], Program] = {}
         self._places = MeasurePlaces(packing)
         self._write()
@@ -274,6 +275,20 @@ class ArrayBuilder:
         where = self.packing.held[place].where
         if where[0] == "base":
             self._fixed["row_constant"][where[1]] = self.packing.bases[where[1]].constant - value
+
+    def set(self, measure: Measure, value: float) -> None:
+        """What a setting is from now on, in all layouts. Programs, in which it is a number, are those of layouts that
+        are made from now on."""
+        constants, row = self._fixed["row_constant"], self.packing.settings[measure]
+        if constants[row] != value:
+            constants[row] = value
+            self._programs.clear()
+            self._writer.forget()
+
+    def _setting(self, measure: Measure) -> float | None:
+        """What a setting is now; None of another measure."""
+        row = self.packing.settings.get(measure)
+        return None if row is None else float(self._fixed["row_constant"][row])
 
     def row_of_friction(self, friction: int) -> int:
         """The row of the slip of dry friction."""

@@ -198,6 +198,13 @@ class TangentMotion:
     def _named(self, mode: ModeOf) -> ContactMode:
         b = self.bounded
         assert b is not None
+        if mode.pivots:
+            raise CannotAnswer(
+                Message(
+                    "{end} tips about its rim: exact derivatives do not go through that",
+                    end=b.barriers[mode.pivots[0][0]].words[0],
+                )
+            )
         drags = {
             drag.name: state
             for k, (drag, state) in enumerate(zip(b.drags, mode.drags, strict=True))
