@@ -1,4 +1,4 @@
-"""Point on a surface: a point stays on a surface z = f(x, y), as a bowl of revolution z = f(rho), or lies on it; dry friction.
+"""Point on a surface z = f(x, y), as a bowl of revolution z = f(rho): it stays there, or lies on it; dry friction.
 
 With w the steepness of `model.surfaces`, the distance from the surface to first order is (z - f)/w. Held at zero, its
 gradient is the unit normal, so that its multiplier is the normal force. Friction acts in the tangent plane, against the
@@ -31,13 +31,13 @@ if TYPE_CHECKING:
 
 
 class PointOnSurface(Connection, kind="point_on_surface"):
-    """`point_on_surface: {point: bead, z: k*rho^2}`: a point stays on the surface z = f(x, y) of another body (`on`, default
-    the ground), counted from its reference point along its axes (1 row). f is a formula in x, y, parameters and rho,
-    the distance from the z axis, rho^2 = x^2 + y^2: `k*rho^2` is a paraboloid of revolution, `rho/tan(alpha)` a cone,
-    `-k*rho^2` a dome. For an axis that points up write `space: {up: z}`. The normal force is positive when it pushes to
-    the side of growing z. `leaves: true`: the point lies on the surface and is not held from above. `friction`: mu, or
-    {static: 0.5, kinetic: 0.4}. `reach`: how far from the axis the surface is drawn. The measures `distance of bead
-    from the z axis` and `angle of line from ground.O to bead` make polar coordinates."""
+    """`point_on_surface: {point: bead, z: k*rho^2}`: a point stays on the surface z = f(x, y) of another body (`on`,
+    default the ground), counted from its reference point along its axes (1 row). f is a formula in x, y, parameters and
+    rho, the distance from the z axis, rho^2 = x^2 + y^2: `k*rho^2` is a paraboloid of revolution, `rho/tan(alpha)` a
+    cone, `-k*rho^2` a dome. For an axis that points up write `space: {up: z}`. The normal force is positive when it
+    pushes to the side of growing z. `leaves: true`: the point lies on the surface and is not held from above.
+    `friction`: mu, or {static: 0.5, kinetic: 0.4}. `reach`: how far from the axis the surface is drawn. The measures
+    `distance of bead from the z axis` and `angle of line from ground.O to bead` make polar coordinates."""
 
     point: str
     z: Formula

@@ -75,8 +75,8 @@ def without_rho(e: Expr) -> Expr:
 
 
 def polar(names: Names, surface: Surface, point: Point) -> Iterable[tuple[str, Measure]]:
-    """rho and phi of a point that goes round the axis of a surface of revolution at the start. They have no place on the
-    axis, so where nothing goes round it x and y remain."""
+    """rho and phi of a point that goes round the axis of a surface of revolution at the start. They have no place on
+    the axis, so where nothing goes round it x and y remain."""
     if surface.is_round and _goes_round(names, point):
         yield "rho", from_axis(point, surface.origin, surface.axes)
         yield "angle", Bearing(surface.origin, point, surface.origin.body)

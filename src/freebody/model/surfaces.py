@@ -24,7 +24,7 @@ SQUARE = Symbol("x") * Symbol("x") + Symbol("y") * Symbol("y")
 
 @dataclass(frozen=True)
 class Surface:
-    """z = height in x and y, counted from a point of a body along its axes. is_round: in rho = sqrt(x^2 + y^2) alone."""
+    """z = height in x and y, from a point of a body along its axes. is_round: in rho = sqrt(x^2 + y^2) alone."""
 
     height: Expr
     is_round: bool
