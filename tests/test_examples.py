@@ -365,6 +365,15 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "spin": "-sqrt(R**2 + h**2)/R",
         "energy": "3*m*h**2*rate(psi)**2*(1 + 5*h**2/(R**2 + h**2))/40",
     },
+    # rho phi'^2 = g dz/drho; the effective potential l^2/(2 m rho^2) + m g k rho^2 has the slope of its slope 8 m g k
+    # there, beside the mass m (1 + (dz/drho)^2); it is as high again at rho^2 = l^2/(2 m^2 g k R^2)
+    "particle_in_a_paraboloid": {
+        "circle": "sqrt(2*g*k)",
+        "force": "m*g*sqrt(1 + (2*k*R)**2)",
+        "swaying": "sqrt(8*g*k/(1 + (2*k*R)**2))",
+        "lowest": "R*Omega/sqrt(2*g*k)",
+        "speed": "sqrt((R*Omega)**2 + 2*g*(k*R**2 - k*R**2/2))",
+    },
     # L psi'^2 cos = g; with h = psi' sin^2 the effective potential of theta has w^2 = psi'^2 (1 + 3 cos^2)
     "conical_pendulum": {
         "rate": "sqrt(g/(L*cos(beta)))",

@@ -33,6 +33,7 @@ from freebody.connections.pin import Pin as _Pin
 from freebody.connections.planar import Planar as _Planar
 from freebody.connections.point_on_line import PointOnLine as _PointOnLine
 from freebody.connections.point_on_line import PointOnPlane as _PointOnPlane
+from freebody.connections.point_on_surface import PointOnSurface as _PointOnSurface
 from freebody.connections.prismatic import Prismatic as _Prismatic
 from freebody.connections.rack_and_pinion import RackAndPinion as _RackAndPinion
 from freebody.connections.revolute import Revolute as _Revolute
@@ -898,6 +899,25 @@ class PointOnPlane(_PointOnPlane):
         self,
         point: _Text,
         on: _Text,
+    ) -> None: ...
+
+class PointOnSurface(_PointOnSurface):
+    """`point_on_surface: {point: bead, z: k*rho^2}`: a point stays on the surface z = f(x, y) of another body (`on`,
+    default the ground), counted from its reference point along its axes (1 row). f is a formula in x, y, parameters and
+    rho, the distance from the z axis, rho^2 = x^2 + y^2: `k*rho^2` is a paraboloid of revolution, `rho/tan(alpha)` a
+    cone, `-k*rho^2` a dome. For an axis that points up write `space: {up: z}`. The normal force is positive when it
+    pushes to the side of growing z. `leaves: true`: the point lies on the surface and is not held from above.
+    `friction`: mu, or {static: 0.5, kinetic: 0.4}. `reach`: how far from the axis the surface is drawn. The measures
+    `distance of bead from the z axis` and `angle of line from ground.O to bead` make polar coordinates."""
+
+    def __init__(
+        self,
+        point: _Text,
+        z: _Formula,
+        on: _Text = ...,
+        leaves: bool = ...,
+        friction: _Formula | _Mapping = ...,
+        reach: _Formula | None = ...,
     ) -> None: ...
 
 class Polygon(_Polygon):

@@ -79,7 +79,7 @@ class AlongCurve(Connection):
 
     def _nearest(self, names: Names, curve: Curve, point: Point) -> Expr:
         """A guess for s: where the curve comes nearest to where the point is put."""
-        put = _put(names, point)
+        put = put_at(names, point)
         if self.is_in_x:
             return put[0] if put is not None else number(0)
         place = None if put is None else [names.numeric(c) for c in put[:2]]
@@ -167,7 +167,7 @@ class AlongCurve(Connection):
             return told
         if curve.dimension == DIMENSIONLESS:
             return -Symbol("pi"), Symbol("pi")
-        put = _put(names, self.moved_point(names))
+        put = put_at(names, self.moved_point(names))
         far = None if put is None else names.numeric(put[0])
         reach = number(Fraction(1.5 * abs(far)).limit_denominator(1000)) if far else number(1)
         return -reach, reach
@@ -225,7 +225,7 @@ class WrittenCurve(AlongCurve):
         return DIMENSIONLESS if found == LENGTH else LENGTH
 
 
-def _put(names: Names, point: Point) -> tuple[Expr, ...] | None:
+def put_at(names: Names, point: Point) -> tuple[Expr, ...] | None:
     """Where the body of a point is put, or is said to be near."""
     start = names.known(point.body).start
     at = start.at or (None if start.near is None else start.near.at)

@@ -20,11 +20,12 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
-from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
+from freebody.measures.geometry import AXES, GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.measures.turn import Alignment, Turn
 from freebody.model.elements import Attitude
 from freebody.model.names import Names
 from freebody.model.rotations import perpendiculars
+from freebody.model.surfaces import from_axis
 
 Path = tuple[str | int, ...]
 Found = dict[str, str | None]
@@ -153,6 +154,24 @@ measures: {d: distance from a to b}
 def _distance(names: Names, found: Found, path: Path) -> Measure:
     """The distance between two points, never negative."""
     return Distance(names.point(found["start"], *path), names.point(found["end"], *path))
+
+
+@_phrase(
+    "distance of POINT from the x|y|z axis",
+    rf"distance of (?P<of>{_POINT}) from the (?P<axis>[xyz]) axis",
+    """
+space: true
+bodies: {ball: {particle: {mass: 1 kg}, at: [0.3 m, 0.4 m, 0]}}
+measures: {rho: distance of ball from the z axis}
+""",
+)
+def _from_axis(names: Names, found: Found, path: Path) -> Measure:
+    """In space: how far a point is from an axis of the ground through the origin, never negative."""
+    if not names.space:
+        names.problem(Message("the distance from an axis is for models in space: write space: true"), *path)
+    k = "xyz".index(found["axis"] or "z")
+    turned = (AXES[(k + 1) % 3], AXES[(k + 2) % 3], AXES[k])
+    return from_axis(names.point(found["of"], *path), names.ground_origin, turned)
 
 
 def _clockwise(measure: Measure, clockwise: str | None) -> Measure:

@@ -245,24 +245,28 @@ class CoordinateChoice:
 
     # -- what an elimination shows ------------------------------------------------------------
     def _named_by_formula(self) -> list[RowEquation]:
-        """Named measures that are linear in an unnamed coordinate, and so can take its place."""
+        """Measures that are linear in an unnamed coordinate, and so can take its place: those that were dropped, and
+        those that the elimination could only tell by it, as a distance from an axis by the length of a line."""
         found: list[RowEquation] = []
         taken: set[int] = set()
-        for name, measure in self._system.all_measures.items():
-            own = self._unknowns.defined_as(name)
-            if own is None or name not in self.chosen.dropped:
+        for c in self._candidates():
+            own, measure = self._unknowns.defined_as(c.name), c.measure
+            if own is None or self._is_coordinate(own):
                 continue
             n_assumed, known_lines = len(self._samples.assumed), self.chosen.tangents.known
             value = self._written(measure)
-            replaced = None if value is None else self._linear_in(value, taken)
+            replaced = None if value is None else self._linear_in(value, taken, is_named=c.rank[0] == NAMED)
             if value is None or replaced is None:
                 # what was assumed in looking at a measure that became no coordinate is assumed only by who asks for it
                 del self._samples.assumed[n_assumed:]
                 self.chosen.tangents.keep(known_lines)
                 continue
-            found.append(RowEquation(_label(name), own - value))
+            found.append(RowEquation(c.label, own - value))
             taken.add(replaced.index)
         return found
+
+    def _is_coordinate(self, own: Ratio) -> bool:
+        return any(c.index == self._field.index(own) for c in self.chosen.speeds.coordinates)
 
     def _written(self, measure: Measure) -> Ratio | None:
         """A measure in coordinates; None where that is too long to write."""
@@ -271,10 +275,12 @@ class CoordinateChoice:
         except (CannotAnswer, ZeroDivisionError):
             return None
 
-    def _linear_in(self, value: Ratio, taken: set[int]) -> Coordinate | None:
-        """The unnamed coordinate in which alone a value is linear, with a constant slope."""
+    def _linear_in(self, value: Ratio, taken: set[int], *, is_named: bool) -> Coordinate | None:
+        """The coordinate of no name in which alone a value is linear, with a constant slope; one that a connection
+        offers gives way to what is named only."""
         for c in self.chosen.speeds.coordinates:
-            if c.index in taken or c.name in self._system.all_measures:
+            is_offered = c.index in self._unknowns.defined and not is_named
+            if c.index in taken or c.name in self._system.all_measures or is_offered:
                 continue
             if self._unknowns.inside(value.denominator()):
                 continue

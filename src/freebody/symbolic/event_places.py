@@ -112,21 +112,24 @@ class EventPlaces:
         for p, q in self._rooted(self._without_turns())[1]:
             yield f.lowest_terms(-f.follow(p * q, there)), ">="
 
-    def is_before(self, start: Ratio, end: Ratio, way: int) -> bool:
-        """Whether such a place is met between a start and an end, at every sample at which the end is real. Raises
-        CannotAnswer where that differs from one to the other."""
+    def is_before(self, start: Ratio, end: Ratio, way: int, *, takes_side: bool = False) -> bool:
+        """Whether such a place is met between a start and an end, at every sample at which the end is real; takes_side:
+        at the first one, which the way there then needs. Raises CannotAnswer where that differs from one to the
+        other."""
         begins, ends = (self.model.samples.at_starts(x) for x in (start, end))
         places = self._places(begins)
-        told = set[bool]()
+        told = list[bool]()
         for s, (begin, last) in enumerate(zip(begins, ends, strict=True)):
             pick = None if math.isnan(last) else _next(places, s, begin, way)
             if not math.isnan(last):
-                told.add(pick is not None and way * (last - places[pick].numbers[s]) > -_NEAR)
-        if len(told) > 1:
+                told.append(pick is not None and way * (last - places[pick].numbers[s]) > -_NEAR)
+        if takes_side and told and told[0]:
+            return True
+        if len(set(told)) > 1:
             raise CannotAnswer(
                 Message("at which place of {x} that is so first depends on the parameter values", x=self.q.name)
             )
-        return told.pop() if told else True
+        return told[0] if told else True
 
     def _nothing_before(
         self, chosen: EventPlace, places: Sequence[EventPlace], start: Ratio, begins: Sequence[float], way: int

@@ -178,7 +178,7 @@ class SmoothMotion(MotionCycles):
         """The first place of a coordinate at which something that is not linear in it has a value, and what that needs;
         where the coordinate turns before, the first one on the way back."""
         q0, sense, turn = self.start.of(c.index), self.sense(c), self._turn(c)
-        if turn is not None and not places.is_before(q0, turn, sense):
+        if turn is not None and not places.is_before(q0, turn, sense, takes_side=self._on_one_side):
             return places.first(turn, -sense)
         return places.first(q0, sense)
 
@@ -186,10 +186,12 @@ class SmoothMotion(MotionCycles):
         """+1 if a coordinate grows at first, else -1."""
         drive = self.start.of(c.speed)
         drive = self.field.follow(self.acceleration(c), self.start.values) if drive.is_zero() else drive
-        signs = {(v > 0) - (v < 0) for v in self.model.samples.at_starts(drive)}
-        if len(signs) != 1 or 0 in signs:
+        signs = [(v > 0) - (v < 0) for v in self.model.samples.at_starts(drive)]
+        if self._on_one_side and signs[0]:
+            return signs[0]  # which is needed of the way by energy, too
+        if len(set(signs)) != 1 or 0 in signs:
             raise CannotAnswer(Message("which way {x} goes depends on the parameter values", x=c.name))
-        return signs.pop()
+        return signs[0]
 
     def _turn(self, c: Coordinate) -> Ratio | None:
         """Where a coordinate turns first, as far as energy tells that."""

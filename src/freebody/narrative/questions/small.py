@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from functools import singledispatch
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Call, Expr, Symbol, add, divide, multiply, number, power, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
@@ -43,7 +43,10 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     telling = SmallTelling(context, question, answer, method)
-    telling.equations()
+    try:
+        telling.equations()
+    except FormulaTooLong:
+        telling.principles()
     telling.equilibrium()
     _tell(question.quantity, telling)
     return telling.script.stages

@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from freebody.language.expression import Expr, Symbol, add, multiply, number, power, substitute
+from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
@@ -72,6 +73,20 @@ class SmallTelling:
         for row in rows:
             self.found.append(_Equation(f.lowest_terms(f.follow(row.rest, still)), row.number))
 
+    def principles(self) -> None:
+        """Where the equations of motion are too long to write: why those of first order are enough, and what holds."""
+        self.script, self.found = self.context.script(), []
+        with self.script.stage("small.principle", "small.principle_hint"):
+            self.script.say("small.unwritten")
+            for connection in self._rolling():
+                self.script.say("small.rolls", connection=connection)
+
+    def _rolling(self) -> list[str]:
+        """The connections in whose contact the bodies have one velocity, in both directions across the normal."""
+        rows = [row for row in self.context.setup.system.constraint_rows if isinstance(row.measure, NonholonomicForm)]
+        held = [row.connection for row in rows if row.reaction.startswith("friction force")]
+        return [name for name in dict.fromkeys(held) if held.count(name) == 2]
+
     def _rows(self) -> list[EliminationRow]:
         accelerations = self.model.accelerations
         if self.method == "lagrange":
@@ -106,7 +121,7 @@ class SmallTelling:
             for k, c in enumerate(self.model.coordinates):
                 value = tidy(self.values[c.index])
                 given: dict[str, Argument] = {"lines": tuple(lines)}
-                key = "small.solved" if lines else "small.indifferent"
+                key = "small.solved" if lines else "small.indifferent" if self.found else "small.balanced"
                 symbol = meanings[k].symbol
                 self.places.append(script.line(symbol, value, why=key, args=given, uses=tuple(lines), when="never"))
 
@@ -168,7 +183,7 @@ class SmallTelling:
 
     @property
     def linear(self) -> Linearised:
-        return Linearised(self.model, dict(self.values))
+        return self.free.linear
 
     def matrices(self, *, with_damping: bool = False) -> tuple[int, ...]:
         """M and K, and C where damping is asked for, row by row."""

@@ -27,6 +27,7 @@ from freebody.study.answering.past_borders import is_of_motion, past_borders
 from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.plain_numbers import with_plain_numbers
 from freebody.study.answering.solution import Solution
+from freebody.study.answering.sticking import while_it_sticks
 from freebody.study.given import each
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import in_words
@@ -370,7 +371,10 @@ def _without_phases(system: System, questions: Sequence[Question], reason: str) 
         elif (resting := _of_rest(system, q)) is not None:
             answers.append(at_rest(system, resting))
         else:
-            answers.append(answered(system, q, partial(_refused_for, reason), partial(number_with_changes, system, q)))
+            direct = partial(while_it_sticks, system, q) if q.quantity.scope == "small motion" else None
+            answers.append(
+                answered(system, q, direct or partial(_refused_for, reason), partial(number_with_changes, system, q))
+            )
     return Solution(system, dof, tuple(c.name for c in model.coordinates), (), tuple(model.redundant), tuple(answers))
 
 
