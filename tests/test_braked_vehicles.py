@@ -3,6 +3,7 @@ Meriam & Kraige, Dynamics, sec. 6/2."""
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -81,3 +82,42 @@ def test_derivation_of_the_grip_goes_up_to_the_wheel_that_lifts_off() -> None:
     told = str(system.explain("value of mu for which normal force of rear = 0"))
     assert "defect" not in told
     assert "Solving (5)" in told
+
+
+def driven(*wheels: str, along: str, angle: str, force: str) -> fb.System:
+    """A car seen by its driver, whose driven wheels grip and whose other wheels roll."""
+    rub = {end: ", friction: mu" if end in wheels else "" for end in ("rear", "front")}
+    return fb.System.from_text(f"""
+parameters: {{m: 1200 kg, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, alpha: 10 deg, A: 1 m/s^2, g: 9.81 m/s^2}}
+ground: {{lines: {{road: {{along: {along}}}}}}}
+bodies:
+  car: {{rectangle: {{mass: m, width: 3.8 m, height: 0.8 m}}, points: {{rear: [-b, -h], front: [a, -h]}},
+    at: [-h*sin({angle}), h*cos({angle})], angle: {angle}}}
+connections:
+  rear: {{contact: {{between: [car.rear, ground.road], touching: true{rub["rear"]}}}}}
+  front: {{contact: {{between: [car.front, ground.road], touching: true{rub["front"]}}}}}
+loads: {{weight: {{gravity: g}}{force}}}
+""")
+
+
+@pytest.mark.parametrize(
+    ("wheels", "grip"),
+    [
+        # with z = A/g on the level, or tan(alpha) of a slope: mu N >= m g z, N_r (a + b) = m g (a + z h)
+        (("rear",), MU * A / (A + B - MU * H)),
+        (("front",), MU * B / (A + B + MU * H)),
+        (("rear", "front"), MU),
+    ],
+    ids=["rear", "front", "all"],
+)
+def test_greatest_acceleration_and_steepest_slope_have_the_same_grip(wheels: tuple[str, ...], grip: float) -> None:
+    """Seen from the car weight and inertia force are as on a slope. The front lifts off at z = b/h, which is more."""
+    inertia = ", inertia: {force: {at: car, along: left, magnitude: m*A}}"
+    level, slope = (
+        driven(*wheels, along="right", angle="0", force=inertia),
+        driven(*wheels, along="alpha", angle="alpha", force=""),
+    )
+    (fastest,) = level.solve("largest A so that it stays at rest").answers
+    assert fastest.value == pytest.approx(grip * G, rel=1e-12)
+    (steepest,) = slope.solve("largest alpha so that it stays at rest").answers
+    assert steepest.value == pytest.approx(math.atan(grip), rel=1e-12)

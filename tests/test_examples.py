@@ -1006,6 +1006,38 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "fastest": "sqrt(2*g*L + m*g**2/k)",
         "hardest": "m*g + sqrt((m*g)**2 + 2*k*L*m*g)",
     },
+    # N_r (a + b) = m g a cos(alpha) + h F and N_f (a + b) = m g b cos(alpha) - h F: an axle slips at mu N
+    "driven_axles_on_a_slope": {
+        "acceleration": "F/m - g*sin(alpha)",
+        "rear": "(m*g*a*cos(alpha) + h*F)/(a + b)",
+        "front": "(m*g*b*cos(alpha) - h*F)/(a + b)",
+        "rear_slips": "mu*m*g*a*cos(alpha)/(p*(a + b) - mu*h)",
+        "front_slips": "mu*m*g*b*cos(alpha)/((1 - p)*(a + b) + mu*h)",
+        "wheelie": "m*g*b*cos(alpha)/h",
+    },
+    # of the trailer about its axle: Y L = M (g f + e A - H A) with A = F/(m + M); the car is pressed by Y behind
+    "car_with_a_trailer": {
+        "acceleration": "F/(m + M)",
+        "pull": "M*F/(m + M)",
+        "load": "-M*(g*f + (e - H)*F/(m + M))/L",
+        "trailer_axle": "M*g - M*(g*f + (e - H)*F/(m + M))/L",
+        "front": "(m*g*b - h*m*F/(m + M) - e*M*F/(m + M) - c*M*(g*f + (e - H)*F/(m + M))/L)/(a + b)",
+    },
+    # m v0^2/2 = k e^2/2, and half a period of the cart on the spring until it is relaxed again
+    "cart_into_a_buffer": {
+        "reached": "d/v0",
+        "farthest": "d + v0*sqrt(m/k)",
+        "hardest": "-v0*sqrt(m*k)",
+        "released": "d/v0 + pi*sqrt(m/k)",
+        "rebound": "-v0",
+    },
+    # m g (d + e) sin(alpha) = F0 e + k e^2/2 at the lowest, and the force there is F0 + k e
+    "crate_onto_a_preloaded_buffer": {
+        "arrives": "sqrt(2*g*d*sin(alpha))",
+        "lowest": "d + (m*g*sin(alpha) - F0 + sqrt((m*g*sin(alpha) - F0)**2 + 2*k*m*g*d*sin(alpha)))/k",
+        "hardest": "-m*g*sin(alpha) - sqrt((m*g*sin(alpha) - F0)**2 + 2*k*m*g*d*sin(alpha))",
+        "thrown_back": "sqrt(2*g*d*sin(alpha))",
+    },
     # m v0^2/2 = k e^2/2 + mu m g e at the farthest, and m v^2/2 = k e^2/2 - mu m g e back at l
     "block_on_an_elastic_string": {
         "farthest": "l + (sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k",

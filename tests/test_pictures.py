@@ -712,28 +712,55 @@ connections:
   front: {{slot: {{pin: car.front, along: {along}}}}}
 loads: {{weight: {{gravity: g}}}}
 """
+WHEELS = "drawing: {wheels: {car.rear: 0.3 m, car.front: 0.3 m}}"
 
 
 @pytest.mark.parametrize("along", ["right", "left"])
-def test_axles_on_one_line_below_a_body_are_wheels_that_touch_the_road_at_the_pins(along: str) -> None:
-    system = fb.System.from_text(VEHICLE.format(at="-h", along=along))
+def test_wheels_that_a_model_states_touch_the_road_at_their_points_in_place_of_slots(along: str) -> None:
+    system = fb.System.from_text(VEHICLE.format(at="-h", along=along) + WHEELS)
     scene = Scene.of(system, Reference(system).number)
     assert not scene.rails
     for roller, (x, y) in zip(scene.rollers, ((-2.0, -0.5), (1.0, -0.5)), strict=True):
         assert (roller.center.x, roller.center.y - roller.radius) == pytest.approx((x, y))
     for track in scene.tracks:  # the road is straight below: the wheel on the left of its direction, or on its right
-        assert track.radius * track.along.x == pytest.approx(0.36)
+        assert track.radius * track.along.x == pytest.approx(0.3)
     looks = [stroke.style for stroke in Drawing.of(scene, np.zeros((1, 1, 3))).strokes]
     assert looks.count("roller") == 2
     assert "slot" not in looks
 
 
-def test_slots_from_which_a_body_hangs_or_along_which_it_falls_stay_slots() -> None:
-    for at, along in (("h", "right"), ("-h", "up")):
-        system = fb.System.from_text(VEHICLE.format(at=at, along=along))
-        scene = Scene.of(system, Reference(system).number)
-        assert len(scene.rails) == 2
-        assert not scene.rollers
+def test_slots_of_the_ground_are_no_wheels_unless_the_model_says_so() -> None:
+    system = fb.System.from_text(VEHICLE.format(at="-h", along="right"))
+    scene = Scene.of(system, Reference(system).number)
+    assert len(scene.rails) == 2
+    assert not scene.rollers
+
+
+def test_wheels_stand_on_the_line_that_their_points_touch() -> None:
+    """On a slope the road of a car is that of its contacts: a wheel touches it, its centre a radius above it."""
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "steepest_road.yaml")
+    scene = Scene.of(system, Reference(system).number)
+    assert [(r.center.body, r.radius) for r in scene.rollers] == [(0, pytest.approx(0.3))] * 2
+    alpha = np.radians(15.0)
+    pose = np.array([[[-0.5 * np.sin(alpha), 0.5 * np.cos(alpha), alpha]]])
+    for roller in scene.rollers:
+        x, y = positions(pose, roller.center)[0]
+        assert y * np.cos(alpha) - x * np.sin(alpha) == pytest.approx(roller.radius)
+
+
+@pytest.mark.parametrize(
+    ("wheels", "told"),
+    [
+        ("{car.rear: 0}", "the radius of a wheel is above 0"),
+        ("{ground.O: 0.3 m}", "a wheel is at a point of a body that moves"),
+        ("{car.rear: 3 s}", "length"),
+        ("[car.rear]", "wheels is a mapping by name"),
+        ("{car.reer: 0.3 m}", "Did you mean"),
+    ],
+)
+def test_wheels_that_cannot_be_drawn_are_a_mistake_of_the_model(wheels: str, told: str) -> None:
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(VEHICLE.format(at="-h", along="right") + f"drawing: {{wheels: {wheels}}}")
 
 
 def test_an_elastic_string_that_is_slack_is_drawn_in_waves_and_a_taut_one_straight() -> None:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from freebody.language.expression import ZERO, Symbol, multiply, negate
+from freebody.language.expression import ZERO, Call, Expr, Symbol, divide, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import (
     DAMPING,
@@ -27,6 +27,7 @@ from freebody.measures.turn import Turn
 from freebody.model import glyphs
 from freebody.model.elements import RATE, VALUE, AppliedLoad
 from freebody.model.glyphs import Glyph
+from freebody.model.one_sided import OneSided
 from freebody.model.rotations import perpendiculars
 from freebody.model.spec import Formula, Heading
 
@@ -37,13 +38,17 @@ if TYPE_CHECKING:
 class Spring(Load, kind="spring"):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
     natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself.
-    `preload: F0` in place of a length: it pulls with F0 at the start, or pushes where that is negative."""
+    `preload: F0` in place of a length: it pulls with F0 at the start, or pushes where that is negative. `only:
+    compressed` is a buffer on `first`: it pushes with k (l0 - l) where the points are closer than its length, and is
+    not touched where they are farther apart; with a preload it pushes with that at once. `only: stretched` pulls
+    alone."""
 
     first: str
     second: str
     stiffness: Formula
     length: Formula | None = None
     preload: Formula | None = None
+    only: Literal["compressed", "stretched"] | None = None
 
     pulling_sign = -1
     stores_energy = True
@@ -56,13 +61,15 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         k = names.positive(self, "stiffness", STIFFNESS)
         natural = names.length_or(self, "length")
-        if natural is not None and self.preload is not None:
+        if natural is not None and self.preload is not None and self.only is None:
             names.problem(Message("a spring with a preload at the start has no length of its own to give"), "preload")
-        if natural == ZERO:
+        if natural == ZERO and self.only is None:
             # -k (r_B - r_A) along each axis: where the points meet a distance has no direction, this force is zero
             axes = zip("xyz" if names.space else "xy", AXES, strict=False)
             return [AppliedLoad(x, Displacement(second, first, e), negate(multiply(k, VALUE))) for x, e in axes]
         distance = Distance(first, second)
+        if self.only is not None:
+            return self._one_sided(names, k, natural, distance)
         if natural is None:
             stretch = Combination(((ONE, distance),), LENGTH)
             pull = ZERO if self.preload is None else names.formula(self.preload, FORCE, "preload")
@@ -70,11 +77,29 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         stretch = Composed(Symbol("@length") - natural, (("@length", distance),), LENGTH)
         return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
 
+    def _one_sided(self, names: Names, k: Expr, natural: Expr | None, distance: Distance) -> list[AppliedLoad]:
+        """With e = l - l0: (e - |e|)/2 is e where it is negative and 0 elsewhere, (1 - sign e)/2 is 1 there; beside it
+        the same with +. The preload F0 >= 0 adds to k |e|."""
+        if natural is None or natural == ZERO:
+            names.problem(Message("a spring that is only {only} needs its length", only=self.only), "only")
+            return []
+        pulls = self.only == "stretched"
+        stretch = Composed(Symbol("@length") - natural, (("@length", distance),), LENGTH)
+        one, two = number(1 if pulls else -1), number(2)
+        acting, force = multiply(k, VALUE), divide(multiply(k, VALUE + one * Call("abs", VALUE)), two)
+        if self.preload is not None:
+            preload = multiply(one, names.positive(self, "preload", FORCE))
+            acting += preload
+            force += divide(multiply(preload, 1 + one * Call("sign", VALUE)), two)
+        border = OneSided(distance, natural, stretch, negate(acting), pulls)
+        return [AppliedLoad("", stretch, negate(force), one_sided=border)]
+
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
         return super().pulls_with(laws, sqrt) if len(laws) == 1 else sqrt(sum(x * x for x in laws))
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        yield glyphs.Spring(names.point(self.first), names.point(self.second))
+        longest = names.length_or(self, "length") if self.only == "compressed" else None
+        yield glyphs.Spring(names.point(self.first), names.point(self.second), longest=longest)
 
 
 class Damper(Load, kind="damper"):

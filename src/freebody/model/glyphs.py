@@ -279,14 +279,16 @@ class Equation(Generic[P]):
 
 # -- loads --------------------------------------------------------------------------------------
 @dataclass(frozen=True)
-class Spring(Generic[P]):
+class Spring(Generic[P, N]):
     """A load along the line between two points: of their distance (a spring), of its rate (a damper), or both; neither
-    is a pull of a given size."""
+    is a pull of a given size. One that only pushes ends free where the points are farther apart than its length
+    `longest`."""
 
     first: P
     second: P
     is_spring: bool = True
     is_damper: bool = False
+    longest: N | None = None
 
 
 @dataclass(frozen=True)
@@ -326,7 +328,7 @@ class Field(Generic[D]):
 Joint = Pin[P, D] | Weld[P] | Ball[P] | Cross[P, D] | Rail[P, D] | Face[P, D] | Groove[P, N] | Roller[P, N]
 Rolling = Track[P, D, N] | Wheels[P, N] | Belt[P, N] | Toothed[P]
 Touching = Surface[P, D, N] | Touch | Halt[P, D, N] | TurnHalt[D, N] | Shoe[P]
-Pushing = Spring[P] | Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D]
+Pushing = Spring[P, N] | Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D]
 Sign = (
     Joint[P, D, N]
     | Rolling[P, D, N]
@@ -336,7 +338,7 @@ Sign = (
     | Relation[P]
     | Center[P]
     | Equation[P]
-    | Pushing[P, D]
+    | Pushing[P, D, N]
 )
 
 Glyph = Sign[Point, Direction, Expr]

@@ -347,8 +347,12 @@ class Pen:
         k = sum(s.is_spring + s.is_damper for s in others[: others.index(spring)])
         for symbol in [ZIGZAG] * spring.is_spring + [DASHPOT] * spring.is_damper:
             left = (k - (n - 1) / 2) * 2.4
-            yield from (Stretch(a, b, line * (1.0, self.u), "spring") for line in aside(symbol, left))
+            lines = (line * (1.0, self.u) for line in aside(symbol, left))
+            yield from (Stretch(a, b, line, "spring", longest=spring.longest) for line in lines)
             k += 1
+        if spring.longest is not None:  # the plate of a buffer
+            plate = np.array([(1.0, -0.9), (1.0, 0.9)]) * (1.0, self.u)
+            yield Stretch(a, b, plate, "spring", longest=spring.longest)
         if not (spring.is_spring or spring.is_damper):
             yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
 

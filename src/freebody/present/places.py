@@ -20,7 +20,7 @@ class Places:
     ground; in space it keeps its own axes: `fixed` are the centres (n, 3) and axes (n, 3, 3), the ground last."""
 
     def __init__(self, system: System, number: Callable[[Expr], float]) -> None:
-        self.number = number
+        self.system, self.number = system, number
         self.is_spatial = system.space
         still = [body for body in system.bodies.values() if body.fixed]
         self.poses = {body.name: start_pose(system, body, number) for body in still}
@@ -53,3 +53,10 @@ class Places:
             return Heading(self.index[direction.body], x, y, z)
         dx, dy = turned(self.poses[direction.body][2], x, y)
         return Heading(GROUND, float(dx), float(dy))
+
+    def at_start(self, heading: Heading) -> Array:
+        """(2,) a heading of the plane in the axes of the ground, where its body starts or is said to be near."""
+        if heading.body == GROUND:
+            return np.array(heading.xy)
+        body = self.system.moving[heading.body]
+        return turned(start_pose(self.system, body, self.number)[2], *heading.xy)

@@ -134,8 +134,8 @@ const shapes = {
   },
   stretch(stroke, f) {
     const a = position(stroke.first, f), b = position(stroke.second, f), dx = b[0] - a[0], dy = b[1] - a[1];
-    const l = Math.hypot(dx, dy) || 1;
-    return stroke.points.map(([u, v]) => [a[0] + u * dx - v * dy / l, a[1] + u * dy + v * dx / l, 0]);
+    const l = Math.hypot(dx, dy) || 1, s = Math.min(1, (stroke.longest ?? l) / l);  // a buffer that is not touched
+    return stroke.points.map(([u, v]) => [a[0] + s * u * dx - v * dy / l, a[1] + s * u * dy + v * dx / l, 0]);
   },
   strand(stroke, f) {
     const n = stroke.n_leads, lead = (k) => column(stride * n_moving + stroke.lead + k, f), points = [];

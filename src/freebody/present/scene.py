@@ -37,7 +37,6 @@ from freebody.model.glyphs import (
     in_numbers,
 )
 from freebody.present import figures
-from freebody.present.carriages import on_wheels
 from freebody.present.figures import GROUND, Array, Drawn, Figure, Heading, Pair, Place, ShownGlyph, Wall
 from freebody.present.places import Places
 from freebody.system.system import System
@@ -204,7 +203,7 @@ class _Reader:
     def __init__(self, system: System, number: Callable[[Expr], float]) -> None:
         self.system, self.number = system, number
         self.places = Places(system, number)
-        self.shown = tuple(self._shown() if system.space else on_wheels(self._shown()))
+        self.shown = tuple(self._shown())
         self.signs = [shown.sign for shown in self.shown]
         edges = [sign for sign in self.signs if isinstance(sign, Relation) and sign.is_edge]
         self.edges = {edge.points[0].body: Edge(edge.points, "area") for edge in edges}
@@ -221,7 +220,10 @@ class _Reader:
         return Scene(self.system.title, names, found, shown, sheets, up, self.places.fixed)
 
     def _shown(self) -> Iterator[ShownGlyph]:
-        """Without strings that are slack in the mode of the system, and with rails that a particle cannot turn on."""
+        """Without strings that are slack in the mode of the system, with rails that a particle cannot turn on, and with
+        wheels on their road where the model says so, instead of pins in slots."""
+        wheels = {at: self._roller(at, radius) for at, radius in self.system.looks.wheels.items()}
+        yield from (ShownGlyph(at.body, roller) for at, roller in wheels.items())
         taut = {row.connection for row in self.system.constraint_rows}
         for glyph in self.system.glyphs:
             shown = in_numbers(glyph, self.places.place, self.places.heading, self.number)
@@ -231,7 +233,19 @@ class _Reader:
             if isinstance(glyph.sign, Rail) and not self.system.bodies[glyph.sign.point.body].turns:
                 assert isinstance(sign, Rail)
                 shown = replace(shown, sign=replace(sign, turning="not"))
+            elif isinstance(glyph.sign, Rail) and glyph.sign.point in wheels:
+                assert isinstance(sign, Rail)
+                shown = replace(shown, sign=self._road(wheels[glyph.sign.point], sign.along))
             yield shown
+
+    def _roller(self, at: Point, radius: Expr) -> figures.Roller:
+        foot, r = self.places.place(at), self.number(radius)
+        return Roller(foot._replace(y=foot.y + r), r)
+
+    def _road(self, wheel: figures.Roller, along: Heading) -> figures.Track:
+        """The road of a wheel that holds a slot: on the side of its line where the body's own y axis does not point."""
+        left, own = self.places.at_start(along.normal()), self.places.at_start(Heading(wheel.center.body, 0.0, 1.0))
+        return Track(wheel.center, along, math.copysign(wheel.radius, float(left @ own)))
 
     def _figure(self, k: int, body: RigidBody) -> Figure:
         points = {name: self.places.place(body.point(name)) for name in body.points}

@@ -31,13 +31,15 @@ class Path:
 
 @dataclass(frozen=True)
 class Stretch:
-    """A line between two places, by its share of the way and its distance to the left [m]."""
+    """A line between two places, by its share of the way and its distance to the left [m]. Where the places are farther
+    apart than it is `longest` it ends before the second."""
 
     first: Place
     second: Place
     points: Array  # (n, 2)
     style: str
     is_closed: bool = False
+    longest: float | None = None
 
 
 @dataclass(frozen=True)
@@ -73,7 +75,10 @@ def stroke_points(stroke: Stroke, pose: Array, every: Array) -> Array:
         return paths_points([stroke], pose)
     a, b = positions(pose, stroke.first)[0], positions(pose, stroke.second)[0]
     along = b - a
-    left = np.array([-along[1], along[0]]) / (float(np.hypot(*along)) or 1.0)
+    length = float(np.hypot(*along))
+    left = np.array([-along[1], along[0]]) / (length or 1.0)
+    if stroke.longest is not None and length > stroke.longest:
+        along *= stroke.longest / length
     return a + stroke.points[:, :1] * along + stroke.points[:, 1:] * left
 
 

@@ -202,9 +202,10 @@ _WORDS: tuple[tuple[str, TransitionKind], ...] = (
     (rf"{_SUBJECT} (?:opens?|parts?|lifts? off|takes? off|loses? contact)", "opens"),
     (rf"{_SUBJECT} leaves?(?: (?:the )?(?:surface|(?P<on>[A-Za-z_]\w*)))?", "opens"),
     (rf"{_SUBJECT} (?:goes?|becomes?|is) slack", "opens"),
+    (rf"{_SUBJECT} is (?:relaxed|free|released)(?: again)?", "opens"),
     (rf"contact(?: of {_NAME})? is lost", "opens"),
     (rf"{_SUBJECT} (?:touch(?:es)?|hits?|strikes?|lands?){_ON}", "touches"),
-    (rf"{_SUBJECT} (?:closes?|(?:goes?|becomes?|is) taut)", "touches"),
+    (rf"{_SUBJECT} (?:closes?|(?:goes?|becomes?|is) taut|is (?:reached|touched|met))", "touches"),
 )
 _TRANSITIONS: list[tuple[re.Pattern[str], TransitionKind]] = [
     (re.compile(rf"^{pattern}$"), kind) for pattern, kind in _WORDS

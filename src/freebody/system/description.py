@@ -30,7 +30,6 @@ from freebody.model.elements import (
 from freebody.model.glyphs import ShownGlyph
 from freebody.model.looks import Looks
 from freebody.model.names import Names
-from freebody.model.one_sided import LENGTH_OF_STRING
 from freebody.model.rotations import Columns
 from freebody.model.states import ControllerState
 from freebody.model.style import HouseStyle
@@ -187,7 +186,7 @@ class SystemDescription:
         side where the load does nothing."""
         sides = [(push.load, push.one_sided) for push in self.applied_loads if push.one_sided is not None]
         rows = [
-            ConstraintRow(LENGTH_OF_STRING, "tension", it.measure, it.limit, -1, unilateral=True, connection=load)
+            ConstraintRow(it.component, it.reaction, it.measure, it.limit, it.side, unilateral=True, connection=load)
             for load, it in sides
         ]
         return {row.name: row for row in rows}

@@ -22,7 +22,6 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import ONE
 from freebody.model.elements import AppliedLoad, Component, ConstraintRow, DryFriction, NonholonomicForm, Parameter
-from freebody.model.one_sided import border_of
 from freebody.model.spins import constant
 from freebody.system.blows import BlowEvent
 from freebody.system.system import System
@@ -178,7 +177,7 @@ def _on_their_sides(system: System, acting: Mapping[str, bool]) -> list[AppliedL
     """The loads, with the law of one side where it is known on which side of its border a load is."""
     found: list[AppliedLoad] = []
     for push in system.applied_loads:
-        acts = None if push.one_sided is None else acting.get(border_of(push.load))
+        acts = None if push.one_sided is None else acting.get(push.one_sided.border_of(push.load))
         if acts is None or push.one_sided is None:
             found.append(push)
         elif acts:

@@ -151,6 +151,7 @@ def json_schema() -> dict[str, Any]:
             "paths": _named(texts),
             "labels": _named({"type": "string"}),
             "scale": _named({"type": "number", "exclusiveMinimum": 0}),
+            "wheels": _named(_FORMULA),
             "hide": texts,
         },
     }

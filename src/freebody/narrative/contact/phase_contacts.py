@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from freebody.language.expression import Call, Expr, Symbol
 from freebody.model.elements import DryFriction
+from freebody.model.one_sided import GAP_OF_BUFFER
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.script import Listing, Script, Sentence
@@ -49,7 +50,9 @@ def _states(leg: PhaseSegment) -> list[Sentence]:
             grips = any(h.needs and f"{h.connection}.{h.needs}" == row.name for h in phase.base.constraint_rows)
             found.append(Sentence("contact.grips" if grips else "contact.touches", args))
     for name, acts in phase.mode.acting:
-        found.append(Sentence("contact.taut" if acts else "contact.slack", {"connection": label(name)}))
+        is_buffer = phase.base.borders[name].component == GAP_OF_BUFFER
+        keys = ("compressed", "untouched") if is_buffer else ("taut", "slack")
+        found.append(Sentence(f"contact.{keys[not acts]}", {"connection": label(name)}))
     for name, state in phase.mode.states.items():
         rub = phase.dry_friction[name]
         key = "slides" if state else "rolls" if rolls(rub) else "sticks"

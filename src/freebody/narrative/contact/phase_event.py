@@ -10,6 +10,7 @@ from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol
 from freebody.language.notation.stated import compared
 from freebody.language.sentences import Argument, Message
 from freebody.language.units import AREA
+from freebody.model.one_sided import GAP_OF_BUFFER
 from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import MotionLines, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -60,6 +61,8 @@ def at_border(phase: Phase, watch: PhaseWatch) -> str:
     """What an event at the border of a load is called in keys; nothing for others."""
     if watch.name not in phase.base.borders:
         return ""
+    if phase.base.borders[watch.name].component == GAP_OF_BUFFER:
+        return {"opens": "is_relaxed", "touches": "is_met"}[watch.kind]
     return {"opens": "goes_slack", "touches": "comes_taut"}[watch.kind]
 
 
@@ -156,7 +159,8 @@ def _stretch(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     leg.glossary.introduce(Meaning(symbol, what, read, "m"))
     script.add(Legend(((symbol, what, "m"),)))
     long: Expr = symbol**2 if by_squares else symbol
-    return long - row.target if watch.kind == "opens" else row.target - long
+    beyond = (watch.kind == "touches") == (row.sign > 0)
+    return long - row.target if beyond else row.target - long
 
 
 def said_event(way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> Argument:

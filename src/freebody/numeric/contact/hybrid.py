@@ -33,7 +33,7 @@ from freebody.numeric.contact.transition import InstantTransition
 from freebody.numeric.contact.trouble import advised, contradiction, jammed, turned_by_friction, unresisted_spin
 from freebody.numeric.contact.words import events_between
 from freebody.numeric.engine.course import BlowRecord, Collision, Event, Status, Trajectory
-from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.engine import Engine, step_at_border
 from freebody.numeric.engine.motion import stopped
 from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
@@ -73,11 +73,13 @@ class Hybrid:
         options: SimulationOptions,
         blows: SuddenBlows | None = None,
         past: Collection[str] = (),
+        borders: frozenset[str] = frozenset(),
         *,
         keep: bool = False,
     ) -> None:
-        """past: the blows that have happened before; keep: the steps of all phases."""
-        self.bounded, self.options, self.blows, self.keep = bounded, options, blows, keep
+        """past: the blows that have happened before; borders: terminal events at which the law of a load changes,
+        and the mode does not; keep: the steps of all phases."""
+        self.bounded, self.options, self.blows, self.borders, self.keep = bounded, options, blows, borders, keep
         bounded.hold_past(past)
         self.struck: list[BlowRecord] = []
         self.transition = InstantTransition(bounded, options.law, jams=options.jams)
@@ -160,7 +162,7 @@ class Hybrid:
             until if by_clock is None else max(self.bounded.blows[by_clock].time, t + SOON),
             replace(self.options, max_seconds=left, max_steps=steps_left),
             start=t,
-            first_step=FIRST_STEP * self.phases[-1].course.last_step if self.phases else 0.0,
+            first_step=self._first_step(t, until),
             outputs=np.concatenate(([t], outputs[outputs > t])),
             progress=progress,
             keep=self.keep,
@@ -190,10 +192,14 @@ class Hybrid:
         at.near = course.near
         y = engine.state_at(course, -1)
         y[engine.at_work] = course.work[-1]
-        self.events += [e for e in course.events if not e.name.startswith("@")]
+        self.events += [e for e in course.events if not e.name.startswith("@") or e.name in self.borders]
         blow = self._blow_at_end(course, mode, by_clock)
         if blow is not None:
             return self._struck_by(blow, at, course, mode, y)
+        if course.ends_at(self.borders):
+            at.n_at_once = at.n_at_once + 1 if course.t_end <= at.t else 0
+            at.t, at.forbidden, at.again, at.result = course.t_end, [], None, replace(at.result, mode=mode, y=y)
+            return None
         if course.violated < 0:
             return self._stopped(course, mode)
         what, k = about[course.violated]
@@ -203,6 +209,13 @@ class Hybrid:
                 return spread
         self._violated(what, k, at, course, mode, y)
         return None
+
+    def _first_step(self, t: float, until: float) -> float:
+        """[s] By the last one; chosen by the engine where it is zero."""
+        if not self.phases:
+            return step_at_border(until - t, until) if self.borders else 0.0
+        last = self.phases[-1].course
+        return step_at_border(last.last_step, until) if last.ends_at(self.borders) else FIRST_STEP * last.last_step
 
     def _spread_out(self, closed: Iterable[int], t: float) -> Ended | None:
         """How a motion ends where a contact is not in a single place."""
@@ -379,7 +392,15 @@ class Hybrid:
         events = tuple(sorted(self.events, key=lambda e: e.time))
         message = further(*(said for said in (message, *self._remarks()) if said))
         return merged(
-            self.bounded, self.phases, status, message, wall, events, tuple(self.collisions), tuple(self.struck)
+            self.bounded,
+            self.phases,
+            status,
+            message,
+            wall,
+            events,
+            tuple(self.collisions),
+            tuple(self.struck),
+            self.borders,
         )
 
     def _note(self, before: ModeOf | None, result: After, t: float) -> None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 
@@ -47,58 +49,26 @@ def merged(
     events: tuple[Event, ...],
     collisions: tuple[Collision, ...],
     blows: tuple[BlowRecord, ...] = (),
+    borders: Collection[str] = (),
 ) -> Trajectory:
     """One course of all phases. At an instant between two phases it has the state after it; multipliers are those of
     all rows that may be held, zero where they are not, and friction forces where friction slides."""
-    # of every phase the outputs before the next one begins: at the instant between them the state after it counts
-    parts: list[tuple[Trajectory, slice]] = []
-    for k, phase in enumerate(phases):
-        times = phase.course.times
-        following = phases[k + 1].course.times[0] if k + 1 < len(phases) else np.inf
-        n = int(np.searchsorted(times, following, side="left"))
-        parts.append((phase.course, slice(0, n)))
-    kept = [k for k, (_course, part) in enumerate(parts) if part.stop > 0]
-
-    def joined(name: str) -> Floats:
-        return np.concatenate([getattr(parts[k][0], name)[parts[k][1]] for k in kept])
+    courses = [phase.course for phase in phases]
+    parts = _parts(courses, borders)
+    kept = {k for k, (_course, part) in enumerate(parts) if part.stop > part.start}
 
     # (n_times, n_rows) of all rows that may be held, and (n_times, n_barriers), (n_times, n_drags) of the modes
     multipliers, unique, states, slips = (
-        np.concatenate([table[parts[k][1]] for k, table in enumerate(tables) if k in set(kept)])
+        np.concatenate([table[parts[k][1]] for k, table in enumerate(tables) if k in kept])
         for tables in zip(*(_rows(bounded, phase) for phase in phases), strict=True)
     )
-    courses = [phase.course for phase in phases]
-    last = courses[-1]
-    times = joined("times")
-    with_tracks = [c.tracks for c in courses if len(c.tracks.times)]
-    return Trajectory(
+    whole = _joined(courses, parts, multipliers, unique.astype(bool))
+    return replace(
+        whole,
         status=status,
         message=message,
-        times=times,
-        poses=joined("poses"),
-        velocities=joined("velocities"),
-        accelerations=joined("accelerations"),
-        multipliers=multipliers,
-        unique=unique.astype(bool),
-        work=joined("work"),
-        events=tuple(e for e in events if e.time <= times[-1] or e.kind == "comes to rest"),
-        n_steps=sum(c.n_steps for c in courses),
-        n_evaluations=sum(c.n_evaluations for c in courses),
-        n_rejected=sum(c.n_rejected for c in courses),
-        n_regularised=sum(c.n_regularised for c in courses),
+        events=tuple(e for e in events if e.time <= whole.times[-1] or e.kind == "comes to rest"),
         wall_time=wall,
-        place_gap=max(c.place_gap for c in courses),
-        motion_gap=max(c.motion_gap for c in courses),
-        last_step=last.last_step,
-        method=last.method,
-        tracks=Tracks(
-            with_tracks[0].keys,
-            np.concatenate([t.times for t in with_tracks]),
-            np.concatenate([t.bearings for t in with_tracks]),
-        )
-        if with_tracks
-        else last.tracks,
-        near=last.near,
         contact=ContactRecord(
             tuple(b.name for k, b in enumerate(bounded.barriers) if k not in bounded.ends.stands_for),
             tuple(d.name for k, d in enumerate(bounded.drags) if k not in bounded.ends.rubs_for),
@@ -109,7 +79,69 @@ def merged(
             blows,
             frozenset(bounded.blows[k].name for k in bounded.past),
         ),
-        rotation=_rotation(parts),
+    )
+
+
+def in_one(courses: Sequence[Trajectory], borders: Collection[str]) -> Trajectory:
+    """One course of parts in which the same rows are held. borders: events at which parts end."""
+    if len(courses) == 1:
+        return courses[0]
+    parts = _parts(courses, borders)
+    multipliers, unique = (
+        np.concatenate([getattr(course, name)[part] for course, part in parts]) for name in ("multipliers", "unique")
+    )
+    return _joined(courses, parts, multipliers, unique)
+
+
+def _parts(courses: Sequence[Trajectory], borders: Collection[str]) -> list[tuple[Trajectory, slice]]:
+    """Of every course the outputs before the next one begins: at the instant between them the state after it counts. On
+    a border, where a law has a corner, there is no output."""
+    following = [*(course.times[0] for course in courses[1:]), np.inf]
+    begins = [0, *(int(course.ends_at(borders)) for course in courses[:-1])]
+    return [
+        (course, slice(begin, int(np.searchsorted(course.times, then, side="left"))))
+        for course, begin, then in zip(courses, begins, following, strict=True)
+    ]
+
+
+def _joined(
+    courses: Sequence[Trajectory], parts: list[tuple[Trajectory, slice]], multipliers: Floats, unique: Any
+) -> Trajectory:
+    """What courses that follow each other are together, of which these parts count. multipliers, unique: (n_times,
+    n_rows) of all of them."""
+    last, filled = courses[-1], [(course, part) for course, part in parts if part.stop > part.start]
+
+    def joined(name: str) -> Floats:
+        return np.concatenate([getattr(course, name)[part] for course, part in filled])
+
+    with_tracks = [c.tracks for c in courses if len(c.tracks.times)]
+    return replace(
+        last,
+        times=joined("times"),
+        poses=joined("poses"),
+        velocities=joined("velocities"),
+        accelerations=joined("accelerations"),
+        multipliers=multipliers,
+        unique=unique,
+        work=joined("work"),
+        events=tuple(event for course in courses for event in course.events),
+        n_steps=sum(c.n_steps for c in courses),
+        n_evaluations=sum(c.n_evaluations for c in courses),
+        n_rejected=sum(c.n_rejected for c in courses),
+        n_regularised=sum(c.n_regularised for c in courses),
+        wall_time=sum(c.wall_time for c in courses),
+        place_gap=max(c.place_gap for c in courses),
+        motion_gap=max(c.motion_gap for c in courses),
+        tracks=Tracks(
+            with_tracks[0].keys,
+            np.concatenate([t.times for t in with_tracks]),
+            np.concatenate([t.bearings for t in with_tracks]),
+        )
+        if with_tracks
+        else last.tracks,
+        violated=-1,
+        rotation=_rotation(filled),
+        steps=None,
     )
 
 

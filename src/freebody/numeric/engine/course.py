@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
@@ -172,3 +172,8 @@ class Trajectory:
     @property
     def t_end(self) -> float:
         return float(self.times[-1])
+
+    def ends_at(self, events: Collection[str]) -> bool:
+        """Whether it ends with a terminal event of one of these names."""
+        last = self.events[-1] if self.events and self.status is Status.EVENT else None
+        return last is not None and last.is_terminal and last.name in events

@@ -24,6 +24,7 @@ from freebody.study.phases.nodes import PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.together import slipping_together
+from freebody.study.phases.words import at_border
 from freebody.system.modes import ContactMode
 
 MAX_CANDIDATES = 48
@@ -150,8 +151,7 @@ def _leaves_its_border(phase: Phase, watch: PhaseWatch) -> Inequality:
     rate = model.in_independent_speeds(model.rate(watch.element))
     if here(rate).is_zero():
         rate = model.field.substitute(model.rate(rate), model.dynamics.solved_accelerations)
-    side = Message("{string} is taut", string=watch.connection)
-    return here(rate), ">", side if watch.kind == "opens" else Message("{string} is slack", string=watch.connection)
+    return here(rate), ">", at_border(phase.base.borders[watch.name], acts=watch.kind == "opens")
 
 
 def without_slip(mode: ContactMode, instant: PhaseStart) -> list[Inequality]:

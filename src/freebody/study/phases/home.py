@@ -24,6 +24,7 @@ from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, has_lines
 from freebody.study.phases.placed import Placed
 from freebody.study.phases.together import slip_rates
+from freebody.study.phases.words import at_start
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
@@ -99,9 +100,7 @@ class Home:
             numbers = self.numbers(beyond)
             acts = bool(np.sum(numbers[self.indices[:1]] > 0))
             side = 1 if acts else -1
-            told = Message("{string} is taut at the start", string=row.connection)
-            slack = Message("{string} is slack at the start", string=row.connection)
-            condition, _possible = require(side * beyond, ">", told if acts else slack)
+            condition, _possible = require(side * beyond, ">", at_start(row, acts=acts))
             self.assumed += [] if condition is None else [condition]
             self.indices = self.indices[side * numbers[self.indices] > 0]
             yield name, acts

@@ -15,7 +15,6 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Direction
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
-from freebody.model.one_sided import border_of
 from freebody.model.state import State
 from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
@@ -84,7 +83,7 @@ def _power(quantity: Power, base: System, system: System, state: State[Any]) -> 
 @_value.register(LoadForce)
 def _of_load(quantity: LoadForce, base: System, system: System, state: State[Any]) -> Any:
     is_left_out = all(push.load != quantity.load for push in system.applied_loads)
-    if is_left_out and border_of(quantity.load) in base.borders:  # short of its border
+    if is_left_out and any(row.connection == quantity.load for row in base.borders.values()):  # short of its border
         return _zero(state)
     return quantity.value(plain(system), state)
 

@@ -5,13 +5,19 @@ from __future__ import annotations
 from freebody.language.sentences import Message, in_turn
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.model.elements import DryFriction, NonholonomicForm
+from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm
+from freebody.model.one_sided import GAP_OF_BUFFER
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.symbolic.first_integrals import is_driven
 
 ROLLING = "rolling resistance"
 _AT_STOP = Message("at the stop"), Message("free")
-_HELD = {"tension": (Message("taut"), Message("slack")), "stop force": _AT_STOP, "stop torque": _AT_STOP}
+_HELD = {
+    "tension": (Message("taut"), Message("slack")),
+    "buffer force": (Message("compressed"), Message("free")),
+    "stop force": _AT_STOP,
+    "stop torque": _AT_STOP,
+}
 _CONTACT = Message("touches"), Message("open")
 _OCCURS = {
     "opens": Message("opens"),
@@ -48,6 +54,32 @@ def states(phase: Phase) -> dict[str, str]:
     return found
 
 
+def at_border(row: ConstraintRow, *, acts: bool) -> Message:
+    """On which side of its border a load is."""
+    name = row.connection
+    if row.component == GAP_OF_BUFFER:
+        told = Message("{buffer} is compressed", buffer=name), Message("{buffer} is not touched", buffer=name)
+    else:
+        told = Message("{string} is taut", string=name), Message("{string} is slack", string=name)
+    return told[0] if acts else told[1]
+
+
+def at_start(row: ConstraintRow, *, acts: bool) -> Message:
+    """The same of the start."""
+    name = row.connection
+    if row.component == GAP_OF_BUFFER:
+        told = (
+            Message("{buffer} is compressed at the start", buffer=name),
+            Message("{buffer} is not touched at the start", buffer=name),
+        )
+    else:
+        told = (
+            Message("{string} is taut at the start", string=name),
+            Message("{string} is slack at the start", string=name),
+        )
+    return told[0] if acts else told[1]
+
+
 def verb(phase: Phase, rub: DryFriction, state: int) -> str:
     if state:
         return Message("slides")
@@ -68,7 +100,7 @@ def rolls(rub: DryFriction) -> bool:
 def label(name: str) -> str:
     """contact.contact is the contact; contact.foot on floor is said in full."""
     connection, _, component = name.partition(".")
-    plain = ("contact", "slip", "length", "normal", "friction", "min", "max", "torque")
+    plain = ("contact", "slip", "length", "gap", "normal", "friction", "min", "max", "torque")
     return connection if component in plain else f"{connection} ({component})"
 
 
@@ -91,6 +123,7 @@ def action(phase: Phase) -> str:
         return {
             "open": Message("flies") if alone else Message("moves apart"),
             "slack": Message("moves with a slack string"),
+            "compressed": Message("moves against a buffer"),
         }.get(word, word)
     return in_turn([_place_does(n, w) for n, w in spoken.items()])
 
@@ -149,9 +182,13 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
         case "opens":
             if watch.name.endswith(".length"):
                 return Message("{contact} goes slack", contact=name)
+            if watch.name.endswith(f".{GAP_OF_BUFFER}"):
+                return Message("{contact} is relaxed again", contact=name)
             return Message("{contact} opens", contact=name)
         case "touches" if watch.name.endswith(".length"):
             return Message("{contact} goes taut", contact=name)
+        case "touches" if watch.name.endswith(f".{GAP_OF_BUFFER}"):
+            return Message("{contact} is reached", contact=name)
         case "touches":
             return Message("{contact} touches", contact=name)
         case "edge ends":

@@ -182,7 +182,11 @@ def _simulated(
                 "leave out the method"
             )
         )
-    simulator = Simulator(system, values, events, by_steps=options.by_steps) if before is None else before.simulator
+    simulator = (
+        Simulator(system, values, events, by_steps=options.by_steps, tells_borders=not options.by_steps)
+        if before is None
+        else before.simulator
+    )
     start = 0.0 if before is None else before.t_end
     state, near = (None, None) if before is None else (_last_state(before), before.course.near)
     past = frozenset[str]()

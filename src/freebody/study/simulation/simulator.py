@@ -17,7 +17,7 @@ from freebody.model.noting import did_you_mean
 from freebody.numeric.blow import checked_blow
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid
-from freebody.numeric.contact.record import PhaseRecord
+from freebody.numeric.contact.record import PhaseRecord, in_one
 from freebody.numeric.contact.rows import ModeOf
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.contact.sudden import SuddenBlows
@@ -32,6 +32,7 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.start_velocities import rates_not_given
 from freebody.questions.clock import Clock
 from freebody.questions.event import QuestionEvent
+from freebody.study.simulation.at_borders import border_watches, with_borders
 from freebody.study.worded import without_value
 from freebody.system.system import System
 
@@ -51,10 +52,12 @@ class Simulator:
         events: Sequence[str] = (),
         *,
         by_steps: bool = False,
+        tells_borders: bool = False,
     ) -> None:
         """values: of parameters, in SI, instead of the model's. events: what to look for, as "theta = 90 deg" or
         "theta' = 0", with "rising" or "falling" behind it for one direction only; one that begins with "stop when" ends
-        the motion. by_steps: for time stepping, which does not follow single contacts. Raises CannotAnswer naming
+        the motion. by_steps: for time stepping, which does not follow single contacts. tells_borders: loads that act on
+        one side only have events where they begin and end. Raises CannotAnswer naming
         parameters without a value, or what contradicts itself at the start."""
         self.system = system
         for name, value in (values or {}).items():
@@ -74,6 +77,10 @@ class Simulator:
             )
         self.numbers = self.reference.numbers()
         watches, tracked = [*_watches(self, events), *_limits_of_validity(self)], list(system.measures.values())
+        self.tells_borders = tells_borders
+        borders = [] if by_steps else [*border_watches(system, self.reference.number, self.numbers.length)]
+        self.borders = frozenset(watch.name for watch in borders)
+        watches += borders
         self.bounded = None if by_steps or not has_phases(system) else Bounded(self.numbers, watches, tracked)
         self.engine = Engine(self.numbers, watches, tracked) if self.bounded is None else self.bounded.free
         self.start = self.engine.state(*self.reference.by_body(q, v))
@@ -136,16 +143,20 @@ class Simulator:
         if self.bounded is not None:
             wanted = np.array([until]) if outputs is None else outputs
             blows = SuddenBlows(self.reference) if self.system.blows else None
-            hybrid = Hybrid(self.bounded, options, blows, past, keep=phases is not None)
+            hybrid = Hybrid(self.bounded, options, blows, past, self.borders, keep=phases is not None)
             course = hybrid.run(y, start, until, wanted, near, progress)
             if phases is not None:
                 phases += hybrid.phases
-            return course
+            return self._told(course)
         given = {"start": start, "first_step": first_step, "outputs": outputs, "progress": progress}
-        course = self.engine.run(y, until, options, keep=phases is not None, **given)
+        given |= {"keep": phases is not None, "borders": self.borders}
+        courses = list(self.engine.runs(y, until, options, **given))
         if phases is not None:
-            phases.append(PhaseRecord(course, self.engine, ModeOf(frozenset(), ())))
-        return course
+            phases += (PhaseRecord(course, self.engine, ModeOf(frozenset(), ())) for course in courses)
+        return self._told(in_one(courses, self.borders))
+
+    def _told(self, course: Trajectory) -> Trajectory:
+        return replace(course, events=with_borders(self.system, course.events, told=self.tells_borders))
 
 
 _TOUCHES = 1e-8  # of the size of a measure

@@ -1,16 +1,20 @@
-"""The section `drawing`: `{paths: {shaft: [origin, C, B]}, labels: {left: m_1}, scale: {block: 2}, hide: [theta]}`."""
+"""The section `drawing`: `{paths: {shaft: [origin, C, B]}, labels: {left: m_1}, scale: {block: 2},
+wheels: {car.rear: 0.3 m}, hide: [theta]}`."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from typing import Any, cast
 
+from freebody.language.expression import Expr
 from freebody.language.sentences import Message
+from freebody.language.units import LENGTH
+from freebody.measures.geometry import GROUND, Point
 from freebody.model.looks import Looks
 from freebody.model.names import did_you_mean
 from freebody.system.reading.source import Source, known_keys
 
-_KEYS = ("paths", "labels", "scale", "hide")
+_KEYS = ("paths", "labels", "scale", "wheels", "hide")
 _MOST = 20.0  # times as large
 
 
@@ -33,7 +37,7 @@ def read_drawing(source: Source, named: Collection[str]) -> Looks:
     for k, name in enumerate(hide):
         if name not in known:
             _unknown(source, name, known, "hide", k)
-    return Looks(paths, labels, scale, frozenset(hide))
+    return Looks(paths, labels, scale, dict(_wheels(source, entry.get("wheels"))), frozenset(hide))
 
 
 def _known(source: Source, value: Any, section: str, known: Collection[str]) -> Iterator[tuple[str, Any]]:
@@ -84,3 +88,26 @@ def _scales(source: Source, value: Any) -> Iterator[tuple[str, float]]:
             source.names.problem(
                 Message("a scale is a number above 0, at most {most:g}", most=_MOST), "drawing", "scale", body
             )
+
+
+def _wheels(source: Source, value: Any) -> Iterator[tuple[Point, Expr]]:
+    """Radii of wheels by the point at which they stand on their road."""
+    names = source.names
+    if value is None:
+        return
+    if not isinstance(value, dict):
+        names.problem(Message("{section} is a mapping by name", section="wheels"), "drawing", "wheels")
+        return
+    if names.space:
+        names.problem(Message("wheels are drawn in models of the plane"), "drawing", "wheels")
+        return
+    for text, radius in cast("dict[str, Any]", value).items():
+        at = ("drawing", "wheels", text)
+        point, size = names.point(text, *at), names.formula(radius, LENGTH, *at)
+        known = names.numeric(size)
+        if point.body == GROUND:
+            names.problem(Message("a wheel is at a point of a body that moves"), *at)
+        elif known is not None and known <= 0.0:
+            names.problem(Message("the radius of a wheel is above 0"), *at)
+        else:
+            yield point, size

@@ -1,0 +1,114 @@
+"""Springs that act on one side only: a cart against a buffer. With omega^2 = k/m, from the touch at v on:
+m s'' = -(F0 + k s), so that s turns where k s^2/2 + F0 s = m v^2/2, and the force is zero again with the speed v."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+M, K, L, D, V = 2.0, 50.0, 1.0, 3.0, 3.0
+
+
+def cart(buffer: str = "", **given: float) -> fb.System:
+    values = {"l": L, "k": K, "d": D, "v0": V} | given
+    return fb.System.from_text(f"""
+parameters: {{m: 2 kg, k: {values["k"]} N/m, l: {values["l"]} m, d: {values["d"]} m, v0: {values["v0"]} m/s, F0: 4 N}}
+ground: {{points: {{wall: [d, 0]}}}}
+bodies: {{cart: {{particle: {{mass: m}}}}}}
+connections: {{line: {{slider: {{body: cart, along: right}}}}}}
+loads:
+  buffer: {{spring: {{first: ground.wall, second: cart, stiffness: k, length: l, only: compressed{buffer}}}}}
+measures: {{x: {{x of cart}}}}
+start: {{x: 0, rate(x): v0}}
+""")
+
+
+def test_contact_with_a_buffer_takes_half_a_period_and_gives_the_speed_back() -> None:
+    system = cart()
+    solved = system.solve(["greatest x", "time when buffer is relaxed", "velocity of x when buffer is relaxed"])
+    farthest, released, rebound = (answer.value for answer in solved.answers)
+    assert farthest == pytest.approx(D - L + V * math.sqrt(M / K), rel=1e-12)
+    assert released == pytest.approx((D - L) / V + math.pi * math.sqrt(M / K), rel=1e-12)
+    assert rebound == pytest.approx(-V, rel=1e-12)
+
+
+def test_preload_shortens_the_contact_and_the_way() -> None:
+    """s = (sqrt(F0^2 + m k v^2) - F0)/k and T = 2 atan(v sqrt(m k)/F0)/omega, which is pi/omega without preload."""
+    system = cart(", preload: F0")
+    solved = system.solve(["greatest x", "force in buffer when rate(x) = 0", "time when buffer is relaxed"])
+    farthest, force, released = (answer.value for answer in solved.answers)
+    root = math.hypot(4.0, V * math.sqrt(M * K))
+    assert farthest == pytest.approx(D - L + (root - 4.0) / K, rel=1e-12)
+    assert force == pytest.approx(-root, rel=1e-12)
+    lasts = 2 * math.atan(V * math.sqrt(M * K) / 4.0) * math.sqrt(M / K)
+    assert released == pytest.approx((D - L) / V + lasts, rel=1e-12)
+
+
+@pytest.mark.parametrize(("d", "length", "k"), [(3.0, 1.0, 50.0), (100.0, 0.1, 5e4), (1000.0, 0.01, 5e5)])
+def test_a_simulation_does_not_jump_over_a_buffer_however_short_it_is(d: float, length: float, k: float) -> None:
+    """The last buffer is touched for 6 ms after 333 s."""
+    motion = cart(d=d, l=length, k=k).simulate(2.0 * d / V)
+    reached, relaxed = motion.events
+    assert (str(reached.name), str(relaxed.name)) == ("buffer is reached", "buffer is relaxed again")
+    assert reached.time == pytest.approx((d - length) / V, rel=1e-9)
+    assert relaxed.time - reached.time == pytest.approx(math.pi * math.sqrt(M / k), rel=1e-6)
+    assert motion.series["x"][1][-1] == pytest.approx(-V, rel=1e-5)  # a step may be wrong by 1e-9 of a kilometre
+
+
+def test_a_simulation_goes_on_behind_a_border_with_dry_friction_too() -> None:
+    """m v1^2/2 = m v^2/2 - mu m g (d - l) at the buffer; k s^2/2 + mu m g s = m v1^2/2 where the block turns."""
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, k: 500000 N/m, l: 0.1 m, d: 100 m, v0: 30 m/s, mu: 0.2, g: 9.81 m/s^2}
+ground: {points: {wall: [d, 0]}, lines: {table: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {table: {contact: {between: [block, ground.table], friction: mu}}}
+loads:
+  weight: {gravity: g}
+  buffer: {spring: {first: ground.wall, second: block, stiffness: k, length: l, only: compressed}}
+measures: {x: {x of block}}
+start: {x: 0, rate(x): v0}
+""")
+    motion = system.simulate(20.0)
+    energy = 900.0 - 0.2 * 2 * 9.81 * 99.9
+    pressed = (math.sqrt((0.4 * 9.81) ** 2 + 2 * 5e5 * energy) - 0.4 * 9.81) / 5e5
+    assert motion.events[0].kind == "touches"
+    assert max(motion.series["x"][0]) == pytest.approx(99.9 + pressed, abs=1e-3)
+    back = energy - 2 * 0.4 * 9.81 * pressed
+    assert motion.series["x"][0][-1] == pytest.approx(99.9 - back / (0.4 * 9.81), rel=1e-6)
+
+
+def test_a_spring_that_only_pulls_is_an_elastic_string() -> None:
+    def bound(load: str) -> fb.System:
+        return fb.System.from_text(f"""
+parameters: {{m: 2 kg, k: 50 N/m, l: 1 m, v0: 3 m/s}}
+ground: {{points: {{wall: [0, 0]}}}}
+bodies: {{cart: {{particle: {{mass: m}}}}}}
+connections: {{line: {{slider: {{body: cart, along: right}}}}}}
+loads: {{tie: {{{load}, stiffness: k, length: l}}}}}}
+measures: {{x: {{x of cart}}}}
+start: {{x: l/2, rate(x): v0}}
+""")
+
+    asked = ["greatest x", "time when tie goes taut", "force in tie when x turns back"]
+    spring = bound("spring: {first: ground.wall, second: cart, only: stretched").solve(asked)
+    string = bound("elastic_string: {from: ground.wall, to: cart").solve(asked)
+    for one, other in zip(spring.answers, string.answers, strict=True):
+        assert one.value == pytest.approx(other.value, rel=1e-12)
+
+
+def test_a_spring_of_one_side_without_a_length_is_refused() -> None:
+    with pytest.raises(fb.ModelError, match="needs its length"):
+        fb.System.from_text("""
+bodies: {cart: {particle: {mass: 1 kg}}}
+loads: {buffer: {spring: {first: ground.O, second: cart, stiffness: 5 N/m, only: compressed}}}
+""")
+
+
+def test_derivation_of_the_deepest_point_tells_when_the_buffer_is_touched() -> None:
+    told = str(cart().explain("greatest x"))
+    assert "buffer is touched when its ends are as far apart as it is long without load" in told
+    assert "buffer is compressed: it can only push" in told
+    assert "defect" not in told
