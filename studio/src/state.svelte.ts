@@ -399,7 +399,7 @@ export class Studio {
     return this.asked("motion", this.motionOf(text, frames));
   }
   private motionOf(text: string, frames?: number) {
-    return { text, language: this.language, until: this.until, frames };
+    return { text, language: this.language, until: this.until, frames, is_passing: frames === undefined ? undefined : true };
   }
 
   /** Follows the motion of the text as it stands. asked: where that has been asked for; frames: as many as the server thinks best. */

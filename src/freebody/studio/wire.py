@@ -95,10 +95,12 @@ class SuggestRequest(Request):
 
 
 class MotionRequest(Request):
-    """Follow the motion to the time `until` [s]."""
+    """Follow the motion to the time `until` [s]. is_passing: for a picture whose place the next one soon takes, as while a
+    slider is moved, so that it needs no more accuracy than can be seen"""
 
     until: float = Field(gt=0, le=1e4)
     frames: int = Field(default=301, ge=2, le=3001)
+    is_passing: bool = False
 
 
 class OverlaysRequest(MotionRequest):
