@@ -15,14 +15,19 @@ function quaternion(body, f) {
   // along the shorter turn between two frames
   const i = Math.min(Math.floor(f), last), j = Math.min(i + 1, last), s = f - i;
   const p = [3, 4, 5, 6].map((c) => data.columns[stride * body + c][i]);
-  let q = [3, 4, 5, 6].map((c) => data.columns[stride * body + c][j]), cosine = dot(p, q);
+  let q = [3, 4, 5, 6].map((c) => data.columns[stride * body + c][j]), cosine = p.reduce((sum, c, k) => sum + c * q[k], 0);
   if (cosine < 0) { q = q.map((c) => -c); cosine = -cosine; }
   const h = Math.acos(Math.min(1, cosine)), sine = Math.sin(h);
   const a = sine < 1e-6 ? 1 - s : Math.sin((1 - s) * h) / sine, b = sine < 1e-6 ? s : Math.sin(s * h) / sine;
   const mixed = p.map((c, k) => a * c + b * q[k]), size = Math.hypot(...mixed) || 1;
   return mixed.map((c) => c / size);
 }
+let known = { frame: -1, poses: [] }; // of the frame that is drawn, which all strokes ask for
 function pose(body, f) {
+  if (f !== known.frame) return poseAt(body, f);
+  return (known.poses[body] ??= poseAt(body, f));
+}
+function poseAt(body, f) {
   // the centre and the rows of the rotation
   if (body >= n_moving) return data.fixed[body - n_moving];
   const at = (c) => column(stride * body + c, f);
@@ -37,14 +42,15 @@ function pose(body, f) {
     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
   ]];
 }
-const dot = (a, b) => a.reduce((sum, c, k) => sum + c * b[k], 0);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a) => { const l = Math.hypot(...a) || 1; return a.map((c) => c / l); };
 const turned = (R, p) => [dot(R[0], p), dot(R[1], p), dot(R[2], p)];
-const plus = (a, b) => a.map((c, k) => c + b[k]);
-function position([body, ...at], f) {
-  const [center, R] = pose(body, f);
-  return plus(center, turned(R, at));
+const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+function position(place, f) {
+  // place: the body, and where in it
+  const [center, R] = pose(place[0], f), [, x, y, z] = place;
+  return center.map((c, k) => c + R[k][0] * x + R[k][1] * y + R[k][2] * z);
 }
 function frameAlong(w) {
   // rows of a right-handed frame whose third is w
@@ -63,7 +69,7 @@ function look(azimuth, elevation) {
   Object.assign(camera, { azimuth, elevation: e * 180 / Math.PI, axes: [across, cross(towards, across), towards] });
 }
 function seen(p) {
-  const local = turned(camera.axes, p.map((c, k) => c - data.middle[k]));
+  const m = data.middle, local = turned(camera.axes, [p[0] - m[0], p[1] - m[1], p[2] - m[2]]);
   if (!data.distance) return local;
   const grown = data.distance / (data.distance - Math.min(local[2], 0.9 * data.distance));
   return local.map((c) => grown * c);
@@ -347,6 +353,7 @@ function fit() {
 }
 function draw() {
   if (!view) return;
+  known = { frame: at, poses: [] };
   fit();
   pen.clearRect(0, 0, view.width, view.height);
   pen.lineCap = pen.lineJoin = "round";
