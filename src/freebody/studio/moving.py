@@ -37,7 +37,7 @@ def motion(request: MotionRequest) -> MotionAnswer:
 
 def curved(request: MotionRequest) -> CurvesAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    return curves_of(followed_last(request))
+    return curves_of(followed_last(request), request.language)
 
 
 def followed_last(request: MotionRequest) -> Simulation:
@@ -71,13 +71,13 @@ def motion_of(found: Simulation, request: MotionRequest) -> MotionAnswer:
     )
 
 
-def curves_of(found: Simulation) -> CurvesAnswer:
+def curves_of(found: Simulation, language: str) -> CurvesAnswer:
     """What is measured along it."""
     recording = found.recording
     shown = curves(recording, _shown(found))
     return CurvesAnswer(
         times=rounded(recording.times),
-        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=rounded(c.values)) for c in shown],
+        lines=[Line(name=c.name, label=told(c.label, language), unit=c.unit, values=rounded(c.values)) for c in shown],
         recordable=[name for name in series_units(found.system) if name in recording.over_time],
         energy_error=_finite(found.summary().get("energy_error_relative")),
     )

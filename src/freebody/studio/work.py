@@ -71,6 +71,7 @@ WORK: dict[str, Work] = {
     "marks": Work(wire.MarksRequest, "marking", "marks", MARKING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
     "judge": Work(wire.JudgeRequest, "quizzing", "judged", STUDYING),
+    "posed": Work(wire.PosedRequest, "quizzing", "posed", COUNTING),
     "hints": Work(wire.HintsRequest, "quizzing", "hints", STUDYING),
     "count": Work(wire.StudyRequest, "asking", "studied", COUNTING),
     "study": Work(wire.StudyRequest, "asking", "studied", STUDYING),
