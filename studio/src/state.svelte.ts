@@ -2,6 +2,7 @@
 import * as drafts from "./drafts";
 import { kept, keptByWindow } from "./kept";
 import { Latest, debounced } from "./latest";
+import type { Lit } from "./meanings";
 import { hearText, notebook, tellText } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
@@ -105,7 +106,7 @@ export class Studio {
   asking = $state<string | null>(null);
   joining = $state.raw<Joining | null>(null);
   /** What a symbol speaks of that is pointed at, or the body. */
-  lit = $state.raw<{ symbol: string; bodies: string[]; owner: string } | null>(null);
+  lit = $state.raw<Lit | null>(null);
   /** What is drawn over the motion. */
   shows = $state<OverlaysRequest["show"]>([]);
   /** Where the sliders of a shared page stand. */

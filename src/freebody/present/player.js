@@ -406,8 +406,9 @@ function overlaid({ found, isStale }) {
   for (const each of found.arrows) {
     const p = footOf(each, time), v = sampled(each.vector, each.times, time);
     if (!p || !v) continue;
-    const size = Math.hypot(...v), scale = each.is_couple ? "couple" : UNITS[each.kind] ? each.kind : "force", largest = found.longest[scale];
-    const paint = theme()[inks[each.kind]], way = onSheet(v).map((c) => c / largest * LONGEST), l = Math.hypot(...way);
+    const size = Math.hypot(...v), scale = each.is_couple ? "couple" : UNITS[each.kind] ? each.kind : "force", { largest, by_root } = found.scales[scale];
+    const paint = theme()[inks[each.kind]], share = size / largest, long = LONGEST * (by_root ? Math.sqrt(share) : share);
+    const way = onSheet(v).map((c) => c / (size || 1) * long), l = Math.hypot(...way);
     if (!(size > 1e-3 * largest)) continue;
     const turns = each.is_couple && data.planar, tip = turns ? turnOf(p, Math.sign(v[2]), paint) : [p[0] + way[0], p[1] + way[1]];
     if (!turns && l < 1) continue; // it points at the viewer
