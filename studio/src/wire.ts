@@ -237,11 +237,12 @@ export interface MarksAnswer {
   marks: Mark[];
 }
 
-/** Say where something changes along sliders. */
+/** Say where something changes along sliders. until: the time [s] within which motions are looked at */
 export interface MarksRequest {
   text: string;
   language?: "en" | "de";
   ranges: Range[];
+  until?: number;
 }
 
 /** What a symbol speaks of. symbol: as it is shown, without its subscripts' places; owner: a connection or load, or nothing; forces: what acts, as pictures mark it */
@@ -568,6 +569,7 @@ export interface Requests {
   overlays: OverlaysRequest;
   learn: LearnRequest;
   marks: MarksRequest;
+  changes: MarksRequest;
   picture: PictureRequest;
   judge: JudgeRequest;
   posed: PosedRequest;
@@ -594,6 +596,7 @@ export interface Answers {
   overlays: OverlaysAnswer;
   learn: LearnAnswer;
   marks: MarksAnswer;
+  changes: MarksAnswer;
   picture: PictureAnswer;
   judge: JudgeAnswer;
   posed: PosedAnswer;

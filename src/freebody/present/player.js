@@ -579,7 +579,7 @@ function labels(all) {
     };
     const isFree = (spot) => !placed.some((other) => areOver(other, { spot, half }));
     const cost = (spot, place) => {
-      const isOut = spot[0] < half[0] || spot[0] > view.width - half[0] || spot[1] < half[1] || spot[1] > view.height - 60;
+      const isOut = spot[0] < half[0] || spot[0] > view.width - half[0] || spot[1] < half[1] + (shown.head ?? 0) || spot[1] > view.height - 60;
       const isOnOthers = others.some((s) => s.isArea && isIn(s.box, spot) && contains(s.outline, spot));
       const gap = gapTo(own, spot, half), below = nCovered(ink, spot, half, 0);
       return 100 * isOut + 0.8 * below + 3 * isOnOthers + 4 * Math.min(1, Math.max(0, 0.5 + (gap - gapTo(others, spot, half)) / 26))

@@ -119,9 +119,10 @@ class Range(Said):
 
 
 class MarksRequest(Request):
-    """Say where something changes along sliders."""
+    """Say where something changes along sliders. until: the time [s] within which motions are looked at"""
 
     ranges: list[Range] = Field(max_length=200)
+    until: float = Field(default=UNTIL, gt=0, le=1e4)
 
 
 class SweepRequest(Request):
