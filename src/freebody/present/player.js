@@ -409,7 +409,7 @@ function overlaid({ found, isStale }) {
     const size = Math.hypot(...v), scale = each.is_couple ? "couple" : UNITS[each.kind] ? each.kind : "force", { largest, by_root } = found.scales[scale];
     const paint = theme()[inks[each.kind]], share = size / largest, long = LONGEST * (by_root ? Math.sqrt(share) : share);
     const way = onSheet(v).map((c) => c / (size || 1) * long), l = Math.hypot(...way);
-    if (!(size > 1e-3 * largest)) continue;
+    if (!(size > (by_root ? 1e-4 : 1e-3) * largest)) continue;
     const turns = each.is_couple && data.planar, tip = turns ? turnOf(p, Math.sign(v[2]), paint) : [p[0] + way[0], p[1] + way[1]];
     if (!turns && l < 1) continue; // it points at the viewer
     if (shown.lit?.(each)) { pen.beginPath(); pen.moveTo(...p); pen.lineTo(...tip); pen.strokeStyle = theme().measure; pen.lineWidth = 6; pen.stroke(); }

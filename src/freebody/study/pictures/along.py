@@ -187,7 +187,15 @@ class MotionShown:
                 counted[key] = counted.get(key, 0) + 1
                 at, vector = np.full((2, n, 3), np.nan)
                 new = Arrow(
-                    wanted[force.kind], force.label.text, force.body, times, at, vector, couple, owner, force.name
+                    wanted[force.kind],
+                    force.label.on_one_line,
+                    force.body,
+                    times,
+                    at,
+                    vector,
+                    couple,
+                    owner,
+                    force.name,
                 )
                 arrow = found.setdefault((*key, counted[key]), new)
                 if arrow.label not in (new.label, owner):  # as of a multiple of a tension that changes
@@ -260,16 +268,17 @@ class Scale:
 
 def scales(arrows: Sequence[Arrow]) -> Mapping[str, Scale]:
     """Of all arrows along the motion, by kind; forces share one, couples another."""
-    sizes: dict[str, list[float]] = {}
+    sizes: dict[str, list[Array]] = {}
     for arrow in arrows:
         kind = "couple" if arrow.is_couple else "force" if arrow.kind in FORCES else arrow.kind
-        size = np.linalg.norm(arrow.vector, axis=1)
-        sizes.setdefault(kind, []).append(float(np.nanmax(size)) if np.isfinite(size).any() else 0.0)
+        sizes.setdefault(kind, []).append(np.nan_to_num(np.linalg.norm(arrow.vector, axis=1)))
     found: dict[str, Scale] = {}
     for kind, of in sizes.items():
-        most = max(of)
-        least = min((size for size in of if size > _NOTHING * most), default=most)
-        found[kind] = Scale(most, least < _SMALL * most)
+        every = np.array(of)
+        # of each arrow the largest; of forces, which do not begin with nothing, at each instant too
+        largest = [every.max(axis=1), *([every.max(axis=0)] if kind in ("force", "couple") else [])]
+        most, seen = float(every.max()), np.concatenate(largest)
+        found[kind] = Scale(most, bool(((seen > _NOTHING * most) & (seen < _SMALL * most)).any()))
     return found
 
 
