@@ -29,6 +29,7 @@ from freebody.errors import InputError
 from freebody.language.document import Document
 from freebody.studio import wire
 from freebody.studio.beforehand import moved_beforehand
+from freebody.studio.changing import changes
 from freebody.studio.editing import add, edit, suggest
 from freebody.studio.folder import Folder
 from freebody.studio.kinds import kinds
@@ -255,7 +256,36 @@ def test_what_is_drawn_over_a_simple_pendulum_is_its_closed_form() -> None:
         assert (rx, ry) == pytest.approx((-size * x, -size * y), abs=1e-4)
     assert (tension.body, tension.owner, tension.label) == ("bob", "rod", "T")
     assert weight.vector == [[0.0], [-9.81], [0.0]]
-    assert found[""].longest["force"] == pytest.approx(2.0 * g, abs=1e-2)  # at the lowest point
+    assert found[""].scales["force"].largest == pytest.approx(2.0 * g, abs=1e-2)  # at the lowest point
+    assert (tension.of, weight.of) == ("rod.length", "weight.bob")
+
+
+def test_arrows_that_could_hardly_be_seen_beside_the_largest_are_drawn_by_the_root_of_their_size() -> None:
+    """Weights of 9.81 N and 0.0981 N; of two equal ones all arrows are as long as they are large."""
+    bodies = "bodies: {{a: {{particle: {{mass: 1 kg}}, at: [0, 0]}}, b: {{particle: {{mass: {m} kg}}, at: [1 m, 0]}}}}"
+    text = bodies + "\nloads: {{weight: {{gravity: 9.81 m/s^2}}}}\n"
+    scales = [overlaid(text.format(m=m), "load", until=0.1)[""].scales["force"] for m in (0.01, 1.0)]
+    assert [scale.by_root for scale in scales] == [True, False]
+    assert scales[0].largest == pytest.approx(9.81)
+
+
+def test_a_motion_that_passes_by_looks_like_the_accurate_one() -> None:
+    """To less than a thousandth of the length of the rod, 1 m."""
+    own, passing = (
+        done_by_worker("motion", {"text": PENDULUM, "until": 2.0, "frames": 61, "is_passing": passing}).answer
+        for passing in (False, True)
+    )
+    assert own is not None
+    assert passing is not None
+    for column, other in zip(own.player["columns"], passing.player["columns"], strict=True):
+        assert other == pytest.approx(column, abs=1e-3)
+
+
+def test_words_of_curves_are_those_of_the_language() -> None:
+    lines = done_by_worker("curves", {"text": PENDULUM, "until": 0.1, "frames": 3, "language": "de"}).answer.lines
+    labels = {line.name: line.label for line in lines}
+    assert labels["kinetic_energy"] == "kinetic_energy: kinetische Energie"
+    assert labels["theta_rate"] == "theta_rate: Rate von theta"
 
 
 def test_points_of_turning_bodies_move_as_they_turn() -> None:
@@ -372,8 +402,15 @@ def test_a_typed_answer_is_judged_and_hints_come_in_their_order() -> None:
     assert [t["is_right"] for t in told] == [True, False, False]
     assert [t["is_attempt"] for t in told] == [True, True, False]
     help_ = done("hints", {"text": PENDULUM, "question": "first"}).answer
-    assert help_["words"]
     assert len(help_["hints"]) > 1
+
+
+def test_a_question_of_a_quiz_is_asked_with_its_options() -> None:
+    text = (ROOT / "examples" / "atwood_machine.yaml").read_text(encoding="utf-8")
+    posed = done("posed", {"text": text, "question": "acceleration"}).answer
+    assert posed["options"] == list("abcde")
+    assert all(f"({letter})" in posed["html"] for letter in posed["options"])
+    assert done("posed", {"text": PENDULUM, "question": "first"}).answer["options"] == []
 
 
 def test_forces_on_a_body_cut_free_are_judged() -> None:
@@ -464,6 +501,35 @@ def test_a_slider_in_degrees_is_marked_at_the_angle_of_friction() -> None:
     assert sorted(found["theta"]) == pytest.approx([math.degrees(math.atan(0.3))], rel=1e-9)
     assert sorted(found["mu"]) == pytest.approx([math.tan(math.radians(25.0))], rel=1e-9)
     assert found["m"] == {}
+
+
+def test_a_slider_is_marked_where_a_ball_reaches_the_floor_within_the_time_that_is_shown() -> None:
+    """Dropped from h it is there at t = sqrt(2 h/g), so within 1 s from h = g (1 s)^2/2."""
+    text = (
+        "parameters: {h: 1 m}\nground: {lines: {floor: {along: right}}}\n"
+        "bodies: {ball: {particle: {mass: 1 kg}, at: [0, h]}}\n"
+        "connections: {contact: {contact: {between: [ball, floor], restitution: 0}}}\n"
+        "loads: {weight: {gravity: 9.81 m/s^2}}\n"
+    )
+    ranges = [wire.Range(name="h", low=1.0, high=10.0, unit="m")]
+    found = changes(wire.MarksRequest(text=text, ranges=ranges, until=1.0, language="de")).marks
+    assert {mark.name for mark in found} == {"h"}
+    assert found[0].at == pytest.approx(9.81 / 2.0, abs=1e-3 * 9.0)
+    assert any("innerhalb von 1 s" in word for word in found[0].words)
+
+
+def test_where_a_linkage_cannot_be_assembled_its_slider_is_marked() -> None:
+    """Two rods of the lengths L and 1 m between points 3 m apart: from L = 2 m on, and up to 4 m."""
+    text = (
+        "parameters: {L: 2.5 m}\nground: {points: {A: [0, 0], B: [3 m, 0]}}\n"
+        "bodies: {a: {rod: {mass: 1 kg, length: L}}, b: {rod: {mass: 1 kg, length: 1 m}}}\n"
+        "connections: {A: {pin: [ground.A, a.start]}, C: {pin: [a.end, b.end]}, B: {pin: [ground.B, b.start]}}\n"
+        "loads: {weight: {gravity: 9.81 m/s^2}}\nquestions: [{find: time when angle of a = 10 rad}]\n"
+    )
+    ranges = [wire.Range(name="L", low=1.0, high=3.5, unit="m")]
+    found = changes(wire.MarksRequest(text=text, ranges=ranges, until=0.1)).marks
+    [mark] = [mark for mark in found if "the motion cannot begin" in mark.words]
+    assert mark.at == pytest.approx(2.0, abs=1e-3 * 2.5)
 
 
 # -- the server -------------------------------------------------------------------------------

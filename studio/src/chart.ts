@@ -1,4 +1,5 @@
 // A plot of lines over one axis, as all of the page look.
+import { untrack } from "svelte";
 import uPlot from "uplot";
 import { extent, leastSpan } from "./plane";
 import { round } from "./text";
@@ -30,7 +31,7 @@ export interface Shown {
   x: number[];
   lines: Line[];
   unit: string;
-  size: number;
+  size: () => number;
   height: number;
   across?: string;
   sync?: string;
@@ -38,14 +39,14 @@ export interface Shown {
 }
 
 export function chart(into: HTMLElement, { x, lines, unit, size, height, across, sync, draw }: Shown): uPlot {
-  const colors = look(), font = "11px system-ui", least = leastSpan(unit, size);
+  const colors = look(), font = "11px system-ui", least = () => untrack(() => leastSpan(unit, size()));
   const axis = { stroke: colors.ink, grid: { stroke: colors.grid, width: 1 }, ticks: { stroke: colors.grid, width: 1 }, font, labelSize: 16, labelFont: font, values: written };
   return new uPlot(
     {
       width: into.clientWidth, height,
       cursor: { ...(sync ? { sync: { key: sync } } : {}), drag: { x: false, y: false } },
       // round-off fills no picture
-      scales: { x: { time: false }, y: { range: (_plot, low, high) => (high - low > least ? uPlot.rangeNum(low, high, 0.1, true) : extent([low, high], least)) } },
+      scales: { x: { time: false }, y: { range: (_plot, low, high) => (high - low > least() ? uPlot.rangeNum(low, high, 0.1, true) : extent([low, high], least())) } },
       legend: { live: false },
       axes: [{ ...axis, size: 30, ...(across ? { label: across } : {}) }, { ...axis, size: 56, label: unit === "1" ? "" : unit }],
       series: [{ label: across ?? "t" }, ...lines.map((line, k) => ({ label: line.name, stroke: colors.lines[k % colors.lines.length]!, width: 1.6, dash: [[], [6, 3], [2, 2], [8, 3, 2, 3]][k % 4]!, spanGaps: false }))],

@@ -12,7 +12,7 @@ declare module "virtual:player" {
     axes(length: number): string;
     overlays(): { found: OverlaysAnswer; isStale: boolean } | null;
     number(value: number): string;
-    lit(arrow: { owner: string }): boolean;
+    lit(arrow: { of: string; owner: string }): boolean;
     drawn(frame: number, time: number): void;
   }
   export type Place = [number, number, number];

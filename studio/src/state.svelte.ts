@@ -2,33 +2,20 @@
 import * as drafts from "./drafts";
 import { kept, keptByWindow } from "./kept";
 import { Latest, debounced } from "./latest";
+import type { Lit } from "./meanings";
+import { FEWER, Hand } from "./hand.svelte";
+import { Marks } from "./marks.svelte";
 import { hearText, notebook, tellText } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
-import type { Place } from "virtual:player";
-import type { Answers, CurvesAnswer, Element, End, Kind, Mark, MotionAnswer, OpenedFile, OverlaysRequest, Parameter, Range, ReadAnswer, Requests, Spot, StudyAnswer } from "./wire";
+import type { Answers, CurvesAnswer, Element, Kind, MotionAnswer, OpenedFile, OverlaysRequest, Parameter, ReadAnswer, Requests, StudyAnswer } from "./wire";
 import { WORDS, type Word, keysIn } from "./words";
 
 export type Language = "en" | "de";
 export type Theme = "light" | "dark";
 export type Panel = "ask" | "derivation" | "free" | "mobility" | "conserved" | "more" | "properties" | "sweep" | "export";
 export type Pane = "model" | "scene" | "results";
-
-/** An element that is being made by pointing: what can be pointed at, what was, and what would come of it. */
-interface Joining {
-  text: string;
-  kind: Kind;
-  spots: Spot[];
-  ends: End[];
-  preview: string;
-}
-
-/** Of a dragged point: where it is at the start, and where to. */
-export interface Pull {
-  grabbed: Place;
-  to: Place;
-}
 
 /** What the editor can do for the rest of the page. */
 export interface Writer {
@@ -46,7 +33,6 @@ export interface Writer {
 /** Of the width that the outer panes have, unless somebody chooses. */
 export const SHARES = { model: 24, results: 32 };
 const NARROWEST = 12, LEAST_SCENE = 20;
-const FEWER = 61; // while something is moved by hand
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 
 export class Studio {
@@ -78,9 +64,8 @@ export class Studio {
   motionMessage = $state("");
   motionText = $state("");
   count = $state.raw<StudyAnswer | null>(null);
-  /** Where something changes along the sliders, in the text that they were found for. */
-  private marks = $state.raw<{ text: string; language: Language; marks: Mark[] }>({ text: "", language: "en", marks: [] });
-  private slid = $state(""); // the parameter that was moved last: its marks do not hang on where it is
+  /** Where something changes along the sliders. */
+  readonly marks = new Marks(this);
   isStale = $state(false);
   failure = $state("");
   /** Whether the server answers; how often it has come back. */
@@ -103,9 +88,9 @@ export class Studio {
   /** The question that is being typed, and the one that is answered. */
   question = $state("");
   asking = $state<string | null>(null);
-  joining = $state.raw<Joining | null>(null);
+  readonly hand = new Hand(this);
   /** What a symbol speaks of that is pointed at, or the body. */
-  lit = $state.raw<{ symbol: string; bodies: string[]; owner: string } | null>(null);
+  lit = $state.raw<Lit | null>(null);
   /** What is drawn over the motion. */
   shows = $state<OverlaysRequest["show"]>([]);
   /** Where the sliders of a shared page stand. */
@@ -117,12 +102,8 @@ export class Studio {
   private reading = new Latest();
   private moving = new Latest();
   private curving = new Latest();
-  private marking = new Latest();
   private opening = server.open(); // on its way while the page is made
   private counting = new Latest();
-  private dragging = new Latest();
-  private looking = new Latest();
-  private draggedTo = "";
   private nOpened = 0;
   private nAsked = 0;
   private saving: Promise<void> = Promise.resolve();
@@ -357,8 +338,8 @@ export class Studio {
   changed(text: string): void {
     this.text = text;
     if (this.told) this.told = "";
-    this.joining = null;
-    this.slid = "";
+    this.hand.stop();
+    this.marks.changed();
     this.isStale = true;
     if (this.isNotebook) this.keepInKernel();
     else this.keepDraft();
@@ -399,7 +380,7 @@ export class Studio {
     return this.asked("motion", this.motionOf(text, frames));
   }
   private motionOf(text: string, frames?: number) {
-    return { text, language: this.language, until: this.until, frames };
+    return { text, language: this.language, until: this.until, frames, is_passing: frames === undefined ? undefined : true };
   }
 
   /** Follows the motion of the text as it stands. asked: where that has been asked for; frames: as many as the server thinks best. */
@@ -454,22 +435,6 @@ export class Studio {
     });
   });
 
-  /** Finds where something changes along sliders, once the text rests. */
-  mark = debounced(900, (ranges: Range[]) => {
-    const text = this.text, language = this.language;
-    if (!this.hasDrafts || !ranges.length || !this.isCurrent || !this.model?.questions.length) return;
-    if (this.marks.text === text && this.marks.language === language) return;
-    this.marking.run(async () => {
-      if (text !== this.text) return;
-      const told = await this.asked("marks", { text, language, ranges });
-      if (told && told.status !== "replaced" && text === this.text) this.marks = { text, language, marks: told.answer?.marks ?? [] };
-    });
-  });
-  marksOf(name: string): Mark[] {
-    const isKnown = this.marks.text === this.text || this.slid === name;
-    return isKnown ? this.marks.marks.filter((mark) => mark.name === name) : [];
-  }
-
   setUntil(seconds: number): void {
     if (!(seconds > 0 && seconds <= 1e4)) return;
     this.until = seconds;
@@ -482,9 +447,7 @@ export class Studio {
     const { start, end } = parameter.span;
     if (this.text.slice(start, end) !== parameter.text) return; // its place is not known until the text is read
     this.follow(this.text.slice(0, start) + text + this.text.slice(end), { frames: FEWER }); // on its way meanwhile
-    const isMarked = this.marks.text === this.text || this.slid === parameter.name;
-    this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider");
-    this.slid = isMarked ? parameter.name : "";
+    this.marks.while(parameter.name, () => this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider"));
   }
 
   /** Places of parameters after a change, until the text is read again. */
@@ -503,7 +466,7 @@ export class Studio {
   }
 
   /** Changes the text as an answer to it says; where it has changed meanwhile, by what is answered to the new one. */
-  private async changeBy<K extends "edit" | "rename" | "add" | "join">(kind: K, request: Omit<Requests[K], "text" | "language">, userEvent: string): Promise<Answers[K] | null> {
+  async changeBy<K extends "edit" | "rename" | "add" | "join">(kind: K, request: Omit<Requests[K], "text" | "language">, userEvent: string): Promise<Answers[K] | null> {
     for (const file = this.file; file === this.file; ) {
       const text = this.text;
       const told = await this.asked(kind, { ...request, text, language: this.language } as Requests[K]);
@@ -524,78 +487,9 @@ export class Studio {
     if (await this.changeBy("rename", { path, name }, "input.rename")) this.selected = [...path.slice(0, -1), name.trim()].join(".");
   }
 
-  /** Brings a point of a body from one place at the start to another, as far as it goes: by the first pull that moves it. */
-  drag(text: string, body: string, pulls: Pull[], sides: [Place, Place]): void {
-    this.dragging.run(async () => {
-      for (const pull of pulls) {
-        const told = await this.asked("drag", { text, language: this.language, body, ...pull, across: sides[0], up: sides[1] });
-        if (this.text !== text && this.text !== this.draggedTo) return; // undone, or changed otherwise, meanwhile
-        if (told?.answer && told.answer.text !== this.text) { // which may be back where it was
-          this.draggedTo = told.answer.text;
-          this.rewrite(told.answer.text, "input.type.drag");
-          return this.follow(this.text, { frames: FEWER });
-        }
-        if (!told || told.status === "replaced") return;
-        if (!told.answer) this.failure = this.reason(told);
-      }
-    });
-  }
-  /** Whether a body is shown where the text has it, and can be dragged from there. */
-  canDrag(body: string | null | undefined): body is string {
-    const isAtStart = this.motion !== null && this.time <= this.motion.start;
-    return !this.isShared && isAtStart && this.isCurrent && this.motionText === this.text && Boolean(body && this.model?.moving.includes(body));
-  }
-
   /** A new element; value: its YAML, in one line. */
   async add(section: string, name: string, value: string): Promise<boolean> {
     return (await this.changeBy("add", { section, name, value }, "input.add")) !== null;
-  }
-
-  // -- pointing
-  /** Whether elements of a kind can be made by pointing. */
-  canPoint(kind: Kind): boolean {
-    return kind.ends.length > 0 && this.isCurrent && this.motion !== null && !this.model!.is_spatial;
-  }
-  async beginJoining(kind: Kind): Promise<void> {
-    const text = this.text;
-    const told = await this.asked("spots", { text, language: this.language });
-    if (!told?.answer) {
-      if (told) this.failure = this.reason(told);
-      return;
-    }
-    if (text !== this.text) return;
-    [this.dialog, this.pane, this.time] = ["", "scene", 0];
-    this.joining = { text, kind, spots: told.answer.spots, ends: [], preview: "" };
-  }
-  stopJoining(): void {
-    this.joining = null;
-  }
-  /** What would come of pointing at an end, where it is the last one. */
-  preview(end: End | null): void {
-    const joining = this.joining;
-    if (!joining) return;
-    if (joining.preview) this.joining = { ...joining, preview: "" };
-    const ends = end ? [...joining.ends, end] : [];
-    this.looking.run(async () => {
-      if (ends.length !== joining.kind.ends.length) return;
-      const { text, kind: { section, kind } } = joining;
-      // under a topic of its own: it takes no place of what is added
-      const told = await this.asked("join", { text, language: this.language, section, kind, ends }, "preview");
-      if (this.joining?.ends !== joining.ends || !told || told.status === "replaced") return;
-      this.joining = { ...this.joining, preview: told.answer?.value ?? this.reason(told) };
-    });
-  }
-  async point(end: End): Promise<void> {
-    const joining = this.joining;
-    if (!joining) return;
-    const ends = [...joining.ends, end];
-    if (ends.length < joining.kind.ends.length) {
-      this.joining = { ...joining, ends, preview: "" };
-      return;
-    }
-    const { section, kind } = joining.kind;
-    const joined = await this.changeBy("join", { section, kind, ends }, "input.add");
-    if (joined) [this.selected, this.panel] = [joined.path.join("."), "properties"];
   }
 
   // -- asking

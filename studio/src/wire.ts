@@ -9,7 +9,7 @@ export interface AddRequest {
   value: string;
 }
 
-/** vector: along the axes of the ground; of a couple its moment. owner: the connection or load */
+/** vector: along the axes of the ground; of a couple its moment. owner: the connection or load; of: the row or push, as pictures mark it */
 export interface Arrow {
   kind: string;
   label: string;
@@ -19,6 +19,7 @@ export interface Arrow {
   vector: ((number | null)[])[];
   is_couple: boolean;
   owner: string;
+  of: string;
 }
 
 /** A question of the file. */
@@ -141,13 +142,12 @@ export interface Happening {
   name: string;
 }
 
-/** words: the question as an exercise asks it */
+/**  */
 export interface HintsAnswer {
-  words: string;
   hints: string[];
 }
 
-/** How a question of the file is asked, and hints to it. question: its id */
+/** Hints to a question of the file. question: its id */
 export interface HintsRequest {
   text: string;
   language?: "en" | "de";
@@ -237,18 +237,20 @@ export interface MarksAnswer {
   marks: Mark[];
 }
 
-/** Say where something changes along sliders. */
+/** Say where something changes along sliders. until: the time [s] within which motions are looked at */
 export interface MarksRequest {
   text: string;
   language?: "en" | "de";
   ranges: Range[];
+  until?: number;
 }
 
-/** What a symbol speaks of. symbol: as it is shown, without its subscripts' places; owner: a connection or load, or nothing */
+/** What a symbol speaks of. symbol: as it is shown, without its subscripts' places; owner: a connection or load, or nothing; forces: what acts, as pictures mark it */
 export interface Meaning {
   symbol: string;
   bodies: string[];
   owner: string;
+  forces: string[];
 }
 
 /** Cases of a sweep without a number: how many of a status, at which value the first of them is, and why. */
@@ -269,12 +271,13 @@ export interface MotionAnswer {
   message: string;
 }
 
-/** Follow the motion to the time `until` [s]. */
+/** Follow the motion to the time `until` [s]. is_passing: for a picture that soon gives way to the next, as while a slider is moved, so that it needs no more accuracy than can be seen */
 export interface MotionRequest {
   text: string;
   language?: "en" | "de";
   until: number;
   frames?: number;
+  is_passing?: boolean;
 }
 
 /** The motions of all values of some sliders, the last of which runs fastest. replies: of `player` what differs from that of the file's values; curves: of each; answers: to the questions of the file */
@@ -301,12 +304,12 @@ export interface Opening {
   until: number;
 }
 
-/** longest: of the arrows along the motion, by kind; messages: why something is not there */
+/** scales: by kind; messages: why something is not there */
 export interface OverlaysAnswer {
   arrows: Arrow[];
   spots: Drawn[];
   cones: Cone[];
-  longest: Record<string, number>;
+  scales: Record<string, Scale>;
   messages: string[];
 }
 
@@ -316,6 +319,7 @@ export interface OverlaysRequest {
   language?: "en" | "de";
   until: number;
   frames?: number;
+  is_passing?: boolean;
   show: ("velocity" | "acceleration" | "reaction" | "load" | "friction-cones" | "mass-centres" | "instant-centres")[];
 }
 
@@ -325,6 +329,7 @@ export interface PageRequest {
   language?: "en" | "de";
   until: number;
   frames?: number;
+  is_passing?: boolean;
 }
 
 /** A number that can be moved: a parameter, or a value of the start. text: as it stands in the file, with its unit */
@@ -351,6 +356,20 @@ export interface PictureRequest {
   show?: string[];
   dark?: boolean | null;
   format?: "svg" | "png" | "pdf" | "tex";
+}
+
+/** html: a question as an exercise asks it, with its options; options: their letters */
+export interface PosedAnswer {
+  html: string;
+  options: string[];
+}
+
+/** How a question of the file is asked. prefix: of the names in the HTML */
+export interface PosedRequest {
+  text: string;
+  language?: "en" | "de";
+  question: string;
+  prefix?: string;
 }
 
 /** Between which numbers, in which unit, a slider moves a parameter. */
@@ -427,12 +446,19 @@ export interface SaveRequest {
   language?: "en" | "de";
 }
 
+/** How long arrows of a kind are drawn. largest: along the motion; by_root: whether as the root of the size */
+export interface Scale {
+  largest: number;
+  by_root: boolean;
+}
+
 /** The page of the studio with all its answers in it, as one file. name: of the model file; vary: what sliders move, as "L=0.5..2 m:9" */
 export interface ShareRequest {
   text: string;
   language?: "en" | "de";
   until: number;
   frames?: number;
+  is_passing?: boolean;
   name?: string;
   vary?: string[];
 }
@@ -543,8 +569,10 @@ export interface Requests {
   overlays: OverlaysRequest;
   learn: LearnRequest;
   marks: MarksRequest;
+  changes: MarksRequest;
   picture: PictureRequest;
   judge: JudgeRequest;
+  posed: PosedRequest;
   hints: HintsRequest;
   count: StudyRequest;
   study: StudyRequest;
@@ -568,8 +596,10 @@ export interface Answers {
   overlays: OverlaysAnswer;
   learn: LearnAnswer;
   marks: MarksAnswer;
+  changes: MarksAnswer;
   picture: PictureAnswer;
   judge: JudgeAnswer;
+  posed: PosedAnswer;
   hints: HintsAnswer;
   count: StudyAnswer;
   study: StudyAnswer;

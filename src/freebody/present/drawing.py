@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from freebody.present.figures import Array
+from freebody.present.figures import Array, box_round
 from freebody.present.halts import Halts
 from freebody.present.layout import Layout, bounds, headings
 from freebody.present.marks import ContactTrack
@@ -71,8 +71,7 @@ class Drawing:
         paths = [stroke for stroke in self.strokes if isinstance(stroke, Path)]
         seen = [paths_points(paths, self.poses[frames])]
         seen.extend(self.points(s, k) for s in self.strokes if not isinstance(s, Path) for k in frames)
-        corners = np.concatenate([*seen, self.low[None], self.high[None]])
-        low, high = corners.min(axis=0), corners.max(axis=0)
+        low, high = box_round(np.concatenate([*seen, self.low[None], self.high[None]]))
         margin = 3 * self.symbol
         wide, tall = high - low + 2 * margin
         middle = (low + high) / 2

@@ -170,6 +170,13 @@ def turned(angle: float | Array, x: float, y: float) -> Array:
     return np.stack((c * x - s * y, s * x + c * y), axis=-1)
 
 
+def box_round(points: Array) -> tuple[Array, Array]:
+    """(d,), (d,) the least and greatest coordinates of points (n, d), each axis for itself: NumPy's reductions over the
+    long axis of such an array take a hundred times as long."""
+    columns = np.ascontiguousarray(points.T)
+    return columns.min(axis=1), columns.max(axis=1)
+
+
 def positions(poses: Array, place: Place) -> Array:
     """(n_times, 2) [m] of a place on the way."""
     if place.body == GROUND:

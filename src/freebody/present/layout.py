@@ -23,6 +23,7 @@ from freebody.present.figures import (
     Tip,
     Wall,
     angles,
+    box_round,
     positions,
     turned,
     with_ground,
@@ -227,9 +228,9 @@ def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
     reach.update((node.place, 0.0) for rope in scene.ropes for node in rope.nodes)
     reach.update((at, 0.0) for s in scene.signs if isinstance(s, glyphs.Relation) for at in s.points)
     everything = _ways(poses, reach) if reach else np.zeros((1, 2))
-    feet = list(_feet(scene, poses, float(np.ptp(everything, axis=0).max())))
-    everything = np.concatenate([everything, *feet])
-    return everything.min(axis=0), everything.max(axis=0)
+    low, high = box_round(everything)
+    feet = list(_feet(scene, poses, float((high - low).max())))
+    return box_round(np.concatenate([low[None], high[None], *feet]))
 
 
 def _ways(poses: Array, reach: Iterable[tuple[Place, float]]) -> Array:

@@ -15,14 +15,19 @@ function quaternion(body, f) {
   // along the shorter turn between two frames
   const i = Math.min(Math.floor(f), last), j = Math.min(i + 1, last), s = f - i;
   const p = [3, 4, 5, 6].map((c) => data.columns[stride * body + c][i]);
-  let q = [3, 4, 5, 6].map((c) => data.columns[stride * body + c][j]), cosine = dot(p, q);
+  let q = [3, 4, 5, 6].map((c) => data.columns[stride * body + c][j]), cosine = p.reduce((sum, c, k) => sum + c * q[k], 0);
   if (cosine < 0) { q = q.map((c) => -c); cosine = -cosine; }
   const h = Math.acos(Math.min(1, cosine)), sine = Math.sin(h);
   const a = sine < 1e-6 ? 1 - s : Math.sin((1 - s) * h) / sine, b = sine < 1e-6 ? s : Math.sin(s * h) / sine;
   const mixed = p.map((c, k) => a * c + b * q[k]), size = Math.hypot(...mixed) || 1;
   return mixed.map((c) => c / size);
 }
+let known = { frame: -1, poses: [] }; // of the frame that is drawn, which all strokes ask for
 function pose(body, f) {
+  if (f !== known.frame) return poseAt(body, f);
+  return (known.poses[body] ??= poseAt(body, f));
+}
+function poseAt(body, f) {
   // the centre and the rows of the rotation
   if (body >= n_moving) return data.fixed[body - n_moving];
   const at = (c) => column(stride * body + c, f);
@@ -37,14 +42,15 @@ function pose(body, f) {
     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
   ]];
 }
-const dot = (a, b) => a.reduce((sum, c, k) => sum + c * b[k], 0);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a) => { const l = Math.hypot(...a) || 1; return a.map((c) => c / l); };
 const turned = (R, p) => [dot(R[0], p), dot(R[1], p), dot(R[2], p)];
-const plus = (a, b) => a.map((c, k) => c + b[k]);
-function position([body, ...at], f) {
-  const [center, R] = pose(body, f);
-  return plus(center, turned(R, at));
+const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+function position(place, f) {
+  // place: the body, and where in it
+  const [center, R] = pose(place[0], f), [, x, y, z] = place;
+  return center.map((c, k) => c + R[k][0] * x + R[k][1] * y + R[k][2] * z);
 }
 function frameAlong(w) {
   // rows of a right-handed frame whose third is w
@@ -63,7 +69,7 @@ function look(azimuth, elevation) {
   Object.assign(camera, { azimuth, elevation: e * 180 / Math.PI, axes: [across, cross(towards, across), towards] });
 }
 function seen(p) {
-  const local = turned(camera.axes, p.map((c, k) => c - data.middle[k]));
+  const m = data.middle, local = turned(camera.axes, [p[0] - m[0], p[1] - m[1], p[2] - m[2]]);
   if (!data.distance) return local;
   const grown = data.distance / (data.distance - Math.min(local[2], 0.9 * data.distance));
   return local.map((c) => grown * c);
@@ -347,6 +353,7 @@ function fit() {
 }
 function draw() {
   if (!view) return;
+  known = { frame: at, poses: [] };
   fit();
   pen.clearRect(0, 0, view.width, view.height);
   pen.lineCap = pen.lineJoin = "round";
@@ -399,9 +406,10 @@ function overlaid({ found, isStale }) {
   for (const each of found.arrows) {
     const p = footOf(each, time), v = sampled(each.vector, each.times, time);
     if (!p || !v) continue;
-    const size = Math.hypot(...v), scale = each.is_couple ? "couple" : UNITS[each.kind] ? each.kind : "force", largest = found.longest[scale];
-    const paint = theme()[inks[each.kind]], way = onSheet(v).map((c) => c / largest * LONGEST), l = Math.hypot(...way);
-    if (!(size > 1e-3 * largest)) continue;
+    const size = Math.hypot(...v), scale = each.is_couple ? "couple" : UNITS[each.kind] ? each.kind : "force", { largest, by_root } = found.scales[scale];
+    const paint = theme()[inks[each.kind]], share = size / largest, long = LONGEST * (by_root ? Math.sqrt(share) : share);
+    const way = onSheet(v).map((c) => c / (size || 1) * long), l = Math.hypot(...way);
+    if (!(size > (by_root ? 1e-4 : 1e-3) * largest)) continue;
     const turns = each.is_couple && data.planar, tip = turns ? turnOf(p, Math.sign(v[2]), paint) : [p[0] + way[0], p[1] + way[1]];
     if (!turns && l < 1) continue; // it points at the viewer
     if (shown.lit?.(each)) { pen.beginPath(); pen.moveTo(...p); pen.lineTo(...tip); pen.strokeStyle = theme().measure; pen.lineWidth = 6; pen.stroke(); }
@@ -571,7 +579,7 @@ function labels(all) {
     };
     const isFree = (spot) => !placed.some((other) => areOver(other, { spot, half }));
     const cost = (spot, place) => {
-      const isOut = spot[0] < half[0] || spot[0] > view.width - half[0] || spot[1] < half[1] || spot[1] > view.height - 60;
+      const isOut = spot[0] < half[0] || spot[0] > view.width - half[0] || spot[1] < half[1] + (shown.head ?? 0) || spot[1] > view.height - 60;
       const isOnOthers = others.some((s) => s.isArea && isIn(s.box, spot) && contains(s.outline, spot));
       const gap = gapTo(own, spot, half), below = nCovered(ink, spot, half, 0);
       return 100 * isOut + 0.8 * below + 3 * isOnOthers + 4 * Math.min(1, Math.max(0, 0.5 + (gap - gapTo(others, spot, half)) / 26))

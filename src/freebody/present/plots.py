@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.messages import Message
 from freebody.model.noting import did_you_mean
 from freebody.present.figures import Array
 from freebody.present.files import replaced
@@ -126,7 +127,7 @@ def _curve(recording: Recording, name: str) -> Curve:
         variable, axis = _OF_BODIES[word]
         series, words = recording.series[variable], ""
         values = recording.of(variable, **({"body": body} | ({"axis": axis} if axis else {})))
-    label = f"{name}: {words}" if words and words != name else name
+    label = Message("{name}: {what}", name=name, what=words) if words and words != name else name
     return Curve(name, label, series.unit or "1", np.asarray(values, dtype=np.float64))
 
 

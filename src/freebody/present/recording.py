@@ -30,7 +30,8 @@ class Series:
 
     @property
     def long_name(self) -> str:
-        return str(self.attributes.get("long_name", ""))
+        words: str = self.attributes.get("long_name", "")
+        return words
 
 
 @dataclass(frozen=True)

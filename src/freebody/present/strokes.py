@@ -90,10 +90,15 @@ def paths_points(strokes: Sequence[Path], poses: Array) -> Array:
     axes = np.stack((turned(every[..., 2], 1.0, 0.0), turned(every[..., 2], 0.0, 1.0)), axis=-1)  # of each body, once
     on, turn = [stroke.place.body for stroke in strokes], [stroke.turn for stroke in strokes]
     arms = np.array([stroke.place.xy for stroke in strokes])
-    places = every[:, on, :2] + np.einsum("tbij,bj->tbi", axes[:, on], arms)
+    places = every[:, on, :2] + _along(axes[:, on], arms)
     points = np.concatenate([stroke.points for stroke in strokes])
     own = np.repeat(np.arange(len(strokes)), n)
-    return (places[:, own] + np.einsum("tpij,pj->tpi", axes[:, np.array(turn)[own]], points)).reshape(-1, 2)
+    return (places[:, own] + _along(axes[:, np.array(turn)[own]], points)).reshape(-1, 2)
+
+
+def _along(axes: Array, points: Array) -> Array:
+    """(n_times, n, 2) points (n, 2) along axes (n_times, n, 2, 2), whose columns they are."""
+    return axes[..., 0] * points[:, :1] + axes[..., 1] * points[:, 1:]
 
 
 def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:

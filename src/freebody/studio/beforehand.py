@@ -116,7 +116,7 @@ def _replies(case: System, request: ShareRequest, own: dict[str, Any]) -> tuple[
     try:
         found = followed(case, request)
         answer = motion_of(found, request).model_dump(mode="json")
-        curves = curves_of(found).model_dump(mode="json")
+        curves = curves_of(found, request.language).model_dump(mode="json")
     except FreebodyError as error:
         refused = Reply(status="refused", message=told(str(error), request.language))
         return refused, refused

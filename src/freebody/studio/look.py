@@ -16,7 +16,8 @@ def style_sheet() -> str:
     rules.append(asset("report", "report.css"))
     for name, theme in THEMES.items():
         bodies = " ".join(f"--body-{k}: {color};" for k, color in enumerate(theme.bodies))
-        more = f"--force: {theme.force}; --reaction: {theme.reaction}; --measure: {theme.measure}; {bodies}"
+        arrows = ("force", "reaction", "measure", "velocity", "acceleration")
+        more = " ".join(f"--{each}: {getattr(theme, each)};" for each in arrows) + f" {bodies}"
         root = f':root[data-theme="{name}"]'
         rules.append(f"{root}, {root} .freebody-report {{ {properties(name)} {more} color-scheme: {name}; }}")
     return "\n".join(rules)

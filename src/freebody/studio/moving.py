@@ -4,11 +4,13 @@ picture waits."""
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from freebody.numeric.jets import Array
+from freebody.numeric.options import SimulationOptions
 from freebody.present.plots import curves
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
@@ -18,11 +20,14 @@ from freebody.study.simulation.simulate import Simulation, simulate
 from freebody.system.system import System
 
 _DIGITS = 7  # of a curve
+_PASSING = 1e-6  # tolerance of a motion that is soon replaced: of the size of the system, far below a pixel
 _SECONDS = 20.0  # by the clock, after which a motion ends where it is
 _ENERGY = ("kinetic_energy", "potential_energy", "work")
 
 
-_latest: list[tuple[tuple[str, float, int], Simulation]] = []  # what was followed last: its curves are asked for next
+_latest: list[
+    tuple[tuple[str, float, int, bool], Simulation]
+] = []  # what was followed last: its curves are asked for next
 
 
 def motion(request: MotionRequest) -> MotionAnswer:
@@ -32,12 +37,12 @@ def motion(request: MotionRequest) -> MotionAnswer:
 
 def curved(request: MotionRequest) -> CurvesAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    return curves_of(followed_last(request))
+    return curves_of(followed_last(request), request.language)
 
 
 def followed_last(request: MotionRequest) -> Simulation:
     """Raises CannotAnswer where the motion cannot begin."""
-    asked = (request.text, request.until, request.frames)
+    asked = (request.text, request.until, request.frames, request.is_passing)
     if not _latest or _latest[0][0] != asked:
         _latest.clear()  # two need not be kept at once
         _latest.append((asked, followed(checked_system(request.text), request)))
@@ -47,7 +52,10 @@ def followed_last(request: MotionRequest) -> Simulation:
 def followed(system: System, request: MotionRequest) -> Simulation:
     """Raises CannotAnswer where the motion cannot begin."""
     every = request.until / (request.frames - 1)
-    return simulate(system, request.until, every=every, max_seconds=_SECONDS)
+    options = SimulationOptions(every=every, max_seconds=_SECONDS)
+    return simulate(
+        system, request.until, options=replace(options, tolerance=_PASSING) if request.is_passing else options
+    )
 
 
 def motion_of(found: Simulation, request: MotionRequest) -> MotionAnswer:
@@ -63,13 +71,13 @@ def motion_of(found: Simulation, request: MotionRequest) -> MotionAnswer:
     )
 
 
-def curves_of(found: Simulation) -> CurvesAnswer:
+def curves_of(found: Simulation, language: str) -> CurvesAnswer:
     """What is measured along it."""
     recording = found.recording
     shown = curves(recording, _shown(found))
     return CurvesAnswer(
         times=rounded(recording.times),
-        lines=[Line(name=c.name, label=c.label, unit=c.unit, values=rounded(c.values)) for c in shown],
+        lines=[Line(name=c.name, label=told(c.label, language), unit=c.unit, values=rounded(c.values)) for c in shown],
         recordable=[name for name in series_units(found.system) if name in recording.over_time],
         energy_error=_finite(found.summary().get("energy_error_relative")),
     )

@@ -7,8 +7,8 @@ from typing import Any
 from freebody.numeric.jets import Array
 from freebody.studio.moving import followed_last, rounded
 from freebody.studio.telling import told
-from freebody.studio.wire import Arrow, Cone, Drawn, OverlaysAnswer, OverlaysRequest
-from freebody.study.pictures.along import MotionShown, largest
+from freebody.studio.wire import Arrow, Cone, Drawn, OverlaysAnswer, OverlaysRequest, Scale
+from freebody.study.pictures.along import MotionShown, scales
 
 
 def overlaid(request: OverlaysRequest) -> OverlaysAnswer:
@@ -25,6 +25,7 @@ def overlaid(request: OverlaysRequest) -> OverlaysAnswer:
                 vector=_columns(a.vector),
                 is_couple=a.is_couple,
                 owner=a.owner,
+                of=a.of,
             )
             for a in found.arrows
         ],
@@ -44,7 +45,7 @@ def overlaid(request: OverlaysRequest) -> OverlaysAnswer:
             )
             for c in found.cones
         ],
-        longest=dict(largest(found.arrows)),
+        scales={kind: Scale(largest=s.largest, by_root=s.by_root) for kind, s in scales(found.arrows).items()},
         messages=[told(message, request.language) for message in found.messages],
     )
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from freebody.narrative.marking.check import check
 from freebody.narrative.marking.found import CheckedAnswer
-from freebody.narrative.marking.quiz import FREE, quiz
+from freebody.narrative.marking.quiz import FREE, QuizQuestion, quiz
 from freebody.present.report.formats.html import html_content
 from freebody.present.report.results import finite
 from freebody.studio.reading import checked_system
-from freebody.studio.wire import HintsAnswer, HintsRequest, JudgeAnswer, JudgeRequest
+from freebody.studio.wire import HintsAnswer, HintsRequest, JudgeAnswer, JudgeRequest, PosedAnswer, PosedRequest
 
 
 def judged(request: JudgeRequest) -> JudgeAnswer:
@@ -29,8 +29,17 @@ def judged(request: JudgeRequest) -> JudgeAnswer:
     )
 
 
+def posed(request: PosedRequest) -> PosedAnswer:
+    """A question as an exercise asks it."""
+    one = _asked(request)
+    return PosedAnswer(html=html_content(one.report, request.prefix), options=list(one.question.options))
+
+
 def hints(request: HintsRequest) -> HintsAnswer:
-    """How a question is asked in an exercise, and the hints of its derivation in their order."""
-    system = checked_system(request.text)
-    [one] = quiz([system], (request.question,), language=request.language)
-    return HintsAnswer(words=one.words, hints=list(iter(one.hint, "")))
+    """The hints of the derivation of a question in their order."""
+    return HintsAnswer(hints=list(iter(_asked(request).hint, "")))
+
+
+def _asked(request: HintsRequest) -> QuizQuestion:
+    [one] = quiz([checked_system(request.text)], (request.question,), language=request.language)
+    return one

@@ -65,6 +65,8 @@ def _questions(request: ShareRequest, questions: list[str], bodies: list[str]) -
     yield "read", {}
     for kind in ("motion", "curves"):
         yield kind, {"until": request.until, "frames": request.frames}
+    shown = ["velocity", "acceleration", "reaction", "load", "mass-centres"]
+    yield "overlays", {"until": request.until, "frames": request.frames, "show": shown}
     yield "count", {"name": "mobility", "prefix": "count-"}
     yield "picture", {}
     yield from (("picture", {"free": [name]}) for name in bodies)

@@ -95,10 +95,12 @@ class SuggestRequest(Request):
 
 
 class MotionRequest(Request):
-    """Follow the motion to the time `until` [s]."""
+    """Follow the motion to the time `until` [s]. is_passing: for a picture that soon gives way to the next, as while
+    a slider is moved, so that it needs no more accuracy than can be seen"""
 
     until: float = Field(gt=0, le=1e4)
     frames: int = Field(default=301, ge=2, le=3001)
+    is_passing: bool = False
 
 
 class OverlaysRequest(MotionRequest):
@@ -117,9 +119,10 @@ class Range(Said):
 
 
 class MarksRequest(Request):
-    """Say where something changes along sliders."""
+    """Say where something changes along sliders. until: the time [s] within which motions are looked at"""
 
     ranges: list[Range] = Field(max_length=200)
+    until: float = Field(default=UNTIL, gt=0, le=1e4)
 
 
 class SweepRequest(Request):
@@ -165,9 +168,15 @@ class JudgeRequest(Request):
 
 
 class HintsRequest(Request):
-    """How a question of the file is asked, and hints to it. question: its id"""
+    """Hints to a question of the file. question: its id"""
 
     question: str = Field(max_length=400)
+
+
+class PosedRequest(HintsRequest):
+    """How a question of the file is asked. prefix: of the names in the HTML"""
+
+    prefix: str = Field(default="", pattern="^[a-z-]{0,20}$")
 
 
 class ExportRequest(StudyRequest):
@@ -361,11 +370,13 @@ class Drawn(Said):
 
 
 class Arrow(Drawn):
-    """vector: along the axes of the ground; of a couple its moment. owner: the connection or load"""
+    """vector: along the axes of the ground; of a couple its moment. owner: the connection or load; of: the row or push,
+    as pictures mark it"""
 
     vector: list[list[float | None]]
     is_couple: bool
     owner: str
+    of: str
 
 
 class Cone(Drawn):
@@ -377,13 +388,20 @@ class Cone(Drawn):
     used: list[float | None]
 
 
+class Scale(Said):
+    """How long arrows of a kind are drawn. largest: along the motion; by_root: whether as the root of the size"""
+
+    largest: float
+    by_root: bool
+
+
 class OverlaysAnswer(Said):
-    """longest: of the arrows along the motion, by kind; messages: why something is not there"""
+    """scales: by kind; messages: why something is not there"""
 
     arrows: list[Arrow]
     spots: list[Drawn]
     cones: list[Cone]
-    longest: dict[str, float]
+    scales: dict[str, Scale]
     messages: list[str]
 
 
@@ -450,11 +468,12 @@ class Moved(Said):
 
 class Meaning(Said):
     """What a symbol speaks of. symbol: as it is shown, without its subscripts' places; owner: a connection or load, or
-    nothing"""
+    nothing; forces: what acts, as pictures mark it"""
 
     symbol: str
     bodies: list[str]
     owner: str
+    forces: list[str]
 
 
 class PictureAnswer(Said):
@@ -484,10 +503,14 @@ class JudgeAnswer(Said):
 
 
 class HintsAnswer(Said):
-    """words: the question as an exercise asks it"""
-
-    words: str
     hints: list[str]
+
+
+class PosedAnswer(Said):
+    """html: a question as an exercise asks it, with its options; options: their letters"""
+
+    html: str
+    options: list[str]
 
 
 class File(Said):

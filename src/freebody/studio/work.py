@@ -69,8 +69,10 @@ WORK: dict[str, Work] = {
     "overlays": Work(wire.OverlaysRequest, "overlays", "overlaid", COUNTING),  # no motion waits for forces
     "learn": Work(wire.LearnRequest, "kinds", "learned", COUNTING),
     "marks": Work(wire.MarksRequest, "marking", "marks", MARKING),
+    "changes": Work(wire.MarksRequest, "changing", "changes", MARKING),
     "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
     "judge": Work(wire.JudgeRequest, "quizzing", "judged", STUDYING),
+    "posed": Work(wire.PosedRequest, "quizzing", "posed", COUNTING),
     "hints": Work(wire.HintsRequest, "quizzing", "hints", STUDYING),
     "count": Work(wire.StudyRequest, "asking", "studied", COUNTING),
     "study": Work(wire.StudyRequest, "asking", "studied", STUDYING),

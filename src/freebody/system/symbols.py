@@ -48,16 +48,21 @@ def reaction_symbols(system: System) -> Mapping[str, ReactionSymbol]:
     rows = [row for row in system.rows if row.transmits]
     taken = _taken(system)
     found: dict[str, ReactionSymbol] = {}
-    wishes = {row.name: list(_wishes(row, system)) for row in rows}
+    beside: dict[str, list[ConstraintRow]] = {}  # all rows, by connection
+    for row in system.rows:
+        beside.setdefault(row.connection, []).append(row)
+    places = {connection: {_place(row.component) for row in of} for connection, of in beside.items()}
+    wishes = {row.name: list(_wishes(row, system, beside[row.connection], places)) for row in rows}
+    wanted = _wanted(wishes)
     for row in rows:
-        names = [n for k, n in enumerate(wishes[row.name]) if not _is_wanted(n, k, row.name, wishes)]
+        names = [n for k, n in enumerate(wishes[row.name]) if not _is_wanted(n, k, row.name, wanted)]
         name = next((n for n in names if n not in taken), None)
         number = 1
         while name is None:
             candidate = f"{wishes[row.name][-1]}_{number}"
             name, number = (candidate if candidate not in taken else None), number + 1
-        wanted = system.style.names.get(name, name)  # as the author calls it
-        name = name if wanted in taken else wanted
+        own = system.style.names.get(name, name)  # as the author calls it
+        name = name if own in taken else own
         taken.add(name)
         found[row.name] = ReactionSymbol(row.name, name, row.sign)
     return found
@@ -69,8 +74,10 @@ def _taken(system: System) -> set[str]:
     return names | set(GREEK.values())
 
 
-def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
-    """Names from the shortest to the most particular one."""
+def _wishes(
+    row: ConstraintRow, system: System, of_connection: list[ConstraintRow], places: Mapping[str, set[str]]
+) -> Iterator[str]:
+    """Names from the shortest to the most particular one. places: of the rows of every connection"""
     letter = _letter(row)
     connection = row.connection
     component = _place(row.component)
@@ -80,15 +87,15 @@ def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
             yield f"{connection}_{axis}"
         yield f"{letter}_{connection}_{axis}"
         return
-    beside = [other for other in system.rows if other.connection == connection and other is not row]
+    beside = [other for other in of_connection if other is not row]
     if component != connection or not any(_letter(other) == letter and not other.axis for other in beside):
         yield letter
-    alike = [other for other in system.rows if (other.connection, other.reaction) == (connection, row.reaction)]
+    alike = [other for other in of_connection if other.reaction == row.reaction]
     if len(alike) > 1 and row.reaction in ("tension", "sideways force"):
         yield from (f"{letter}_{end}" for end in _telling_ends(row, system))
     elif len({_place(other.component) for other in alike}) > 1 and row.reaction in ("normal force", "friction force"):
-        elsewhere = {_place(other.component) for other in system.rows if other.connection != connection}
-        short = f"{letter}_{_initials(connection) if component in elsewhere else ''}{_initials(component)}"
+        is_elsewhere = any(component in own for other, own in places.items() if other != connection)
+        short = f"{letter}_{_initials(connection) if is_elsewhere else ''}{_initials(component)}"
         yield short
         if face := _face(row.component):  # of several that a corner may touch
             yield f"{short}_{face}"
@@ -123,9 +130,18 @@ def _letter(row: ConstraintRow) -> str:
     return LETTERS.get(row.reaction, "M" if "moment" in row.reaction or "torque" in row.reaction else "F")
 
 
-def _is_wanted(name: str, place: int, by: str, wishes: Mapping[str, list[str]]) -> bool:
+def _wanted(wishes: Mapping[str, list[str]]) -> Mapping[str, list[tuple[int, str]]]:
+    """Of every name, the two rows that would like it most: how far down it stands among their wishes."""
+    found: dict[str, list[tuple[int, str]]] = {}
+    for row, names in wishes.items():
+        for name in dict.fromkeys(names):
+            found[name] = sorted([*found.get(name, []), (names.index(name), row)])[:2]
+    return found
+
+
+def _is_wanted(name: str, place: int, by: str, wanted: Mapping[str, list[tuple[int, str]]]) -> bool:
     """Whether another row would like to have a name at least as much."""
-    return any(name in names[: place + 1] for row, names in wishes.items() if row != by)
+    return any(other <= place for other, row in wanted[name] if row != by)
 
 
 def _telling_ends(row: ConstraintRow, system: System) -> list[str]:

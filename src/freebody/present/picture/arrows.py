@@ -54,12 +54,13 @@ class Arrows:
         for force in ordered:
             vector = np.array(force.moment if force.is_couple else force.force)
             seen = self.sketch.vector(vector / float(np.linalg.norm(vector)))
-            if float(np.hypot(*seen[:2])) > _HEAD_ON:
-                self._arrow(force, seen[:2])
-            elif force.is_couple:
-                self._couple(force, float(seen[2]))
-            else:
-                self._head_on(force, float(seen[2]))
+            with self.sketch.about(f"force {force.name}"):
+                if float(np.hypot(*seen[:2])) > _HEAD_ON:
+                    self._arrow(force, seen[:2])
+                elif force.is_couple:
+                    self._couple(force, float(seen[2]))
+                else:
+                    self._head_on(force, float(seen[2]))
 
     # -- forces -------------------------------------------------------------------------------
     def _arrow(self, force: ShownForce, seen: Array) -> None:

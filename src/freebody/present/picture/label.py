@@ -15,6 +15,7 @@ _PART = re.compile(
     r"(?P<name>[^\W\d_₀-₉⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)(?P<index>(?:_\w+|[₀-₉]+)?)(?P<dots>'*)|(?P<power>[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<rest>.)"
 )
 _DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789-0123456789")
+_LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _RELATIONS = {"<=": "\u2264", ">=": "\u2265", "=": "="}
 _WORDS = re.compile(r"[^\W\d]\w* [^\W\d]|^[\d.]+ [^\W\d]")  # `angle of rod`, `2 N`
 _FUNCTIONS = frozenset(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs", "sign"))
@@ -54,6 +55,15 @@ class Label:
     def text(self) -> str:
         """For those who read it aloud."""
         return "".join(("_" if run.level < 0 else "") + run.text for run in self.runs)
+
+    @property
+    def on_one_line(self) -> str:
+        """Where nothing stands lower than the rest: an index of digits has letters of its own, m₁ g."""
+        return "".join(run.text.translate(_LOW) if _is_number(run) else Label((run,)).text for run in self.runs)
+
+
+def _is_number(run: Run) -> bool:
+    return run.level < 0 and run.text.isascii() and run.text.isdigit()
 
 
 def words(text: str) -> Label:

@@ -25,7 +25,8 @@ _FARTHER = (2.5, 9.0, 18.0, 30.0, 45.0, 62.0, 80.0)  # [points] from the anchor
 
 @dataclass(frozen=True)
 class Wish:
-    """A label and where it would like to be: beside anchors (2,), in directions (2,); the best place first."""
+    """A label and where it would like to be: beside anchors (2,), in directions (2,); the best place first. of: as of a
+    `Shape`."""
 
     label: Label
     places: tuple[tuple[Array, Array], ...]
@@ -34,6 +35,7 @@ class Wish:
     is_needed: bool = True
     weight: float = 0.0  # the heavier ones are placed first
     gap: float = 2.5  # [points]
+    of: str = ""
 
 
 def around(anchor: Array, first: Sequence[float] = (1.0, 1.0)) -> tuple[tuple[Array, Array], ...]:
@@ -74,7 +76,8 @@ def _cheapest(
     for k, farther in enumerate(_FARTHER if wish.is_needed else _FARTHER[:2]):
         for j, (anchor, way) in enumerate(places):
             word = Word(wish.label, anchor, wish.size, wish.ink)
-            word = Word(wish.label, anchor + beside(way, word.half, wish.gap - 2.5 + farther), wish.size, wish.ink)
+            at = anchor + beside(way, word.half, wish.gap - 2.5 + farther)
+            word = Word(wish.label, at, wish.size, wish.ink, of=wish.of)
             if any(word.overlaps(other, _ROOM) for other in taken):
                 continue
             cost = _LATER * j + 2.5 * k + _BELOW * _below(word, points)

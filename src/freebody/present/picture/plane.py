@@ -66,8 +66,10 @@ def _most(scene: Scene) -> float:
 
 def shapes(drawing: Drawing, sketch: Sketch) -> Iterator[Shape]:
     """The strokes of the first instant."""
+    names = {figure.number: f"body {figure.name}" for figure in drawing.scene.figures}
     for stroke in drawing.shown(0):
-        yield shape_of(stroke, sketch.seen(drawing.points(stroke, 0)))
+        of = names.get(stroke.color, "") if isinstance(stroke, Path) else ""
+        yield replace(shape_of(stroke, sketch.seen(drawing.points(stroke, 0))), of=of)
 
 
 def painted(drawing: Drawing, frame: int) -> list[Painted]:

@@ -44,7 +44,8 @@ INK = Ink()
 
 @dataclass(frozen=True)
 class Shape:
-    """A line or an area. points: (n, 2) [points]; scheme: the only paper on which it is drawn, empty for any."""
+    """A line or an area. points: (n, 2) [points]; scheme: the only paper on which it is drawn, empty for any; of: what
+    it belongs to, as "body crank" or "force A.x", by which a page finds it."""
 
     points: Array
     stroke: Ink | None = INK
@@ -53,6 +54,7 @@ class Shape:
     is_closed: bool = False
     dashes: tuple[float, ...] = ()
     scheme: Scheme = ""
+    of: str = ""
 
     @property
     def is_area(self) -> bool:
@@ -82,13 +84,14 @@ def line(
 
 @dataclass(frozen=True)
 class Word:
-    """A label with its middle at a place (2,) [points]; with a halo of paper round its letters."""
+    """A label with its middle at a place (2,) [points]; with a halo of paper round its letters. of: as of a `Shape`."""
 
     label: Label
     at: Array
     size: float = 10.0
     ink: Ink = INK
     has_halo: bool = True
+    of: str = ""
 
     @property
     def half(self) -> Array:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Generator, Iterable, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 
@@ -22,6 +24,14 @@ class Sketch:
         self.wishes: list[Wish] = []
         self.words: list[Word] = []
         self._known = 0, np.zeros((0, 2))
+        self._of = ""
+
+    @contextmanager
+    def about(self, of: str) -> Generator[None]:
+        """What is drawn meanwhile belongs to it (`Shape.of`)."""
+        self._of, before = of, self._of
+        yield
+        self._of = before
 
     def at(self, points: Array) -> Array:
         """(..., 2) [points] of places on paper [m]."""
@@ -42,13 +52,11 @@ class Sketch:
 
     def add(self, *shapes: Shape | Iterable[Shape]) -> None:
         for shape in shapes:
-            if isinstance(shape, Shape):
-                self.shapes.append(shape)
-            else:
-                self.shapes.extend(shape)
+            for each in (shape,) if isinstance(shape, Shape) else shape:
+                self.shapes.append(replace(each, of=self._of) if self._of else each)
 
     def wish(self, wish: Wish) -> None:
-        self.wishes.append(wish)
+        self.wishes.append(replace(wish, of=self._of) if self._of else wish)
 
     def crowd(self, shapes: Sequence[Shape], room: float = 3.5) -> int:
         """How much of what is drawn comes near to shapes that might be."""

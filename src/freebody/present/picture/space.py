@@ -69,8 +69,10 @@ class SpaceSketch(Sketch):
         self.taken = shots(drawing, 0, self.view)
         light = [list(paint(shot)) for shot in self.taken]
         dark = [list(paint(shot, is_dark=True)) for shot in self.taken]
-        for mine, other in zip(light, dark, strict=True):
-            self.shapes.extend(self._both(mine, other))
+        called = {form.index: f"body {form.name}" for form in drawing.scene.figures}
+        for shot, mine, other in zip(self.taken, light, dark, strict=True):
+            with self.about(called.get(shot.piece.turn, "") if shot.piece.look in OF_BODIES else ""):
+                self.add(self._both(mine, other))
         for shot in self.taken:
             self._hatch(shot)
         if with_names:

@@ -97,7 +97,11 @@ class _Writer:
         dashes = f' stroke-dasharray="{",".join(f"{d:g}" for d in shape.dashes)}"' if shape.dashes else ""
         hidden = ' display="none"' if shape.scheme == "dark" and self.dark is None else ""
         rule = ' fill-rule="evenodd"' if shape.fill is not None and len(shape.points) > 40 else ""
-        return f'<path d="{self._way(shape)}"{colors}{width}{dashes}{rule}{hidden}/>'
+        return f'<path d="{self._way(shape)}"{colors}{width}{dashes}{rule}{hidden}{self._of(shape)}/>'
+
+    def _of(self, each: Shape | Word) -> str:
+        """What it belongs to, for pages."""
+        return f' data-of="{html.escape(each.of)}"' if each.of and self.dark is None else ""
 
     def _at(self, point: Array) -> Array:
         return np.array((point[0] - self.low[0], self.high[1] - point[1]))
@@ -113,7 +117,7 @@ class _Writer:
         place = f'x="{_short(x)}" y="{_short(y + 0.34 * word.size)}" text-anchor="middle" font-size="{word.size:g}"'
         font = SERIF if word.label.latex else SANS
         inside = "".join(_spans(word.label, word.size))
-        text = f'<text {place} font-family="{font}"{paint}>{inside}</text>'
+        text = f'<text {place} font-family="{font}"{paint}{self._of(word)}>{inside}</text>'
         if not word.has_halo:
             return text
         halo = self._painted(Ink("paper"), None, "")

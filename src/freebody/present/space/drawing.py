@@ -10,7 +10,7 @@ import numpy as np
 
 from freebody.model.glyphs import Belt, Coil, Equation, Face, MomentArrow, Shoe, Surface, Toothed, Track, Wheels
 from freebody.present.corner import round_length
-from freebody.present.figures import Array, Heading, Place, Triple, places_in
+from freebody.present.figures import Array, Heading, Place, Triple, box_round, places_in
 from freebody.present.scene import Scene
 from freebody.present.space.bodies import body_pieces, convex
 from freebody.present.space.cuts import Cuts
@@ -53,11 +53,8 @@ class SpatialDrawing:
         size = _size(low, high)
         shells = Shells(scene, poses, size)
         for form in shells.forms.values():
-            way = poses.centers[:, form.index]
-            low, high = (
-                np.minimum(low, way.min(axis=0) - shells.radius),
-                np.maximum(high, way.max(axis=0) + shells.radius),
-            )
+            least, most = box_round(poses.centers[:, form.index])
+            low, high = np.minimum(low, least - shells.radius), np.maximum(high, most + shells.radius)
         room = np.zeros((0, 3))
         if float(np.linalg.norm(high - low)) <= _TINY:
             low, high = low - _ROOM, high + _ROOM
@@ -98,8 +95,7 @@ class SpatialDrawing:
     def bounds(self, view: View) -> tuple[Array, Array]:
         """(2,), (2,) [m] corners on paper of everything at any time."""
         seen = [view.seen(points) for points in self._points()]
-        corners = np.concatenate(seen)[:, :2]
-        return corners.min(axis=0), corners.max(axis=0)
+        return box_round(np.concatenate(seen)[:, :2])
 
     def _points(self) -> Iterator[Array]:
         """(n, 3) [m] where pieces are, at the key frames."""
@@ -113,8 +109,7 @@ class SpatialDrawing:
                     yield points + piece.radius * np.concatenate((np.eye(3), -np.eye(3)))
 
     def _frame(self) -> None:
-        points = np.concatenate([*self._points(), self.low[None], self.high[None]])
-        self.low[:], self.high[:] = points.min(axis=0), points.max(axis=0)
+        self.low[:], self.high[:] = box_round(np.concatenate([*self._points(), self.low[None], self.high[None]]))
 
     def _sheet(self, sheet: Sheet) -> Piece:
         """A plane as far as bodies move over it, with a grid of a round distance."""
@@ -122,7 +117,7 @@ class SpatialDrawing:
         points = np.concatenate(list(self._points()))
         axes = basis(self.poses.heading(normal, 0))
         over = (points - self.poses.place(through, 0)) @ axes.T
-        low, high = over.min(axis=0)[:2], over.max(axis=0)[:2]
+        low, high = box_round(over[:, :2])
         step = round_length((float((high - low).max()) or self.size or 1.0) / 6)
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         half = np.maximum(half, 0.5 * half.max())
@@ -163,8 +158,7 @@ def _extent(scene: Scene, poses: Poses) -> tuple[Array, Array]:
         solid = convex(form, 0.0)
         points = np.array([place.at for place in form.points.values()]) if solid is None else solid.points
         corners.append((way[:, None] + np.einsum("tij,nj->tni", poses.axes[:, form.index], points)).reshape(-1, 3))
-    every = np.concatenate(corners) if corners else np.zeros((1, 3))
-    return every.min(axis=0), every.max(axis=0)
+    return box_round(np.concatenate(corners) if corners else np.zeros((1, 3)))
 
 
 def _used(scene: Scene) -> list[Place]:

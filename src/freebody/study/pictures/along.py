@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 FORCES = {"reaction": ("reaction",), "load": ("load", "weight")}  # the kinds of forces by what is to be shown
 SHOWN = ("velocity", "acceleration", *FORCES, "friction-cones", "mass-centres", "instant-centres")
+_NOTHING, _SMALL = 1e-3, 0.15  # of the largest arrow: what is not drawn, and what could hardly be seen
 _MOST = 121  # instants at which forces and instant centres are found
 
 
@@ -47,6 +48,7 @@ class Arrow:
     vector: Array
     is_couple: bool = False
     owner: str = ""  # the connection or load
+    of: str = ""  # the row of it, or the push
 
 
 @dataclass(frozen=True)
@@ -184,7 +186,17 @@ class MotionShown:
                 key = (force.name, force.body, couple)
                 counted[key] = counted.get(key, 0) + 1
                 at, vector = np.full((2, n, 3), np.nan)
-                new = Arrow(wanted[force.kind], force.label.text, force.body, times, at, vector, couple, owner)
+                new = Arrow(
+                    wanted[force.kind],
+                    force.label.on_one_line,
+                    force.body,
+                    times,
+                    at,
+                    vector,
+                    couple,
+                    owner,
+                    force.name,
+                )
                 arrow = found.setdefault((*key, counted[key]), new)
                 if arrow.label not in (new.label, owner):  # as of a multiple of a tension that changes
                     arrow = found[*key, counted[key]] = replace(arrow, label=owner)
@@ -245,14 +257,29 @@ class MotionShown:
         return found
 
 
-def largest(arrows: Sequence[Arrow]) -> Mapping[str, float]:
-    """The largest size along the motion, by kind; forces share one, couples another."""
-    sizes: dict[str, float] = {}
+@dataclass(frozen=True)
+class Scale:
+    """How long arrows of one kind are. largest: along the motion; by_root: as the root of the size, not as the size: an
+    arrow of a hundredth of the largest would not be seen otherwise."""
+
+    largest: float
+    by_root: bool
+
+
+def scales(arrows: Sequence[Arrow]) -> Mapping[str, Scale]:
+    """Of all arrows along the motion, by kind; forces share one, couples another."""
+    sizes: dict[str, list[Array]] = {}
     for arrow in arrows:
         kind = "couple" if arrow.is_couple else "force" if arrow.kind in FORCES else arrow.kind
-        size = np.linalg.norm(arrow.vector, axis=1)
-        sizes[kind] = max(sizes.get(kind, 0.0), float(np.nanmax(size)) if np.isfinite(size).any() else 0.0)
-    return sizes
+        sizes.setdefault(kind, []).append(np.nan_to_num(np.linalg.norm(arrow.vector, axis=1)))
+    found: dict[str, Scale] = {}
+    for kind, of in sizes.items():
+        every = np.array(of)
+        # of each arrow the largest; of forces, which do not begin with nothing, at each instant too
+        largest = [every.max(axis=1), *([every.max(axis=0)] if kind in ("force", "couple") else [])]
+        most, seen = float(every.max()), np.concatenate(largest)
+        found[kind] = Scale(most, bool(((seen > _NOTHING * most) & (seen < _SMALL * most)).any()))
+    return found
 
 
 def _some(times: Array, events: Sequence[float]) -> list[int]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
 from freebody.numeric.jets import Array
 from freebody.system.system import System
@@ -36,14 +37,18 @@ def contact_series(result: SimulatedMotion, names: Mapping[str, str]) -> dict[st
         data[f"{_stem(names[name])}.state"] = (
             "time",
             state,
-            {"flag_values": list(range(5)), "flag_meanings": MEANINGS, "long_name": f"contact state of {name}"},
+            {
+                "flag_values": list(range(5)),
+                "flag_meanings": MEANINGS,
+                "long_name": Message("contact state of {name}", name=name),
+            },
         )
     column = {row.name: k for k, row in enumerate(system.rows)}
     for name, rub in zip(friction_names(system, names), system.dry_friction, strict=True):
         data[name] = (
             "time",
             used_friction(result, rub, column),
-            {"units": "1", "long_name": f"friction of {rub.name} by the largest that holds at rest"},
+            {"units": "1", "long_name": Message("friction of {name} by the largest that holds at rest", name=rub.name)},
         )
     return data
 

@@ -38,6 +38,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.language.expression import evaluate
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, ENERGY, LENGTH, TIME, unit_of
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.states import state_name
@@ -69,12 +70,16 @@ def recorded(result: MeasuredMotion) -> Recording:
         if name in system.states:
             unit = unit_of(system.states[name].dimension)
             data[name] = ("time", value, _named(unit, name))
-            data[f"{name}_rate"] = ("time", rate, _named(f"{unit}/s", f"rate of {name}"))
+            data[f"{name}_rate"] = ("time", rate, _named(f"{unit}/s", Message("rate of {name}", name=name)))
             continue
         unit = unit_of(system.measures[name].dimension)
         data[name] = ("time", value, _named(unit, name))
-        data[f"{name}_rate"] = ("time", rate, _named(f"{unit}/s", f"rate of {name}"))
-        data[f"{name}_acceleration"] = ("time", acceleration, _named(f"{unit}/s^2", f"second derivative of {name}"))
+        data[f"{name}_rate"] = ("time", rate, _named(f"{unit}/s", Message("rate of {name}", name=name)))
+        data[f"{name}_acceleration"] = (
+            "time",
+            acceleration,
+            _named(f"{unit}/s^2", Message("second derivative of {name}", name=name)),
+        )
     data |= _reactions(result)
     data |= _loads(result)
     if result.course.contact is not None:
@@ -84,9 +89,9 @@ def recorded(result: MeasuredMotion) -> Recording:
         data |= contact_series(result, dict(zip((r.name for r in system.rows), names, strict=True)))
     energy = result.energy
     for name, values, what in (
-        ("kinetic_energy", energy.kinetic, "kinetic energy"),
-        ("potential_energy", energy.potential, "potential energy of constant loads and linear springs"),
-        ("work", energy.work, "work of all other loads and of drivers since the start"),
+        ("kinetic_energy", energy.kinetic, Message("kinetic energy")),
+        ("potential_energy", energy.potential, Message("potential energy of constant loads and linear springs")),
+        ("work", energy.work, Message("work of all other loads and of drivers since the start")),
     ):
         data[name] = ("time", values, _named("J", what))
     data |= _blows(result)
@@ -204,7 +209,9 @@ def _reactions(result: MeasuredMotion) -> dict[str, Any]:
             continue
         unique = result.course.unique[:, k]
         values = np.where(unique, row.sign * result.course.multipliers[:, k], np.nan)
-        attributes = _named(_unit_of_reaction(row), f"{row.reaction} of {row.connection}")
+        attributes = _named(
+            _unit_of_reaction(row), Message("{reaction} of {name}", reaction=row.reaction, name=row.connection)
+        )
         if not unique.all():
             attributes["non_unique"] = (
                 "connections hold the same thing more than once: this reaction has no unique value"
@@ -247,7 +254,7 @@ def _loads(result: MeasuredMotion) -> dict[str, Any]:
     data: dict[str, Any] = {}
     for load, own in with_force.items():
         force = system.loads[load].pulls_with([_law(result, p, found) for p in own], np.sqrt)
-        data[f"{load}.force"] = ("time", force, _named(_unit_of_force(own), f"force of {load}"))
+        data[f"{load}.force"] = ("time", force, _named(_unit_of_force(own), Message("force of {name}", name=load)))
     return data
 
 

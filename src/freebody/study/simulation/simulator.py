@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from functools import cached_property
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -69,12 +70,7 @@ class Simulator:
         q = assembled_touching(self.reference)
         self.blow = checked_blow(self.reference, q)
         v = start_velocities(self.reference, q)
-        self.assumptions = system.assumptions
-        if not has_phases(system):
-            self.assumptions = (
-                *self.assumptions,
-                *rates_not_given(self.reference, q, v if self.blow is None else self.blow.before),
-            )
+        self._began = q, v if self.blow is None else self.blow.before
         self.numbers = self.reference.numbers()
         watches, tracked = [*_watches(self, events), *_limits_of_validity(self)], list(system.measures.values())
         self.tells_borders = tells_borders
@@ -103,6 +99,12 @@ class Simulator:
             raise CannotAnswer(further(str(error), *islice(without_value(system), 1))) from error
         if self.engine.layout.has_gap[0] or self.engine.room.info[factoring.N_LEFT_OUT]:
             _ = start.accelerations  # the dense solution refuses what moves without inertia or contradicts itself
+
+    @cached_property
+    def assumptions(self) -> tuple[str, ...]:
+        """Of the model, and of the rates at the start."""
+        own = self.system.assumptions
+        return own if has_phases(self.system) else (*own, *rates_not_given(self.reference, *self._began))
 
     @property
     def degrees_of_freedom(self) -> int:

@@ -1,0 +1,116 @@
+"""Where along a slider something begins or ceases to happen, where no formula says it: an event of the motion within
+the time that is shown, a question that the numeric route can answer, the start itself. The motion is followed at some
+values of one name, all others as they are; where what happens differs between two of them, the place is halved down to
+what a slider can be set to. What comes and goes between two of these values is not found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+
+from freebody.budgets import allowed
+from freebody.errors import FreebodyError
+from freebody.language.units import parse_quantity
+from freebody.messages import Message
+from freebody.progress import busy_with
+from freebody.studio.reading import checked_system
+from freebody.studio.telling import told
+from freebody.studio.wire import Mark, MarksAnswer, MarksRequest, Range
+from freebody.study.simulation.simulate import simulate
+from freebody.study.simulation.simulator import has_phases
+from freebody.study.sweeps.answers import AnswerEvaluator
+from freebody.study.sweeps.statuses import NUMBERS
+from freebody.study.sweeps.varied import varied, with_values
+from freebody.system.system import System
+
+_MOTIONS = 240  # of all sliders together
+_ROWS = 12_000  # of the constraints and bounds in all of them
+_FEWEST, _MOST = 5, 17  # values along a slider
+_HALVED = 12  # times, which leaves less than a slider can be set to
+_TOLERANCE = 1e-6  # of these motions
+_ALWAYS = frozenset(("start", "zero"))  # kinds of events that say how a motion begins
+
+
+def changes(request: MarksRequest) -> MarksAnswer:
+    """Raises ModelError where the text is no model."""
+    system = checked_system(request.text)
+    # a motion that cannot change its law has no events of its own
+    without_formula = [q for q in system.questions if not AnswerEvaluator(system, q).forms]
+    if not request.ranges or not system.has_values or not (has_phases(system) or without_formula):
+        return MarksAnswer(marks=[])
+    n = min(allowed(_MOTIONS), allowed(_ROWS) // max(1, len(system.rows) + len(system.bounds)))
+    marks: list[Mark] = []
+    for k, each in enumerate(request.ranges):
+        busy_with(f"{k + 1} / {len(request.ranges)}")
+        try:
+            along = _Along.of(system, each, request.until, n // len(request.ranges))
+        except FreebodyError:  # it cannot be varied: a function of time
+            continue
+        found = [(at, told(said, request.language)) for at, said in along.changes()]
+        marks += [
+            Mark(name=each.name, at=at, words=[said for other, said in found if other == at])
+            for at in sorted({at for at, _said in found})
+        ]
+    return MarksAnswer(marks=marks)
+
+
+@dataclass
+class _Along:
+    """One name along its slider. evaluators: of the questions without a formula; most: values that are looked at"""
+
+    system: System
+    parameter: str
+    unit: float
+    range: Range
+    until: float
+    evaluators: Sequence[AnswerEvaluator]
+    most: int
+    _known: dict[float, frozenset[str]] = field(default_factory=dict[float, frozenset[str]])
+
+    @classmethod
+    def of(cls, system: System, along: Range, until: float, most: int) -> _Along:
+        """Raises InputError for a name that cannot be varied."""
+        system, [one] = varied(system, [along.name])
+        found = [AnswerEvaluator(system, question) for question in system.questions]
+        unit = parse_quantity(f"1 {along.unit}".strip()).value
+        return cls(system, one.parameter, unit, along, until, [e for e in found if not e.forms], most)
+
+    def happens(self, at: float) -> frozenset[str]:
+        """All that can be said of a motion with this value."""
+        if at not in self._known:
+            self._known[at] = frozenset(self._happens({self.parameter: self.unit * at}))
+        return self._known[at]
+
+    def _happens(self, values: dict[str, float]) -> Iterator[str]:
+        try:
+            found = simulate(with_values(self.system, values), self.until, tolerance=_TOLERANCE)
+        except (FreebodyError, ArithmeticError):
+            yield Message("the motion cannot begin")
+            return
+        for name in {event.name for event in found.events if event.kind not in _ALWAYS}:
+            yield Message("{event}, within {until:g} s", event=name, until=self.until)
+        for evaluator in self.evaluators:
+            if evaluator.alone(values).status == NUMBERS:
+                yield Message("{question} has a value", question=evaluator.name)
+
+    def changes(self) -> Iterator[tuple[float, str]]:
+        """Where what happens is not the same on both sides, with what that is."""
+        n = max(_FEWEST, min(_MOST, self.most // 2))
+        values = np.linspace(self.range.low, self.range.high, n).tolist()
+        for low, high in pairwise(values):
+            for said in sorted(self.happens(low) ^ self.happens(high)):
+                yield self._between(low, high, said), said
+
+    def _between(self, low: float, high: float, said: str) -> float:
+        """Where it changes between two values."""
+        is_low = said in self.happens(low)
+        for _ in range(_HALVED):
+            middle = 0.5 * (low + high)
+            if middle not in self._known and len(self._known) >= self.most:
+                break
+            low, high = (middle, high) if (said in self.happens(middle)) == is_low else (low, middle)
+        return 0.5 * (low + high)
