@@ -337,10 +337,13 @@ def _hangs(names: Names, who: str, other: str) -> Groups:
 
 
 def _slackens(names: Names, who: str, other: str) -> Groups:
+    who, other = (other, "") if other in names.loads and not who else (who, other)
     yield [f"{who or 'it'} goes slack"] if not other else []
+    yield [f"force in {who} = 0"] if who in lookup.springs(names) and not other else []  # a spring that is relaxed
 
 
 def _tightens(names: Names, who: str, other: str) -> Groups:
+    who, other = (other, "") if other in names.loads and not who else (who, other)
     yield [f"{who or 'it'} goes taut"] if not other else []
 
 

@@ -77,6 +77,9 @@ def elements_of(names: Names) -> Elements:
     for point in names.free_ground_points:
         found.add(f"{GROUND}.{point}", _POINT_WORDS)
         found.add(f"{GROUND}.{point}", said=point, distance=INFERRED)
+    if (origin := f"{GROUND}.O") not in found.exact:  # which every model has
+        found.add(origin, _POINT_WORDS)
+        found.add(origin, said="O", distance=INFERRED)
     touching = [
         (name, f"{body} {word}")
         for name, joint in names.connections.items()
