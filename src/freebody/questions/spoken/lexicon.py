@@ -252,7 +252,8 @@ def is_adjective(token: str, language: str) -> bool:
     """Whether a word looks like an adjective, by its ending, that does not tell a thing from another of its kind."""
     table = _file(language)["adjectives"]
     is_like = token in table.get("whole", ()) or token.endswith(tuple(table["endings"]))
-    return is_like and not any(_is_word(word, token) for word in table["telling"])
+    telling = (*table["telling"], *_file(ENGLISH)["adjectives"]["telling"])  # into whose words others are put
+    return is_like and not changes_value(token, language) and not any(_is_word(word, token) for word in telling)
 
 
 def is_adverb(token: str, language: str) -> bool:

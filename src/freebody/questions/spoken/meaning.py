@@ -44,7 +44,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     """What words can ask for."""
     if any(word.kind == "other" for word in words):
         return
-    words = _at_mass_center(names, _at_free_ends(names, words))
+    words = rewording.rates(_at_mass_center(names, _at_free_ends(names, words)))
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}

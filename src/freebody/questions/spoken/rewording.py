@@ -88,6 +88,13 @@ def how_deep(words: list[Word]) -> list[Word]:
     return [own for word in words for own in (meant if word == deep else [word])]
 
 
+def rates(words: list[Word]) -> list[Word]:
+    """A rate is a velocity; of what turns, that of its angle."""
+    turns = Word("verb", "turn") in words
+    rate = Word("quantity", "angular velocity" if turns else "velocity")
+    return [rate if word == Word("quantity", "rate") else word for word in words]
+
+
 def runs_slack(words: list[Word]) -> list[Word]:
     """A run of a belt that goes slack pulls with nothing."""
     runs = [k for k, w in enumerate(words) if w.kind == "quantity" and w.what in ("slack tension", "tight tension")]

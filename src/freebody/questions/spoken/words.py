@@ -292,7 +292,7 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
         word = found[0].lower()
         if word in words or word in taken or word in translated(language) or len(word) < _SHORTEST:
             return found[0]
-        if any(tells_apart(word, own) for own in languages()):  # the half, the upper: no slip of what says nothing
+        if any(tells_apart(word.replace("ß", "ss"), own) for own in languages()):  # the half: no slip of a filler
             return found[0]
         near = difflib.get_close_matches(word, words, n=3, cutoff=_LEAST_LIKE)
         right = [other for other in near if (other[0], other[-1]) == (word[0], word[-1]) and _is_slip(word, other)]
