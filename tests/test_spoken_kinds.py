@@ -7,13 +7,13 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from test_spoken import meaning
-from thinned import thinned
 
 import freebody as fb
 from freebody.errors import ModelError
 from freebody.language.units import DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, POWER, TIME
 from freebody.system.system import System
+from test_spoken import meaning
+from thinned import thinned
 
 EXAMPLES = sorted(path.stem for path in (Path(__file__).parents[1] / "examples").glob("*.yaml"))
 FEW = {"ball_in_bowl", "crane_with_feedforward", "farthest_throw", "slider_crank"}
