@@ -7,6 +7,7 @@
     understood(names, text, read)       understanding.py    the way to mean a text that the grammar reads
     parts(elements, text)           several.py      the questions that are asked in one
     is_kept(names, words, text)         keeping.py          whether what is understood has all that was named
+    is_of_kind(names, words, text, asked)   kinds.py    whether its value is of the kind that the words ask for
 
 Between words and meanings a sentence is parted into clauses (sentence.py); a clause is a condition (events.py), a
 quantity (asking.py, with a room for each family: of_motion.py, of_forces.py, of_systems.py; what a question word and

@@ -31,7 +31,7 @@ _TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
 PLACED = ("high", "far")  # how high, how far, something acts: where
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
-_TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
+TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
 _OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
 _MOVED = re.compile(_OF_MOTION.pattern + r"(?P<body>\w+)(?! relative)")
@@ -57,7 +57,7 @@ _COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while
 def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
-    if turned := _TURNED_ROUND.match(text):
+    if turned := TURNED_ROUND.match(text):
         return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)
     if _is_extreme(text) and _is_to_be_so(words, text):
         return False

@@ -16,6 +16,7 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_GEARED = ("tooth force", "belt force", "chain force")  # what turns one body by another
 _OF_QUANTITY = ("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
 __all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
 
@@ -160,6 +161,8 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     for cut in cuts:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
         first = Clause([*said, *first.words])
+        if kind == "ratio" and _are_geared(names, first, second):  # sun to carrier
+            first = Clause([Word("quantity", "angular velocity"), *first.words])
         own = [w for w in first.words if w.kind == "quantity"]
         if not second.has("quantity"):  # the rope force on the left to that on the right
             joints = [w for w in first.words if w.kind == "name" and w.what in names.connections]
@@ -173,6 +176,14 @@ def _of_two(names: Names, clause: Clause) -> Groups:
             if all(texts[0].startswith("angular velocity") for texts in (one, other) if texts):
                 pairs = pairs[:1]  # speeds of what turns about axles
             yield [f"ratio of {a} to {b}" if operator == "/" else f"{a} {operator} {b}" for a, b in pairs]
+
+
+def _are_geared(names: Names, *sides: Clause) -> bool:
+    """Whether only two bodies are named of which one turns the other."""
+    is_plain = all(side.only("name", *SILENT) and len(side.names) == 1 for side in sides)
+    turned = {body for row in names.constraint_rows if row.reaction in _GEARED for body in row.measure.bodies()}
+    arms = {body for body in lookup.turning(names) if joining.planets(names)}
+    return is_plain and all(name in turned | arms for side in sides for _, name in side.names)
 
 
 def _of_sides(names: Names, clause: Clause) -> Groups:

@@ -337,10 +337,14 @@ def _hangs(names: Names, who: str, other: str) -> Groups:
 
 
 def _slackens(names: Names, who: str, other: str) -> Groups:
+    who, other = (other, "") if other in names.loads and not who else (who, other)
     yield [f"{who or 'it'} goes slack"] if not other else []
+    if who in lookup.springs(names) and not other and not lookup.rests(names):  # else it may start relaxed
+        yield [f"force in {who} = 0"]
 
 
 def _tightens(names: Names, who: str, other: str) -> Groups:
+    who, other = (other, "") if other in names.loads and not who else (who, other)
     yield [f"{who or 'it'} goes taut"] if not other else []
 
 

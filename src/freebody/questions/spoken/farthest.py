@@ -45,7 +45,11 @@ def how_far(names: Names, main: Clause) -> Groups:
     main = Clause([word for word in main.words if word.what not in lines])
     who = next((name for _, name in main.names), "")
     up = main.has("updown", "up") or main.has("part", "upward") or main.has("verb", "rise")
-    if len(main.names) > 1 or main.has("updown", "down") or main.has("verb", "fall"):
+    if len(main.names) > 1:
+        return
+    if main.has("updown", "down") or main.has("verb", "fall"):
+        if not up and set(main.all("verb")) <= {"fall", "move", "reach", "hang"}:
+            yield [f"change of {way} until rate({way}) = 0" for way, sense in lookup.heights(names, who) if sense < 0]
         return
     if up:
         yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]

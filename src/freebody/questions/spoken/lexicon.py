@@ -251,7 +251,9 @@ def counted_by(language: str) -> dict[str, int]:
 def is_adjective(token: str, language: str) -> bool:
     """Whether a word looks like an adjective, by its ending, that does not tell a thing from another of its kind."""
     table = _file(language)["adjectives"]
-    return token.endswith(tuple(table["endings"])) and not any(_is_word(word, token) for word in table["telling"])
+    is_like = token in table.get("whole", ()) or token.endswith(tuple(table["endings"]))
+    telling = (*table["telling"], *_file(ENGLISH)["adjectives"]["telling"])  # into whose words others are put
+    return is_like and not changes_value(token, language) and not any(_is_word(word, token) for word in telling)
 
 
 def is_adverb(token: str, language: str) -> bool:
@@ -263,6 +265,18 @@ def is_adverb(token: str, language: str) -> bool:
 def changes_value(token: str, language: str) -> bool:
     """Whether a word before a value makes it another one: the double load."""
     return any(_is_word(word, token) for word in _file(language)["values"]["changed"])
+
+
+def tells_apart(token: str, language: str) -> bool:
+    """Whether a word says which of several things, or how much of a quantity, is meant: what is dropped by none."""
+    telling = (*_file(language)["adjectives"]["telling"], *_file(language)["adverbs"]["telling"])
+    is_counted = token in numbered() or token in compared()
+    return is_counted or changes_value(token, language) or any(_is_word(word, token) for word in telling)
+
+
+def places(token: str, language: str) -> bool:
+    """Whether a word behind an article says where a thing is, though it may be a verb elsewhere: the lower rope."""
+    return token in _file(language)["adjectives"].get("placing", ())
 
 
 @cache

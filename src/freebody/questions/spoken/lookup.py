@@ -265,6 +265,11 @@ def springs(names: Names) -> list[str]:
     return [name for name in names.loads if name in named | laws]
 
 
+def elastic_strings(names: Names) -> list[str]:
+    """Loads that pull as strings do."""
+    return [name for name in names.loads if {"string", "elastic"} & {*names.called.get(name, ())}]
+
+
 def driving(names: Names) -> list[str]:
     """Loads that are no weight, no spring and no damper: forces and torques that something exerts."""
     passive = {"gravity", "spring", "damper"}

@@ -44,14 +44,14 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     """What words can ask for."""
     if any(word.kind == "other" for word in words):
         return
-    words = _at_mass_center(names, _at_free_ends(names, words))
+    words = rewording.rates(_at_mass_center(names, _at_free_ends(names, words)))
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
     is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
     words = _stretched(names, _from_rest(names, words))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
-    said = rewording.in_turns(rewording.runs_slack(rewording.enough_to(said)))
+    said = rewording.in_turns(rewording.runs_slack(rewording.enough_to(rewording.how_deep(said))))
     said = rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said)))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return

@@ -77,6 +77,9 @@ def elements_of(names: Names) -> Elements:
     for point in names.free_ground_points:
         found.add(f"{GROUND}.{point}", _POINT_WORDS)
         found.add(f"{GROUND}.{point}", said=point, distance=INFERRED)
+    if (origin := f"{GROUND}.O") not in found.exact:  # which every model has
+        found.add(origin, _POINT_WORDS)
+        found.add(origin, said="O", distance=INFERRED)
     touching = [
         (name, f"{body} {word}")
         for name, joint in names.connections.items()
@@ -85,7 +88,8 @@ def elements_of(names: Names) -> Elements:
     ]
     said_once = Counter(said for _, said in touching)
     for name in names.connections:
-        found.add(name, (*names.called.get(name, ()), *_stems(name), *_alike(name), *_JOINT_WORDS))
+        said = (*names.called.get(name, ()), *_stems(name))
+        found.add(name, (*said, *_alike(name, *said), *_JOINT_WORDS))
         found.touching[name] = frozenset(names.connections[name].mentions(names))
     for name, said in touching:  # the bearing of the pulley, where it has one
         if said_once[said] == 1:
@@ -94,7 +98,8 @@ def elements_of(names: Names) -> Elements:
         for name in (name for name in names.connections if "link" in names.called.get(name, ())):
             found.add(name, _ROPES)
     for name in names.loads:
-        found.add(name, (*names.called.get(name, ()), *_stems(name)))
+        said = (*names.called.get(name, ()), *_stems(name))
+        found.add(name, (*said, *_alike(*said)))
     for name in (*names.bodies[GROUND].lines, *names.bodies[GROUND].planes):
         found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
@@ -118,9 +123,10 @@ def _kinds(name: str, words: Sequence[str]) -> Sequence[str]:
     return [word for word in dict.fromkeys((*words, *sorted(said), *sorted(alike))) if word not in others]
 
 
-def _alike(name: str) -> list[str]:
-    """Words for the things that a name says."""
-    return sorted(frozenset[str]().union(*(kinds for kinds in things_alike() if name.lower() in kinds)))
+def _alike(*said: str) -> list[str]:
+    """Words for the things that a name, or words for its kind, say."""
+    own = {word.lower() for word in said}
+    return sorted(frozenset[str]().union(*(kinds for kinds in things_alike() if own & kinds)))
 
 
 def _stems(name: str) -> list[str]:

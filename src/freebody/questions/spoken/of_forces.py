@@ -53,6 +53,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "tension" and (belts := _tightened(names, rest)):
         yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
         return
+    if quantity == "tension" and quantity not in own and not rest.names and (only := lookup.elastic_strings(names)):
+        yield [f"force in {name}" for name in only]
+        return
     if quantity in ("normal force", "contact force") and joining.tracks(names) and "normal force" not in own:
         kinds = ("tension",)  # of what leads round, and presses as a link would pull
     if quantity == "tension" and quantity not in own:

@@ -78,6 +78,23 @@ def enough_to(words: list[Word]) -> list[Word]:
     return [*head, _TO, *behind]
 
 
+def how_deep(words: list[Word]) -> list[Word]:
+    """How deep something falls is how far down; how deep it floats is how high, the other way."""
+    deep = Word("ask", "deep")
+    if deep not in words:
+        return words
+    is_settled = Word("instant", "in equilibrium") in words or Word("verb", "hold") in words
+    meant = [Word("ask", "high")] if is_settled else [Word("ask", "far"), Word("updown", "down")]
+    return [own for word in words for own in (meant if word == deep else [word])]
+
+
+def rates(words: list[Word]) -> list[Word]:
+    """A rate is a velocity; of what turns, that of its angle."""
+    turns = Word("verb", "turn") in words
+    rate = Word("quantity", "angular velocity" if turns else "velocity")
+    return [rate if word == Word("quantity", "rate") else word for word in words]
+
+
 def runs_slack(words: list[Word]) -> list[Word]:
     """A run of a belt that goes slack pulls with nothing."""
     runs = [k for k, w in enumerate(words) if w.kind == "quantity" and w.what in ("slack tension", "tight tension")]

@@ -17,6 +17,7 @@ from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import is_kept
+from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.lexicon import Word, languages, several, stands_for_all
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
@@ -239,7 +240,7 @@ def _nearest(
             tried = {words: _read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
             here = {words: asked for words, asked in here.items() if is_kept(names, meaning.words, words)}
-            if here:
+            if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
                 distance = meaning.distance
                 nearest |= {words: asked for words, asked in here.items() if asked not in nearest.values()}
                 break

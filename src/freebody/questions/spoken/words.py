@@ -17,8 +17,11 @@ from freebody.questions.spoken.lexicon import (
     goes_beside,
     is_adjective,
     is_adverb,
+    languages,
     phrases_at,
+    places,
     spelt,
+    tells_apart,
     translated,
     vocabulary,
 )
@@ -39,6 +42,8 @@ _TOKEN = re.compile(
     re.IGNORECASE,
 )
 _SIGNS = {"≤": "<=", "≥": ">=", "→": "->"}
+_ARTICLES = ("the", "a", "an")
+_BARE = ("verb", "filler")  # kinds of words that no adjective is
 _NO_WORD = "\0"  # stands for names, values and words that are taken
 _TURNS = re.compile(r"(?:turn|revolution|rotation|umdrehung|rev)", re.IGNORECASE)
 _LEAST_LIKE = 0.8  # of a word to one that is misspelt
@@ -122,7 +127,8 @@ def words_of(text: str, language: str, *, guess: bool = False, parameters: Conta
             continue  # it belongs to a phrase before, or says no more than a name
         line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
         meant = [] if _is_letter(token) and k > 0 else phrases_at(line, begins[k], language)
-        means = next((m for m in meant if _fits(m[0], words)), None)
+        is_telling = _is_after_article(found, k) and places(token, language)  # the lower rope is lowered by none
+        means = next((m for m in meant if _fits(m[0], words) and not (is_telling and m[0].kind in _BARE)), None)
         if means is None and (
             _describes(found, k, language) or is_adverb(token, language) or _is_title(found, k, language, parameters)
         ):
@@ -140,6 +146,10 @@ def words_of(text: str, language: str, *, guess: bool = False, parameters: Conta
         strange = {Word("name", token) for token in unknown}
         raise Unknown(tuple(unknown), tuple(word for word in words if word not in strange))
     return words
+
+
+def _is_after_article(found: Sequence[str | Word], k: int) -> bool:
+    return k > 0 and found[k - 1] in _ARTICLES
 
 
 def _is_letter(token: str) -> bool:
@@ -281,6 +291,8 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
     def right(found: re.Match[str]) -> str:
         word = found[0].lower()
         if word in words or word in taken or word in translated(language) or len(word) < _SHORTEST:
+            return found[0]
+        if any(tells_apart(word.replace("ß", "ss"), own) for own in languages()):  # the half: no slip of a filler
             return found[0]
         near = difflib.get_close_matches(word, words, n=3, cutoff=_LEAST_LIKE)
         right = [other for other in near if (other[0], other[-1]) == (word[0], word[-1]) and _is_slip(word, other)]
