@@ -128,7 +128,7 @@ HAPPENING = Message("{contact} opens", contact="left")
                 its=Message("tends to {x}", x="g"),
                 mine=Message("grows without bound"),
             ),
-            "mit wachsendem m₁ geht die Antwort gegen g, diese Wahl wächst über alle Grenzen",
+            "mit wachsendem m₁ geht die Antwort gegen g, diese Option wächst über alle Grenzen",
         ),
         (
             Message(
@@ -137,7 +137,7 @@ HAPPENING = Message("{contact} opens", contact="left")
                 its=Message("is {x}", x="g"),
                 mine=Message("gives {x}", x=0),
             ),
-            "für M = 0 ist die Antwort g, diese Wahl ergibt 0",
+            "für M = 0 ist die Antwort g, diese Option ergibt 0",
         ),
         (
             Message("has the unit {own}, the answer has {wanted}", own="N", wanted="m/s^2"),

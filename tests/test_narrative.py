@@ -12,11 +12,12 @@ import freebody as fb
 from examples_told import explained
 from freebody import System
 from freebody.errors import InputError, RoutesDisagree
-from freebody.language.expression import Symbol, number
+from freebody.language.expression import Call, Symbol, number
 from freebody.language.parser import parse
 from freebody.narrative.context import Context
 from freebody.narrative.explain import Derivation, Explanation, explain
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence, names_in
+from freebody.narrative.telling.catalogue import Catalogue
 from goldens import assert_golden, digest
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -130,6 +131,46 @@ def test_an_atwood_machine_takes_two_momenta_and_one_moment() -> None:
         ("linear", ("right",)),
         ("angular", ("pulley",)),
     ]
+
+
+def test_of_the_constraints_those_are_cited_that_lead_to_a_rate() -> None:
+    """The drum gives w' from x1' alone; x2' needs both parts of the string, whichever rate is told first."""
+    for question in ("total energy", "energy"):
+        found = explained("atwood_machine") if question == "energy" else the("atwood_machine", question)[0]
+        lines = [line for d in found.derivations for line in lines_of(d.stages)]
+        cited = {line.sides[0]: len(line.uses) for line in lines if line.why and line.why.key == "kinematics.follows"}
+        assert cited == {Call("rate", Symbol("w")): 1, Call("rate", Symbol("x2")): 2}
+
+
+def test_no_root_stands_in_all_terms_of_an_equation_without_inertia() -> None:
+    """The massless cross of a Cardan joint: cos(alpha) M_y = sin(alpha) cos(psi) M_z, whatever the axis is long."""
+    _found, derivation = the("cardan_joint", "uneven")
+    (line,) = (line for line in lines_of(derivation.stages) if line.sides[0] == number(0))
+    assert "sqrt" not in str(line.sides[1])
+    assert line.sides[1] in (
+        parse("cos(alpha)*M_yoke_y - cos(psi)*sin(alpha)*M_yoke_z"),
+        parse("cos(psi)*sin(alpha)*M_yoke_z - cos(alpha)*M_yoke_y"),
+    )
+
+
+def test_a_symbol_is_explained_before_a_sentence_names_it() -> None:
+    known: set[str] = set()
+    for derivation in explained("cardan_joint").derivations:
+        for stage in derivation.stages:
+            for item in stage.items:
+                if isinstance(item, Legend):
+                    known |= set().union(*(names_in(symbol) for symbol, _what, _unit in item.entries))
+                if isinstance(item, Sentence) and item.key.startswith("space.turns_about"):
+                    assert names_in(item.args["name"]) <= known | {"psi"}  # type: ignore[arg-type]
+    assert "phi_support" in known or "support_angle" in known
+
+
+def test_a_name_that_begins_a_sentence_has_a_capital() -> None:
+    axes = Sentence("space.axes_body", {"body": "drive"})
+    for language, begin in (("en", "Drive turns about"), ("de", "Drive dreht sich")):
+        said = Catalogue(language).plain(Sentence("space.one_axis", {"body": "drive", "axes": axes}))
+        assert said.startswith(begin)
+        assert said.rstrip(":").endswith("drive")
 
 
 def test_a_planetary_gear_takes_one_planet_about_its_contact_with_the_ring_and_the_sun() -> None:

@@ -778,6 +778,24 @@ def test_an_elastic_string_that_is_slack_is_drawn_in_waves_and_a_taut_one_straig
             assert float(np.hypot(*np.diff(points, axis=0).T).sum()) == pytest.approx(relaxed, rel=1e-3)
 
 
+def test_an_elastic_string_whose_ends_are_together_hangs_in_a_loop() -> None:
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "bungee_jump.yaml")
+    drawn = Drawing.of(Scene.of(system, Reference(system).number), np.zeros((1, 1, 3)))
+    (string,) = (stroke for stroke in drawn.strokes if isinstance(stroke, Strand))
+    points = drawn.points(string, 0)
+    assert np.allclose(points[[0, -1]], 0.0, atol=1e-9)
+    assert points[:, 1].max() < 1e-9
+    assert points[:, 1].min() < -4 * drawn.symbol
+    assert points[:, 0].min() == pytest.approx(-points[:, 0].max())
+
+
+def test_the_line_of_a_floor_lies_over_its_hatching() -> None:
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "ball_with_back_spin.yaml")
+    drawn = Drawing.of(Scene.of(system, Reference(system).number), np.zeros((1, 1, 3)))
+    styles = [stroke.style for stroke in drawn.strokes]
+    assert styles.index("hatch") + 1 == styles.index("surface")
+
+
 def test_the_motion_at_the_start_is_drawn_at_the_start_only() -> None:
     system = fb.System.load(Path(__file__).parents[1] / "examples" / "block_on_an_elastic_string.yaml")
     said = [{word.label.text for word in system.picture(at=at).words} for at in (None, 0.0, 0.3)]

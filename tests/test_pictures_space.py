@@ -725,3 +725,11 @@ def test_velocities_and_spins_at_the_start_are_arrows_from_the_edges_of_their_bo
     assert starts[1][1] > high[1]
     # its size sqrt(2) w is no parameter and has a symbol of its own
     assert {"v", "ω_ball"} <= {word.label.text for word in drawn.words}
+
+
+def test_a_rod_pulls_at_its_own_end_of_a_body() -> None:
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "spatial_slider_crank.yaml")
+    alone, with_rod = (free_body(system, "block"), free_body(system, "crank"))
+    assert "T" in {word.label.text for word in with_rod.words}
+    wide, tall = with_rod.corners[1] - with_rod.corners[0]
+    assert max(wide, tall) < 2 * float(np.ptp(alone.corners, axis=0).max())  # nothing acts far from it

@@ -179,8 +179,9 @@ def count_line(script: Script, found: Gruebler) -> int:
     if found.particles:
         terms.append(ProductOf((number(found.n_point), number(len(found.particles)))))
     terms += [number(-found.n_constraints)] if found.n_constraints else []
-    counted: Expr = terms[0] if len(terms) == 1 else Sum(tuple(terms))
-    return script.line(counted, number(found.count), label=Sentence("label.freedoms"), when="never")
+    if len(terms) == 1:
+        return script.line(number(found.count), label=Sentence("label.freedoms"), when="never")
+    return script.line(Sum(tuple(terms)), number(found.count), label=Sentence("label.freedoms"), when="never")
 
 
 def _binds_more_beside(context: Context) -> bool:

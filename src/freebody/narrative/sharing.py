@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, Symbol
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import (
     REFERENCES,
@@ -183,15 +183,24 @@ class ToldSoFar:
                     # in lines it is explained there; a diagram needs it here
                     is_drawn = any(isinstance(other, Diagram) for other in stage.items)
                     due = [e for e in item.entries if is_drawn or not names_in(e[0]) & of_lines]
+                elif isinstance(item, Sentence):
+                    named = _named_in(item)
+                    due = [e for es in legends for e in es if isinstance(e[0], Symbol) and e[0].name in named]
                 else:
                     items.append(item)
                     continue
                 due = list({(e[0], repr(e[1])): e for e in due if (e[0], repr(e[1])) not in known}.values())
                 known |= {(symbol, repr(what)) for symbol, what, _unit in due}
                 items += [Legend(tuple(due))] if due else []
-                items += [item] if isinstance(item, NumberedFormula) else []
+                items += [] if isinstance(item, Legend) else [item]
             made += [replace(stage, items=tuple(items))] if items else []
         return made
+
+
+def _named_in(sentence: Sentence) -> set[str]:
+    """Names of the symbols that a sentence says by themselves."""
+    said = (v for value in sentence.args.values() for v in (value if isinstance(value, tuple) else (value,)))
+    return {str(v.name) for v in said if isinstance(v, Symbol)}
 
 
 def _of_one_reason(items: Sequence[Item]) -> list[NumberedFormula]:

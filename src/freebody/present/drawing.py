@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -63,6 +64,7 @@ class Drawing:
         drawing.words.extend(pen.words())
         drawing._frame(least)
         drawing.strokes[:0] = surfaces.strokes(drawing.low, drawing.high)
+        drawing.strokes[:] = _lines_over_hatching(drawing.strokes)
         return drawing
 
     def _frame(self, least: tuple[float, float]) -> None:
@@ -99,3 +101,12 @@ class Drawing:
     def points(self, stroke: Stroke, frame: int) -> Array:
         """(n, 2) [m] a stroke at one instant, in ground coordinates."""
         return stroke_points(stroke, self.poses[frame : frame + 1], self.headings[frame])
+
+
+def _lines_over_hatching(strokes: Sequence[Stroke]) -> list[Stroke]:
+    """Each line before its hatching after it: the strokes of that are one line, which goes back along the surface."""
+    found = list(strokes)
+    for k, (first, second) in enumerate(pairwise(strokes)):
+        if (first.style, second.style) == ("surface", "hatch"):
+            found[k], found[k + 1] = second, first
+    return found

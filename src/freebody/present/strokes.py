@@ -15,6 +15,7 @@ from freebody.present.layout import sweep
 
 _FINE = 12  # points of a quarter of an arc, or of a wave
 _FLAT = 8.0  # length of a wave of a slack string, by its height
+_DEEPEST = 12.0  # depth of the loop of one whose ends are near each other, by the same height
 
 
 @dataclass(frozen=True)
@@ -133,8 +134,10 @@ def _slack(points: Array, relaxed: float, most: float) -> Array:
     arms = np.diff(points, axis=0)
     lengths = np.hypot(*arms.T)
     whole = float(lengths.sum())
-    if relaxed <= whole * (1.0 + 1e-9) or whole < _FLAT * most:
+    if relaxed <= whole * (1.0 + 1e-9):
         return points
+    if whole < _FLAT * most:
+        return _loops(points, relaxed - whole, most)
     found: list[Array] = []
     for start, arm, length in zip(points[:-1], arms, lengths, strict=True):
         n = max(1, round(float(length) / (_FLAT * most)))
@@ -143,3 +146,14 @@ def _slack(points: Array, relaxed: float, most: float) -> Array:
         across = np.array((-arm[1], arm[0])) / (length or 1.0)
         found.append(start + share * arm + height * np.sin(2.0 * np.pi * n * share) * across)
     return np.concatenate(found)
+
+
+def _loops(points: Array, left: float, most: float) -> Array:
+    """(m, 2) [m] a slack string whose ends are near each other: what is left of it hangs between them in a loop, half
+    as deep as that is long, or as deep as the size of the picture allows."""
+    start, end = points[0], points[-1]
+    deep, wide = min(_DEEPEST * most, left / 2), 0.5 * _FLAT * most
+    way = np.linspace(0.0, np.pi, 2 * _FINE + 1)[:, None]
+    across = 0.5 * (1.0 - np.cos(way))
+    loop = start + across * (end - start) + np.concatenate((np.sin(2 * way) * wide / 2, -np.sin(way) * deep), axis=1)
+    return np.concatenate((points[:-1], loop, points[-1:])) if len(points) > 2 else loop

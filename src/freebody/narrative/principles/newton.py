@@ -24,7 +24,7 @@ from freebody.narrative.principles.formal import ValueOf, formal_parts, unknowns
 from freebody.narrative.principles.planner import IN_SPACE, IN_THE_PLANE, Plan, Planner, Preferences
 from freebody.narrative.principles.rates import MomentumRate, MomentumRates
 from freebody.narrative.principles.reactions import name_reactions
-from freebody.narrative.principles.sides import ZERO, n_minus, positive_first, scaled
+from freebody.narrative.principles.sides import ZERO, n_minus, positive_first, scaled, taking_out_roots
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import PrincipleTable, WritablePrinciple
 from freebody.questions.base import Quantity
@@ -212,7 +212,7 @@ class Newton:
 
     # -- principles ---------------------------------------------------------------------------
     def _principle(self, script: Script, p: WritablePrinciple, avoided: Sequence[str]) -> WrittenPrinciple:
-        p = self._oriented(p)
+        p = self._without_roots(self._oriented(p))
         script.say(f"{self.words.group}.{p.kind}", bodies=p.bodies, **_where(p))
         self._say_why(script, p, avoided)
         if p.kind == "angular":
@@ -237,6 +237,16 @@ class Newton:
             return p
         other = replace(p, weights={slot: -w for slot, w in p.weights.items()}, is_clockwise=True)
         return min((p, other), key=lambda p: n_minus(self.rates.rate(p).shown) + n_minus(self._forces(p)[0]))
+
+    def _without_roots(self, p: WritablePrinciple) -> WritablePrinciple:
+        """Where nothing has inertia the length of the axis is free: it takes a root out of all terms, 0 = M/r - N/r."""
+        if self.rates.rate(p).shown != ZERO:
+            return p
+        _shown, rest, reactions = self._forces(p)
+        factor = taking_out_roots([x for x in (rest, *reactions.values()) if not x.is_zero()])
+        if factor is None:
+            return p
+        return replace(p, weights={slot: self.field.lowest_terms(w * factor) for slot, w in p.weights.items()})
 
     def _say_why(self, script: Script, p: WritablePrinciple, avoided: Sequence[str]) -> None:
         """Which reactions the principle keeps out, and how."""

@@ -35,6 +35,7 @@ class PlanarRates:
         self.kinematics = Kinematics(acting.model, glossary)
         self.told: dict[Expr, int] = {}  # symbols of motion that have been explained, and the line
         self.constraint_lines: dict[str, int] = {}
+        self._constraint_terms: dict[str, tuple[Term, ...]] = {}  # that stand in these lines
         self._introduced: set[str] = set()
         self._loop_lines: tuple[int, ...] | None = None
 
@@ -42,6 +43,7 @@ class PlanarRates:
         """A derivation begins: nothing has been explained in it yet."""
         self.told.clear()
         self.constraint_lines.clear()
+        self._constraint_terms.clear()
         self._introduced.clear()
         self._loop_lines = None
 
@@ -152,7 +154,10 @@ class PlanarRates:
             if term.symbol not in self.told:
                 self._introduce(script, term)
                 constant = self._is_linear(term, order=1)
-                uses = self.constraints_of(script, term.body) if constant else self._positions_of(script, term)
+                if constant:
+                    uses = self._enough(self.constraints_of(script, term.body), term)
+                else:
+                    uses = self._positions_of(script, term)
                 key = "kinematics.follows" if constant and uses else "kinematics.once" if uses else "kinematics.seen"
                 self.told[term.symbol] = script.line(
                     term.symbol, tidy(term.explicit), why=key, args={"lines": uses, "body": term.body}, uses=uses
@@ -185,20 +190,38 @@ class PlanarRates:
             for row in self.acting.acting_on(here):
                 if row in self.symmetry.merged:
                     continue
-                if row in self.constraint_lines:
-                    found.append(self.constraint_lines[row])
-                    continue
-                slopes = self.model.gradient(self.acting.rows[row].measure)
-                terms = self.kinematics.velocity_form(dict(slopes))
-                if len(terms) < 2 or not all(t.coefficient.is_constant() for t in terms):
-                    continue
-                self.constraint_lines[row] = self._constraint_line(script, row, terms)
+                if row not in self.constraint_lines:
+                    slopes = self.model.gradient(self.acting.rows[row].measure)
+                    terms = self.kinematics.velocity_form(dict(slopes))
+                    if len(terms) < 2 or not all(t.coefficient.is_constant() for t in terms):
+                        continue
+                    self.constraint_lines[row] = self._constraint_line(script, row, terms)
+                    self._constraint_terms[row] = tuple(terms)
                 found.append(self.constraint_lines[row])
-                for t in terms:
+                for t in self._constraint_terms[row]:
                     if t.body not in reached:
                         reached.add(t.body)
                         waiting.append(t.body)
         return tuple(dict.fromkeys(found))
+
+    def _enough(self, lines: Sequence[int], wanted: Term) -> tuple[int, ...]:
+        """Of lines of constraints those that lead from the speeds of the coordinates to a symbol, one unknown a line;
+        all of them where the unknowns are not found one by one."""
+        terms = {line: self._constraint_terms[row] for row, line in self.constraint_lines.items()}
+
+        def leads_there(kept: Sequence[int]) -> bool:
+            unknown = [{t.symbol for t in terms[line] if not t.is_plain} for line in kept]
+            known = set[Expr]()
+            while found := {s for symbols in unknown for s in symbols - known if len(symbols - known) == 1}:
+                known |= found
+            return wanted.symbol in known
+
+        kept = list(lines)
+        if leads_there(kept):
+            for line in lines:
+                if leads_there(fewer := [other for other in kept if other != line]):
+                    kept = fewer
+        return tuple(kept)
 
     def _constraint_line(self, script: Script, row: str, terms: Sequence[Term]) -> int:
         """The rate of what a row holds: positive terms left, negative right."""

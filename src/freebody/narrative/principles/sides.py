@@ -56,3 +56,17 @@ def readable(x: Ratio) -> Ratio:
             Message("its equations of motion are longer than anybody reads; freebody eom writes them out")
         )
     return x
+
+
+def taking_out_roots(terms: Sequence[Ratio]) -> Ratio | None:
+    """The factor, a root r or 1/r, after which none of the terms contains r; None where no root is in all of them."""
+    common = frozenset[int].intersection(*(frozenset(x.generators()) for x in terms)) if terms else frozenset[int]()
+    for index in sorted(common):
+        field = terms[0].field
+        if field.generators[index].kind != "root":
+            continue
+        root = field.variable(index)
+        for factor in (root, 1 / root):
+            if not any(index in field.lowest_terms(x * factor).generators() for x in terms):
+                return factor
+    return None

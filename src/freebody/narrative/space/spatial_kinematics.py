@@ -113,12 +113,14 @@ class SpatialKinematics(Frames):
 
     def _say_axes(self, angles: Sequence[tuple[str, Vector]], axes: Axes) -> None:
         """Which angle turns about which axis."""
+        self.angles.introduce(name for name, _axis in angles)
         for name, axis in angles:
             shown = Sentence("space.vector", {"x": tidy(axis[0]), "y": tidy(axis[1]), "z": tidy(axis[2])})
             args: dict[str, Argument] = {"name": Symbol(name), "axis": shown, "axes": axes.words}
             if len(angles) > 1:
                 args["e"] = self.angles.vectors.unit_vector(name)
-            self.script.say("space.turns_about" if len(angles) == 1 else "space.unit_vector_is", **args)
+            alone = "space.turns_about" if axes.body == GROUND else "space.turns_about_own"
+            self.script.say(alone if len(angles) == 1 else "space.unit_vector_is", **args)
 
     def component(self, body: str, along: Direction) -> Expr:
         """The angular velocity of a body along one direction, as a sum over its angles."""

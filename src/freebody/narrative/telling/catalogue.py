@@ -81,8 +81,8 @@ class Catalogue:
         pieces += _with_formulas(template[end:])
         kept = [one for p in pieces if p != "" for one in (with_rates(p) if isinstance(p, str) else [p])]
         is_sentence = template.endswith(".") or (template.endswith(":") and " " in template)
-        if template.startswith("{") and is_sentence and kept and isinstance(kept[0], str):
-            kept[0] = kept[0][:1].upper() + kept[0][1:]
+        if template.startswith("{") and is_sentence and kept:
+            kept[0] = _with_capital(kept[0])
         return tuple(kept)
 
     def titled(self, sentence: Sentence) -> Text:
@@ -210,6 +210,17 @@ def _with_formulas(words: str) -> list[Piece]:
         elif part:
             found.append(part)
     return found
+
+
+def _with_capital(piece: Piece) -> Piece:
+    """What begins a sentence; a formula stays as it is."""
+    match piece:
+        case str():
+            return piece[:1].upper() + piece[1:]
+        case Emphasis(words, look):
+            return Emphasis(words[:1].upper() + words[1:], look)
+        case _:
+            return piece
 
 
 def _is_single(sentence: Sentence) -> bool:

@@ -14,7 +14,7 @@ from freebody.present.picture.label import Label
 from freebody.present.picture.shapes import INK, Ink, Shape, Word
 
 _STEP = 2.0  # [points] between the points by which lines are known
-_ROOM = 1.5  # [points] between words
+_ROOM = 4.0  # [points] between words
 _BELOW, _LATER = 1.0, 0.35  # cost of a point of a line below a word, and of a later place
 _TOO_MUCH = 6.0  # the cost at which a word that is not needed is left out
 _OVER_A_SIGN = 4.0  # cost of a point of an arrow, a dot or a pin below a word

@@ -115,7 +115,7 @@ class AnswerCompletion:
                 needed = self._on_the_way(self.reached, needed, state)
             conditions += needed
             if not judges_contacts and any(row.unilateral for row in self.setup.system.constraint_rows):
-                found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
+                found.notes.append(Message("no load acts, so contact forces and string tensions are not checked"))
         else:
             conditions += as_written(self.setup, self.question, state)
         return self.setup.in_free_coordinates(conditions, state, loops.SHORT)

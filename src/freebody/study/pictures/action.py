@@ -12,11 +12,12 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from freebody.measures.base import Measure
+from freebody.measures.distance import Distance
 from freebody.measures.geometry import Point, position
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
-from freebody.study.pictures.points import points_of, touching_point
+from freebody.study.pictures.points import own_measures, points_of, touching_point
 from freebody.tolerances import ON_LINE, ROUND_OFF
 
 
@@ -90,7 +91,8 @@ class Action:
             if contact is not None:
                 yield contact
         points = points_of(of.measure)
-        if isinstance(of, ConstraintRow):  # a corner on an edge: not where the edge is said to begin
+        is_link = all(isinstance(own, Distance) for _coefficient, own in own_measures(of.measure))
+        if isinstance(of, ConstraintRow) and not is_link:  # a corner on an edge: not where the edge is said to begin
             yield from (self.place(p) for p in points if p.name in of.ends[:2])
         yield from (self.place(p) for p in points if p.body == body)
         for row in siblings:
