@@ -1,7 +1,7 @@
 """Questions about equilibrium and small free oscillations about it.
 
-natural frequencies      period of small oscillations [of MEASURE]      mode shapes      mode 2      equilibrium of MEASURE
-stability of equilibrium      damping ratio      damped frequency      logarithmic decrement
+natural frequencies      period of small oscillations [of MEASURE]      mode shapes      mode 2
+equilibrium of MEASURE      stability of equilibrium      damping ratio      damped frequency      logarithmic decrement
 critical damping of PARAMETER
 """
 
@@ -60,7 +60,9 @@ questions: {it: period of small oscillations}
     def sentence(self, system: Described) -> Sentence:
         if self.measure is None:
             return Sentence(f"what.{self.what}")
-        return Sentence("what.small_period_of", {"of": Symbol(self.name) if self.name in system.measures else self.name})
+        return Sentence(
+            "what.small_period_of", {"of": Symbol(self.name) if self.name in system.measures else self.name}
+        )
 
 
 @dataclass(frozen=True)

@@ -78,8 +78,8 @@ def _insist_that_it_swings(found: FreeOscillations, measure: Measure, name: str)
     if len(found.swinging) < len(found.squares):
         raise CannotAnswer(
             Message(
-                "beside what oscillates there is a motion that nothing drives back to first order, which {x} may have a part "
-                "in; ask for the period of small oscillations",
+                "beside what oscillates there is a motion that nothing drives back to first order, which {x} may have "
+                "a part in; ask for the period of small oscillations",
                 x=name,
             )
         )

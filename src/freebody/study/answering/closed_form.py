@@ -280,6 +280,7 @@ class QuestionSolver:
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
+        begins = [c for c in begins if not c.element.is_zero()]  # a distance that starts at zero
         ends = [c for c in ends if not self._is_untold(c.element)]
         # nor is it compared where the closed loops do not close at the event; where they just do, in a singular pose,
         # there is a place but no velocity
