@@ -118,6 +118,23 @@ connections:
 measures: {psi: angle of table, phi: angle of line from table.center to man from table.x}
 start: {psi: 0, rate(psi): -u*m*R^2/(m*R^2 + M*R^2/2)}
 """
+BALL_IN_A_BOWL = """
+parameters: {m: 1 kg, r: 0.05 m, R: 0.5 m, p0: 40 deg, mu: 0.4, g: 9.81 m/s^2}
+bodies:
+  bowl: {ring: {radius: R}, at: [0, 0], angle: 0, fixed: true}
+  ball: {sphere: {mass: m, radius: r}, at: [(R - r)*sin(p0), -(R - r)*cos(p0)], velocity: [0, 0], angular_velocity: 0}
+connections: {c: {contact: {between: [ball, inside bowl], friction: mu}}}
+loads: {weight: {gravity: g}}
+"""
+PARTICLE_IN_A_MOVABLE_BOWL = """
+parameters: {m: 1 kg, M: 4 kg, R: 0.5 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {bowl: {particle: {mass: M}}, p: {particle: {mass: m}}}
+connections: {floor: {slider: {body: bowl, along: floor}}, surface: {link: [bowl, p, R]}}
+loads: {weight: {gravity: g}}
+measures: {x: x of bowl, th: angle of line from bowl to p from down}
+start: {x: 0, rate(x): 0, th: 90 deg, rate(th): 0}
+"""
 
 
 def expression(model: str, question: str) -> str:
@@ -158,6 +175,11 @@ def expression(model: str, question: str) -> str:
             "value of m2 for which velocity of z after the impact of bc is largest",
             "sqrt(m1*m3)",
         ),
+        # friction needs 2/7 m g sin(phi), most of what presses at the start: what is let go rolls from there or never
+        (BALL_IN_A_BOWL, "least mu so that it rolls", "2*tan(p0)/7"),
+        # the mass centre stays: M x = m (2 R - x) where the particle is on the other edge
+        (PARTICLE_IN_A_MOVABLE_BOWL, "greatest x", "2*m*R/(m + M)"),
+        (PARTICLE_IN_A_MOVABLE_BOWL, "greatest speed of bowl", "m*sqrt(2*g*R/(M*(m + M)))"),
         # no moment of momentum: M/2 psi' + m (psi' + phi') = 0
         (MAN_ON_A_TURNTABLE, "psi when phi = 2*pi", "-2*pi*m/(m + M/2)"),
     ],

@@ -4,6 +4,7 @@ compared, options are judged."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, singledispatchmethod
@@ -32,7 +33,7 @@ from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, real
 from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.extent import as_reached
-from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
+from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise, answered
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
 from freebody.study.answering.numbers import number_instead
@@ -376,7 +377,17 @@ class QuestionSolver:
             or wave_of(self.setup, q.of_motion.of) is not None
         ):
             return self._extreme(q.of_motion)
-        return find(self.setup, self.question.text, q.measure, q.side, q.name)
+        try:
+            return find(self.setup, self.question.text, q.measure, q.side, q.name)
+        except (NeverHappens, NotHere):
+            raise
+        except CannotAnswer:
+            # what a momentum leads along with one coordinate, as a bowl in which a ball slides, turns where that does
+            if len(self.model.coordinates) < 2:
+                raise
+            with suppress(CannotAnswer):
+                return self._extreme(q.of_motion)
+            raise
 
     @_found.register(ExtremeOfMotion)
     def _extreme(self, q: ExtremeOfMotion) -> Finding:
