@@ -135,6 +135,15 @@ loads: {weight: {gravity: g}}
 measures: {x: x of bowl, th: angle of line from bowl to p from down}
 start: {x: 0, rate(x): 0, th: 90 deg, rate(th): 0}
 """
+ROD_IN_A_HOOP = """
+parameters: {m: 1 kg, a: 0.3 m, R: 0.5 m, g: 9.81 m/s^2, p0: 10 deg}
+ground: {points: {O: [0, 0]}}
+bodies: {rod: {rod: {mass: m, length: 2*a}, near: {at: [0, -0.4 m], angle: p0}}}
+connections: {A: {link: [ground.O, rod.start, R]}, B: {link: [ground.O, rod.end, R]}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of rod}
+start: {phi: p0, rate(phi): 0}
+"""
 
 
 def expression(model: str, question: str) -> str:
@@ -180,6 +189,8 @@ def expression(model: str, question: str) -> str:
         # the mass centre stays: M x = m (2 R - x) where the particle is on the other edge
         (PARTICLE_IN_A_MOVABLE_BOWL, "greatest x", "2*m*R/(m + M)"),
         (PARTICLE_IN_A_MOVABLE_BOWL, "greatest speed of bowl", "m*sqrt(2*g*R/(M*(m + M)))"),
+        # a triangle that turns about O: d = sqrt(R^2 - a^2) down to the middle, m (d^2 + a^2/3) about O
+        (ROD_IN_A_HOOP, "period of small oscillations", "2*pi*sqrt((R**2 - 2*a**2/3)/(g*sqrt(R**2 - a**2)))"),
         # no moment of momentum: M/2 psi' + m (psi' + phi') = 0
         (MAN_ON_A_TURNTABLE, "psi when phi = 2*pi", "-2*pi*m/(m + M/2)"),
     ],
@@ -187,7 +198,20 @@ def expression(model: str, question: str) -> str:
 def test_a_problem_of_a_textbook_family_has_the_formula_of_its_derivation(
     model: str, question: str, expected: str
 ) -> None:
-    near = {"m1": 2.0, "m2": 3.0, "m": 0.5, "L": 1.0, "b": 0.5, "k": 100.0, "A": 0.5, "mu": 0.3, "v": 2.0, "h": 0.8}
+    near = {
+        "R": 1.5,
+        "m1": 2.0,
+        "m2": 3.0,
+        "m": 0.5,
+        "L": 1.0,
+        "b": 0.5,
+        "k": 100.0,
+        "A": 0.5,
+        "a": 0.3,
+        "mu": 0.3,
+        "v": 2.0,
+        "h": 0.8,
+    }
     assert_same_function(expression(model, question), expected, near)
 
 
