@@ -52,6 +52,10 @@ class Connection(Spec):
             cls.kind = kind
             Connection.kinds.register(kind, cls)
 
+    def keeps_as_one(self, names: Names) -> bool:
+        """Whether the places of its bodies are those of one body."""
+        return self.is_rigid
+
     def rows(self, names: Names) -> list[ConstraintRow]:
         """The measures it holds."""
         return []

@@ -11,7 +11,7 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
@@ -48,6 +48,14 @@ connections: {it: {pin: [ground.A, rod.start]}}
             names.problem(Message("pins {body} to itself; name points of two bodies", body=first.body))
             return []
         return coincidence(first, second)
+
+    def keeps_as_one(self, names: Names) -> bool:
+        """A particle in the middle of a wheel is where the wheel is."""
+        with names.quietly():
+            points = names.point(self.first, "first"), names.point(self.second, "second")
+        bodies = [names.known(point.body) for point in points]
+        is_middle = all(point.offset == body.center.offset for point, body in zip(points, bodies, strict=True))
+        return is_middle and not all(body.turns for body in bodies) and all(body.name != GROUND for body in bodies)
 
     def joined_points(self, names: Names) -> tuple[Point, Point]:
         return names.point(self.first, "first"), names.point(self.second, "second")

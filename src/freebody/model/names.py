@@ -199,6 +199,13 @@ class Names(Formulas):
         return names
 
     @property
+    def lets_go_from_rest(self) -> bool:
+        """Whether the file gives no velocity, no rate and no blow."""
+        moves = any(body.start.moves for body in self.bodies.values())
+        moves |= any(rate != ZERO for rate in self.start_rates.values())
+        return not (moves or self.impulses or self.struck_at_start)
+
+    @property
     def compass(self) -> dict[str, Direction]:
         """What directions are called, on the ground."""
         if not self.space:

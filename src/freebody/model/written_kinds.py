@@ -11,8 +11,9 @@ from freebody.model.spec import Spec
 def written_kind(word: str, value: Any, kinds: Mapping[str, type[Spec]], *, space: bool) -> str | None:
     """The kind that a file means by a word with these fields: of the kinds for which the word may stand, those that
     take all the fields and need no others; of these the one with the fewest fields of its own (a block without sides
-    is a particle). None where there is none, or where two are as plain."""
-    if word in kinds:
+    is a particle). None where there is none, or where two are as plain. A kind of that name goes first where it is one
+    of this model: in the plane a cylinder is a disk."""
+    if (own := kinds.get(word)) is not None and (space or not own.space_only):
         return word
     able: list[tuple[int, str]] = []
     for name, kind in kinds.items():
@@ -20,7 +21,9 @@ def written_kind(word: str, value: Any, kinds: Mapping[str, type[Spec]], *, spac
         if word in kind.also and is_here and _takes(kind, value):
             able.append((len(kind.model_fields), name))
     able.sort()
-    return None if not able or (len(able) > 1 and able[0][0] == able[1][0]) else able[0][1]
+    if not able:
+        return None if own is None else word
+    return None if len(able) > 1 and able[0][0] == able[1][0] else able[0][1]
 
 
 def words_also(kinds: Mapping[str, type[Spec]]) -> dict[str, list[str]]:

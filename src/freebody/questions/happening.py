@@ -99,6 +99,7 @@ _STATES: tuple[tuple[str, LastingKind], ...] = (
     (rf"{_STAYS} rolling(?: without (?:slip|slipping|sliding))?", "rolls"),
     (r"(?:does not|never) tips?(?: over)?", "stands"),
 )
+_ROLLS = re.compile(rf"^{_SUBJECT} rolls$")  # where it is let go; what is thrown comes to roll
 _TIPS = re.compile(rf"^{_SUBJECT} tips(?: over)?$")
 _LASTING: list[tuple[re.Pattern[str], LastingKind]] = [
     (re.compile(rf"^{_SUBJECT} {pattern}$"), kind) for pattern, kind in _STATES
@@ -188,6 +189,8 @@ def _stated(
         found = pattern.match(text)
         if found is not None and found["of"] not in names.measures:
             return Lasting(kind, _of(names, found.groupdict(), path), text), True
+    if not timed and names.lets_go_from_rest and (rolls := _ROLLS.match(text)) is not None:
+        return Lasting("rolls", _of(names, rolls.groupdict(), path), text), True
     if (tips := _TIPS.match(text)) is not None:
         return Lasting("stands", _of(names, tips.groupdict(), path), text), False
     if (escapes := _ESCAPES.match(text)) is not None and escapes["of"] in names.measures:

@@ -233,10 +233,18 @@ def _wrench(names: Names, found: Found, path: Path, kind: type[Wrench]) -> Wrenc
     on = None if found["on"] is None else names.body(str(found["on"]), *path).name
     part = str(found["part"] or "")
     along = None if found["along"] is None else names.direction(found["along"], *path)
+    if part == "horizontal" and names.space:
+        told = Message(
+            "in space a horizontal force has two components: ask for each, as in reaction of {connection} along x",
+            connection=of,
+        )
+        names.problem(told, *path)
     if part in ("horizontal", "x component of"):
         along = RIGHT
-    if part in ("vertical", "y component of"):
+    if part == "y component of":
         along = UP
+    if part == "vertical":
+        along = names.compass["up"]
     is_size = part in ("size of", "magnitude of")
     return kind(of, on, along, size=is_size, basis=read_basis(names, found["basis"], path))
 

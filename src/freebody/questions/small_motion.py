@@ -1,7 +1,7 @@
 """Questions about equilibrium and small free oscillations about it.
 
-natural frequencies      period of small oscillations      mode shapes      mode 2      equilibrium of MEASURE
-stability of equilibrium      damping ratio      damped frequency      logarithmic decrement
+natural frequencies      period of small oscillations [of MEASURE]      mode shapes      mode 2
+equilibrium of MEASURE      stability of equilibrium      damping ratio      damped frequency      logarithmic decrement
 critical damping of PARAMETER
 """
 
@@ -26,9 +26,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SmallOscillations(Quantity, kind="small oscillations"):
-    """Natural frequencies or period of small oscillations about the equilibrium."""
+    """Natural frequencies or period of small oscillations about the equilibrium.
+
+    measure: whose oscillations are meant; None: those of the whole system."""
 
     what: Literal["frequencies", "frequency", "period"]
+    measure: Measure | None = None
+    name: str = ""
 
     example = """
 bodies: {bob: {particle: {mass: 1 kg}}}
@@ -54,7 +58,11 @@ questions: {it: period of small oscillations}
         return True
 
     def sentence(self, system: Described) -> Sentence:
-        return Sentence(f"what.{self.what}")
+        if self.measure is None:
+            return Sentence(f"what.{self.what}")
+        return Sentence(
+            "what.small_period_of", {"of": Symbol(self.name) if self.name in system.measures else self.name}
+        )
 
 
 @dataclass(frozen=True)
@@ -192,9 +200,16 @@ def _frequencies(names: Names, found: Found, path: Path) -> Quantity | None:
     return SmallOscillations("frequency" if found["f"] == "frequency" else "frequencies")
 
 
-@asked("period of small oscillations", r"period(?: of(?: small)? oscillations?)?", rank=70)
+@asked(
+    "period of small oscillations [of MEASURE]",
+    r"period(?: of(?: small)? oscillations?)?|period of small oscillations of (?P<of>(?!.* about ).+)",
+    rank=70,
+)
 def _period(names: Names, found: Found, path: Path) -> Quantity | None:
-    return SmallOscillations("period")
+    if found["of"] is None:
+        return SmallOscillations("period")
+    measure = measure_of(names, found["of"], *path)
+    return None if measure is None else SmallOscillations("period", measure, str(found["of"]))
 
 
 @asked("equilibrium of MEASURE", r"equilibrium(?: value)? of (?P<of>.+)", rank=25)

@@ -12,8 +12,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
+from freebody.measures.geometry import Point
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.configuration import Configuration
@@ -144,7 +146,7 @@ class CoordinateChoice:
     # -- measures as coordinates --------------------------------------------------------------
     def _candidates(self) -> list[Candidate]:
         """The measures that the user names, then those that connections offer."""
-        measures = self._system.all_measures
+        measures = self._of_use()
         # wanted in the one order of measures; one that is at an extreme at the start is no coordinate there: last
         wanted = sorted(measures, key=lambda n: any(n in sample.still for sample in self._samples.points))
         turned_by = set(self._bodies.angle_names)
@@ -155,6 +157,17 @@ class CoordinateChoice:
             if measure not in named and name not in taken:
                 found.append(Candidate(name, measure, (OFFERED, -k)))
         return found
+
+    def _of_use(self) -> dict[str, Measure]:
+        """The named measures but those of lines that nothing else knows: neither the start, nor a load, nor what is
+        held. A length that is only watched, as that of a slack string, is no coordinate of what flies freely: its
+        motion has a short law in x and y, and none in a distance and an angle."""
+        system, measures = self._system, self._system.all_measures
+        known = [measures[n] for n in {*system.all_start, *system.all_start_rates} if n in measures]
+        known += [m for push in system.all_loads for m in (push.measure, *(m for _name, m in push.measures))]
+        known += [row.measure for row in system.constraint_rows]
+        lines = {_ends(line) for m in known if not isinstance(m, NonholonomicForm) for line in m.lines()}
+        return {n: m for n, m in measures.items() if not (own := set(map(_ends, m.lines()))) or own & lines}
 
     def _define(self, c: Candidate) -> Definition | None:
         """An unknown for a measure with its equations; None for one that cannot be written."""
@@ -339,6 +352,11 @@ class CoordinateChoice:
             else:
                 kept.append(c)
         return found
+
+
+def _ends(line: tuple[Point, Point]) -> frozenset[tuple[str, tuple[Expr, ...]]]:
+    """Between which points a line is, either way."""
+    return frozenset((point.body, point.offset) for point in line)
 
 
 def _label(name: str) -> str:

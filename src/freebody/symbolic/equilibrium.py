@@ -98,7 +98,7 @@ def equilibria(
         is_meant = first is not None and (first.is_stable is not False or not stable_first)
         if first is not None and is_meant and is_one_enough:
             return [first]
-    zeros = _zeros(model, forces, list(model.coordinates))
+    zeros = _zeros(model, forces, list(model.coordinates)) or _zeros_through_loops(model, forces)
     others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
     solutions = ([] if first is None else [first]) + others
     if not solutions:
@@ -314,6 +314,21 @@ def _distance(model: SymbolicModel, a: dict[int, Ratio], b: dict[int, Ratio]) ->
         values = model.samples.at_starts(value - b[k])
         total += abs(values[0]) if values else 0.0
     return total
+
+
+def _zeros_through_loops(model: SymbolicModel, forces: list[Ratio]) -> list[dict[int, Ratio]]:
+    """Of one freedom, with what closed loops bind put in by its formula: a rod between two links from one point is a
+    triangle, and turns as one."""
+    if not model.dependent or len(model.coordinates) != 1:
+        return []
+    f, (c,) = model.field, model.coordinates
+    try:
+        closure = Closure(model)
+        bound = closure.at({c.index: f.variable(c.index)})
+        alone = [f.lowest_terms(f.follow(F, bound)) for F in forces]
+        return [{**zero, **closure.at(zero)} for zero in _zeros(model, alone, [c])]
+    except (CannotAnswer, ZeroDivisionError):
+        return []
 
 
 def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) -> list[dict[int, Ratio]]:

@@ -120,14 +120,14 @@ def _point(
 
 def is_held(names: Names, body: str) -> bool:
     """Whether anything but strings, and a floor on which it may land, holds a body, or one that it is welded to: what
-    is welded to it and free otherwise hangs on the string with it."""
-    unit, welds = {body}, [c.mentions(names) for c in names.connections.values() if c.is_rigid]
-    while any(joined & unit and joined - unit for joined in welds):
-        unit = unit.union(*(joined for joined in welds if joined & unit))
+    is welded to it, or a particle in its middle, and free otherwise hangs on the string with it."""
+    unit, joints = {body}, [c.mentions(names) for c in names.connections.values() if c.keeps_as_one(names)]
+    while any(joined & unit and joined - unit for joined in joints):
+        unit = unit.union(*(joined for joined in joints if joined & unit))
     for other in names.connections.values():
         if other.is_floor_below(names, body):
             continue
-        mentioned = set[str]() if other.is_rigid or other.keeps_flat(names) else other.mentions(names)
+        mentioned = set[str]() if other.keeps_as_one(names) or other.keeps_flat(names) else other.mentions(names)
         if mentioned & (unit - {body} if other.lets_hang else unit):
             return True
     others = [names.known(name) for name in sorted(unit - {body})]

@@ -9,6 +9,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import n_operations
 from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, further
+from freebody.measures.base import Measure
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering.finding import Elements, Finding
@@ -18,7 +19,7 @@ from freebody.symbolic.decide import decide
 from freebody.symbolic.equilibrium import ClosedFormRest, StateOfRest, equilibria, lies_in_family
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.small_motion import free_oscillations
+from freebody.symbolic.small_motion import FreeOscillations, free_oscillations
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
@@ -38,6 +39,8 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
     wanted = [x for k in found.swinging for x in found.positive(found.modes[k])]
     unstable = CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
     swings = insisted((Condition(x, ">", Message("oscillates")) for x in dict.fromkeys(wanted)), unstable)
+    if q.measure is not None:
+        _insist_that_it_swings(found, q.measure, q.name)
     if q.what == "frequencies":
         squares = list(found.squares)
     elif not squares:
@@ -63,6 +66,23 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
         element = roots[0] if len(roots) == 1 else tuple(roots)
     evidence = at_equilibrium.small_oscillations(setup, question.text, q, element, found.equilibrium, resting, swings)
     return Finding(element, evidence, [*resting, *swings], notes, may_be_complex=found.are_real_by_symmetry)
+
+
+def _insist_that_it_swings(found: FreeOscillations, measure: Measure, name: str) -> None:
+    """Raises CannotAnswer unless a measure oscillates to first order, and by nothing but what has the one period."""
+    f, linear = found.model.field, found.linear
+    value = found.model.value_of(measure)
+    slopes = (f.follow(f.derivative(value, c.index), linear.still | linear.at) for c in found.model.coordinates)
+    if all(slope.is_zero() for slope in slopes):
+        raise CannotAnswer(Message("to first order {x} does not move in small oscillations", x=name))
+    if len(found.swinging) < len(found.squares):
+        raise CannotAnswer(
+            Message(
+                "beside what oscillates there is a motion that nothing drives back to first order, which {x} may have "
+                "a part in; ask for the period of small oscillations",
+                x=name,
+            )
+        )
 
 
 def _turning(premises: Sequence[Condition]) -> Callable[[Ratio], bool | None]:

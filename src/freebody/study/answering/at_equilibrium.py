@@ -99,6 +99,10 @@ def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float
     found = [float(w) for w in _numbers_about(setup, draw)]
     if not found:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
+    if quantity.measure is not None:
+        raise CannotAnswer(
+            Message("a number is told of the whole motion only: ask for the period of small oscillations")
+        )
     if quantity.what == "frequencies":
         return tuple(found) if len(found) > 1 else found[0]
     swinging = [w for w in found if w > 0.0]

@@ -4,6 +4,7 @@ compared, options are judged."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, singledispatchmethod
@@ -32,7 +33,7 @@ from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, real
 from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.extent import as_reached
-from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
+from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise, answered
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
 from freebody.study.answering.numbers import number_instead
@@ -280,6 +281,7 @@ class QuestionSolver:
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
+        begins = [c for c in begins if not c.element.is_zero()]  # a distance that starts at zero
         ends = [c for c in ends if not self._is_untold(c.element)]
         # nor is it compared where the closed loops do not close at the event; where they just do, in a singular pose,
         # there is a place but no velocity
@@ -375,7 +377,17 @@ class QuestionSolver:
             or wave_of(self.setup, q.of_motion.of) is not None
         ):
             return self._extreme(q.of_motion)
-        return find(self.setup, self.question.text, q.measure, q.side, q.name)
+        try:
+            return find(self.setup, self.question.text, q.measure, q.side, q.name)
+        except (NeverHappens, NotHere):
+            raise
+        except CannotAnswer:
+            # what a momentum leads along with one coordinate, as a bowl in which a ball slides, turns where that does
+            if len(self.model.coordinates) < 2:
+                raise
+            with suppress(CannotAnswer):
+                return self._extreme(q.of_motion)
+            raise
 
     @_found.register(ExtremeOfMotion)
     def _extreme(self, q: ExtremeOfMotion) -> Finding:

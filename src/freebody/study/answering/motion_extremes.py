@@ -242,14 +242,16 @@ def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
         raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))
     way = motion.way_of(c)
     x = explicit(model, f.lowest_terms(model.in_independent_speeds(f.element(value))))
-    here = {**motion.integrals.resting, **motion.integrals.speeds_at(c, f.variable(c.index), f.variable(c.speed))}
+    place = f.variable(c.index)
+    here = {**motion.integrals.places_at(c, place, None), **motion.integrals.resting}
+    here |= motion.integrals.speeds_at(c, place, f.variable(c.speed))
     here = {k: v for k, v in here.items() if k not in (c.index, c.speed)}
     x = f.lowest_terms(f.follow(x, here))
     others = {k.index for k in (*model.coordinates, *model.dependent)} - {c.index}
     others |= {k.speed for k in (*model.coordinates, *model.dependent)} - {c.speed}
     if f.ingredients(x) & others or any(f.generators[g].kind == "time" for g in f.ingredients(x)):
         raise CannotAnswer(Message("it depends on more than the place of {x} on its way", x=c.name))
-    if is_root := any(f.generators[g].kind == "root" and _moves(g, c, f) for g in x.generators()):
+    if is_root := any(f.generators[g].kind == "root" and _moves(g, (c,), f) for g in x.generators()):
         if not is_size(model, x, c):
             raise _NO_FORM
         x = f.lowest_terms(x * x)
@@ -261,19 +263,21 @@ def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
     return Along(setup, c, way, span, even, odd, is_root)
 
 
-def _moves(g: int, c: Coordinate, f: Field) -> bool:
-    return bool({c.index, c.speed} & f.generators[g].made_of)
+def _moves(g: int, coordinates: Sequence[Coordinate], f: Field) -> bool:
+    return any({c.index, c.speed} & f.generators[g].made_of for c in coordinates)
 
 
-def is_size(model: SymbolicModel, x: Ratio, c: Coordinate) -> bool:
-    """Whether it is a root with a factor that is positive, or does not move and is so at all samples."""
+def is_size(model: SymbolicModel, x: Ratio, *along: Coordinate) -> bool:
+    """Whether it is a root that changes along the coordinates, with a factor that is positive, or does not move and is
+    so at all samples."""
     f = x.field
-    roots = [g for g in x.generators() if f.generators[g].kind == "root" and _moves(g, c, f)]
+    roots = [g for g in x.generators() if f.generators[g].kind == "root" and _moves(g, along, f)]
     if len(roots) != 1 or roots[0] in x.denominator().generators():
         return False
     (rest, *slopes) = x.numerator().coefficients(roots[0])
     factor = slopes[0] / x.denominator()
-    is_still = not any(g in (c.index, c.speed) or _moves(g, c, f) for g in f.ingredients(factor))
+    own = {k for c in along for k in (c.index, c.speed)}
+    is_still = not any(g in own or _moves(g, along, f) for g in f.ingredients(factor))
     is_positive = sign_of(factor) in (Sign.POSITIVE, Sign.NONNEGATIVE)
     is_positive |= is_still and all(v > 0 for v in model.samples.at_starts(factor))
     return rest.is_zero() and len(slopes) == 1 and is_positive

@@ -15,6 +15,7 @@ from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
 from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import AskedEvent
+from freebody.study.answering.motion_extremes import is_size
 from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.numbers import Chosen
@@ -55,14 +56,18 @@ def sides(home: Home, phase: Phase, event: AskedEvent, began: Ratio | None, kind
 
 
 def rate_of(home: Home, phase: Phase, event: QuestionEvent) -> Ratio:
-    """How fast what turns back at an event changes in a phase: a measure, or a quantity of the state."""
+    """How fast what turns back at an event changes in a phase: a measure, or a quantity of the state. Of a size, as a
+    speed is, its square tells: it has a rate at rest, too, and grows and falls with it."""
     if not isinstance(event, Peak):
         return phase.state.rate(event.measure)
     f, model = phase.model.field, phase.model
     value: Any = value_in_mode(event.quantity, home.system, phase.system, phase.state)
     if isinstance(value, tuple):
         raise CannotAnswer(Message("it has several components; ask for one of them"))
-    rate = model.rate(model.in_independent_speeds(f.lowest_terms(f.element(value))))
+    x = model.in_independent_speeds(f.lowest_terms(f.element(value)))
+    if is_size(model, x, *model.coordinates):
+        x = f.lowest_terms(x * x)
+    rate = model.rate(x)
     return f.substitute(rate, model.dynamics.solved_accelerations)
 
 
