@@ -1,0 +1,197 @@
+"""Problems of textbook families of machines: brakes, controllers, columns, piles, linkages with slides. Beside each
+stands the family, and from what its formula follows by hand."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from conftest import assert_same_function
+from freebody.errors import ModelError
+from freebody.language.expression import Expr
+from freebody.language.notation import to_python
+
+
+def expression(model: str, question: str) -> str:
+    answer = fb.System.from_text(model).solve(question)["q1"]
+    assert isinstance(answer.expression, Expr), answer
+    return to_python(answer.expression)
+
+
+def value(model: str, question: str) -> float:
+    found = fb.System.from_text(model).solve(question)["q1"].value
+    assert isinstance(found, float)
+    return found
+
+
+# Meriam & Kraige, Statics: a block brake whose lever has no mass; moments about its hinge give N (a - mu c) = P b
+SHOE_BRAKE = """
+parameters: {a: 0.3 m, b: 1 m, c: 50 mm, R: 0.25 m, mu: 0.35, P: 150 N, I: 2 kg m^2, w0: 40 rad/s}
+ground: {points: {O: [0, 0], H: [-a, R + c]}}
+bodies:
+  drum: {body: {inertia: I, radius: R}, at: [0, 0]}
+  lever: {body: {}, at: [-a, R + c], angle: 0, points: {S: [a, -c], E: [b, 0]}}
+connections:
+  O: {pin: [ground.O, drum]}
+  H: {pin: [ground.H, lever]}
+  shoe: {contact: {between: [lever.S, drum], friction: mu}}
+loads: {hand: {force: {at: lever.E, along: down, magnitude: P}}}
+measures: {phi: angle of drum}
+start: {phi: 0, rate(phi): w0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        ("normal force of shoe", "b*P/(a - mu*c)"),
+        ("time when rate(phi) = 0", "I*w0*(a - mu*c)/(mu*R*b*P)"),
+        ("energy lost until slipping ends", "I*w0**2/2"),
+    ],
+)
+def test_a_lever_without_mass_needs_no_speed_at_the_start(question: str, expected: str) -> None:
+    assert_same_function(expression(SHOE_BRAKE, question), expected, {"a": 0.3, "c": 0.05, "mu": 0.35})
+
+
+# Franklin et al., Feedback Control: m s^3 + k_d s^2 + k_p s + k_i; the integral settles at -d/k_i
+PID = """
+parameters: {m: 2 kg, k_p: 50 N/m, k_d: 10 N s/m, k_i: 20 N/(m s), d: 4 N, r: 1 m}
+ground: {lines: {rail: {along: right}}}
+bodies: {cart: {particle: {mass: m}, at: [0, 0]}}
+connections: {rail: {slider: {body: cart, along: rail}}}
+measures: {x: x of cart}
+states: {z: x - r}
+loads:
+  control: {force: {at: cart, along: right, magnitude: -k_p*(x - r) - k_d*rate(x) - k_i*z}}
+  wind: {force: {at: cart, along: left, magnitude: d}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        ("largest k_i so that the steady motion is stable", "k_p*k_d/m"),
+        ("largest k_i so that the equilibrium is stable", "k_p*k_d/m"),
+        ("x in steady motion", "r"),
+    ],
+)
+def test_a_pid_controller_that_starts_elsewhere_settles_at_the_set_point(question: str, expected: str) -> None:
+    assert_same_function(expression(PID, question), expected)
+
+
+# a first-order lag between controller and plant: I T s^3 + (I + c T) s^2 + c s + K, Routh: (I + c T) c > I T K
+LAG = """
+parameters: {I: 0.4 kg m^2, c: 0.2 N m s, K: 3 N m, T: 0.1 s}
+ground: {points: {O: [0, 0]}}
+bodies: {rotor: {body: {inertia: I}}}
+connections: {O: {pin: [ground.O, rotor]}}
+measures: {phi: angle of rotor}
+states: {u: (-K*phi - u)/T}
+loads:
+  motor: {torque: {on: rotor, magnitude: u}}
+  drag: {torque: {on: rotor, magnitude: -c*rate(phi)}}
+"""
+
+
+def test_the_largest_lag_of_a_loop_follows_from_routh() -> None:
+    expected = "I*c/(I*K - c**2)"
+    assert_same_function(expression(LAG, "largest T so that the equilibrium is stable"), expected, {"K": 3.0, "c": 0.2})
+
+
+# Ziegler 1952: a double pendulum with masses 2m and m under a follower force flutters from (7/2 - sqrt(2)) k/L on
+ZIEGLER = """
+parameters: {L: 1 m, k: 10 N m, P: 5 N, m: 1 kg}
+ground: {points: {O: [0, 0]}}
+bodies: {a: {rod: {length: L}}, b: {rod: {length: L}}, ma: {particle: {mass: 2*m}}, mb: {particle: {mass: m}}}
+connections:
+  O: {pin: [ground.O, a.start]}
+  J: {pin: [a.end, b.start]}
+  wa: {weld: [a.end, ma]}
+  wb: {weld: [b.end, mb]}
+loads:
+  k1: {torsional_spring: {body: a, stiffness: k, angle: 90 deg}}
+  k2: {torsional_spring: {body: b, on: a, stiffness: k}}
+  follower: {force: {at: b.end, along: against b.x, magnitude: P}}
+measures: {p: angle of a from up, q: angle of b from up}
+start: {p: 0, q: 0}
+"""
+
+
+def test_zieglers_column_flutters_under_a_follower_force() -> None:
+    found = expression(ZIEGLER, "largest P so that the equilibrium is stable")
+    assert_same_function(found, "(7/2 - sqrt(2))*k/L")
+
+
+# Hibbeler, Statics: a beam on the floor leans over the edge of a wall; moments about its foot give the push of the edge
+OVER_AN_EDGE = """
+parameters: {m: 12 kg, L: 3 m, h: 1 m, theta: 40 deg, mu: 0.6, g: 9.81 m/s^2}
+ground: {points: {edge: [0, h]}, lines: {floor: {along: right}}}
+bodies: {rod: {rod: {mass: m, length: L}, at: {start: [-h/tan(theta), 0]}, angle: theta}}
+connections:
+  foot: {contact: {between: [rod.start, ground.floor], friction: mu}}
+  top: {contact: {between: [ground.edge, rod]}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_beam_over_an_edge_needs_friction_at_its_foot() -> None:
+    found = value(OVER_AN_EDGE, "least mu so that it stays at rest")
+    m, L, h, theta, g = 12, 3, 1, math.radians(40), 9.81
+    edge = m * g * L / 2 * math.cos(theta) * math.sin(theta) / h
+    assert found == pytest.approx(edge * math.sin(theta) / (m * g - edge * math.cos(theta)), rel=1e-9)
+
+
+# Meriam & Kraige: three equal logs in a pile: friction/normal force is tan 15 deg between them, a third of it below
+PILE = """
+parameters: {m: 30 kg, r: 0.15 m, mu: 0.3, nu: 0.2, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  left: {disk: {mass: m, radius: r}, at: [-r, r]}
+  right: {disk: {mass: m, radius: r}, at: [r, r]}
+  top: {disk: {mass: m, radius: r}, at: [0, r + r*sqrt(3)]}
+connections:
+  fl: {contact: {between: [left, ground.floor], friction: nu}}
+  fr: {contact: {between: [right, ground.floor], friction: nu}}
+  tl: {contact: {between: [top, left], friction: mu}}
+  tr: {contact: {between: [top, right], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(("mu", "nu", "holds"), [(0.3, 0.2, True), (0.26, 0.2, False), (0.3, 0.085, False)])
+def test_a_pile_of_logs_holds_where_both_frictions_suffice(mu: float, nu: float, holds: bool) -> None:
+    model = PILE.replace("mu: 0.3", f"mu: {mu}").replace("nu: 0.2", f"nu: {nu}")
+    assert (mu >= math.tan(math.radians(15)) and nu >= math.tan(math.radians(15)) / 3) == holds
+    answer = fb.System.from_text(model).solve("does it hold")["q1"]
+    assert answer.expression is not None
+    assert ("does not hold" in str(answer.verdict)) != holds
+
+
+def test_a_guide_through_a_point_that_it_guides_is_refused() -> None:
+    model = """
+bodies: {bar: {rod: {length: 1 m, mass: 1 kg}, at: {start: [0, 0]}, angle: 10 deg}}
+ground: {points: {O: [0, 0]}}
+connections:
+  O: {pin: [ground.O, bar.start]}
+  hold: {slot: {pin: bar.end, along: right, through: bar.end}}
+"""
+    with pytest.raises(ModelError, match=r"bar\.end moves with what is guided"):
+        fb.System.from_text(model)
+
+
+# a plank whose lower side lies on a cylinder: stable for h < 2 R (Sommerfeld, Mechanics)
+def test_a_plank_on_a_drum_is_stable_below_its_diameter() -> None:
+    model = """
+parameters: {m: 3 kg, L: 1 m, h: 0.1 m, R: 0.2 m, g: 9.81 m/s^2}
+bodies:
+  drum: {disk: {radius: R}, fixed: true, at: [0, 0]}
+  plank:
+    {rectangle: {mass: m, width: L, height: h}, lines: {base: {along: right, through: bottom}}, at: [0, R + h/2]}
+connections: {roll: {rolling: {body: drum, on: plank.base, below: true}}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of plank}
+start: {theta: 0}
+"""
+    assert_same_function(expression(model, "range of h for which the equilibrium is stable"), "2*R")
