@@ -1,5 +1,6 @@
-"""For which parameters an equilibrium is stable: all leading minors of the stiffness are positive (Sylvester), or, where
-the stiffness alone does not tell, what Routh's array asks for is."""
+"""For which parameters an equilibrium is stable: all leading minors of the stiffness are positive (Sylvester), or,
+where it does not tell, all that Routh's array asks for.
+"""
 
 from __future__ import annotations
 
