@@ -194,3 +194,41 @@ measures: {theta: angle of plank}
 start: {theta: 0}
 """
     assert_same_function(expression(model, "range of h for which the equilibrium is stable"), "2*R", {})
+
+
+# m x'' + k x = F sin(W t): not damped, so both frequencies stay, and at W = sqrt(k/m) the amplitude grows with the time
+FORCED = """
+parameters: {m: 2 kg, k: 200 N/m, F: 10 N, W: 7 rad/s}
+bodies: {block: {particle: {mass: m}, at: [0, 0]}}
+connections: {g: {slider: {body: block, along: right}}}
+loads: {s: {law: {measure: x, force: -k*x}}, f: {force: {at: block, along: right, magnitude: F*sin(W*t)}}}
+measures: {x: x of block}
+start: {x: 0, rate(x): 0}
+"""
+
+
+def test_the_first_turn_of_a_forced_motion_is_not_taken_for_its_farthest() -> None:
+    answer = fb.System.from_text(FORCED).solve("greatest x")["q1"]
+    # x = F/(m (w^2 - W^2)) (sin W t - W/w sin w t), w = 10: both sides alike over the common period 2 pi s
+    assert answer.value is None
+    assert "it gets farther later on: in a simulation of 60 s" in str(answer.reason)
+
+
+def test_resonance_without_damping_has_no_steady_amplitude_in_numbers_either() -> None:
+    model = FORCED.replace(", W: 7 rad/s", "").replace("W*t", "sqrt(k/m)*t")
+    answer = fb.System.from_text(model).solve("steady amplitude of x")["q1"]
+    assert answer.value is None
+    assert "resonance without damping" in str(answer.reason)
+
+
+def test_the_work_of_a_driver_is_what_the_energy_gains() -> None:
+    model = """
+parameters: {m: 2 kg, L: 1 m, w: 3 rad/s, a: 30 deg, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {arm: {rod: {mass: m, length: L}}}
+connections: {O: {pin: [ground.O, arm.start]}, motor: {driver: {measure: phi, follows: w*t}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of arm}
+"""
+    # at a constant rate T stays, and the centre rises by L/2 sin phi
+    assert_same_function(expression(model, "work of motor until phi = a"), "m*g*L/2*sin(a)", {"a": 0.5})
