@@ -232,3 +232,31 @@ measures: {phi: angle of arm}
 """
     # at a constant rate T stays, and the centre rises by L/2 sin phi
     assert_same_function(expression(model, "work of motor until phi = a"), "m*g*L/2*sin(a)", {"a": 0.5})
+
+
+# Meriam & Kraige, Statics: ice tongs on a block; moments about the pivot give N h = W b, the ring T cos = W/2
+TONGS = """
+parameters: {W: 800 N, b: 0.2 m, h: 0.3 m, k: 0.15 m, mu: 0.8, g: 9.81 m/s^2}
+ground: {points: {hook: [0, h + k]}}
+bodies:
+  ring: {particle: {}, at: [0, h + k]}
+  left: {body: {}, at: [0, h], angle: 0, points: {top: [b, 0], tip: [-b, -h]}}
+  right: {body: {}, at: [0, h], angle: 0, points: {top: [-b, 0], tip: [b, -h]}}
+  block: {rectangle: {mass: W/g, width: 2*b, height: 0.4 m}, at: [0, 0], angle: 0}
+connections:
+  pivot: {pin: [left, right]}
+  h: {weld: [ground.hook, ring]}
+  rl: {link: [ring, left.top]}
+  rr: {link: [ring, right.top]}
+  cl: {contact: {between: [left.tip, block], friction: mu}}
+  cr: {contact: {between: [right.tip, block], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"), [("normal force of cl", "W*b/h"), ("tension of rl", "W/2*sqrt(b**2 + k**2)/k")]
+)
+def test_forces_at_rest_need_no_formulas_of_the_motion(question: str, expected: str) -> None:
+    near = {"b": 0.2, "h": 0.3, "k": 0.15, "mu": 0.8}
+    assert_same_function(expression(TONGS, question), expected, near)
