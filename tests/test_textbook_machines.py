@@ -260,3 +260,11 @@ loads: {weight: {gravity: g}}
 def test_forces_at_rest_need_no_formulas_of_the_motion(question: str, expected: str) -> None:
     near = {"b": 0.2, "h": 0.3, "k": 0.15, "mu": 0.8}
     assert_same_function(expression(TONGS, question), expected, near)
+
+
+def test_in_exact_resonance_the_value_is_that_of_the_motion() -> None:
+    answer = fb.System.from_text(FORCED.replace("W: 7", "W: 10")).solve("x at t = 1 s")["q1"]
+    # x = F/(2 m w^2) (sin w t - w t cos w t), the limit of the forced law for W -> w
+    expected = 10 / (2 * 2 * 100) * (math.sin(10) - 10 * math.cos(10))
+    assert answer.value == pytest.approx(expected, rel=1e-9)
+    assert "the value is that of the simulated motion" in [str(note) for note in answer.notes]
