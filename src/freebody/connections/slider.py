@@ -57,6 +57,7 @@ def guide(
     origin, is_kept = Point(GROUND, (ZERO, ZERO), "ground.origin"), False
     if through is not None:
         origin = names.point(through, "through")
+        _refuse_own_point(names, point, origin)
     elif line is not None:
         origin = line.through
         is_kept = direction.body == GROUND and _is_put(names, point, keeps_angle=keeps_angle)
@@ -74,6 +75,16 @@ def guide(
     across = Displacement(point, origin, direction.normal())
     kept = Combination(((ONE, across),), LENGTH) if is_kept else across
     return Guide(kept, Displacement(point, origin, direction))
+
+
+def _refuse_own_point(names: Names, guided: Point, through: Point) -> None:
+    """A line that goes along with what it guides holds nothing: the displacement of a point from itself is zero."""
+    if through.body == guided.body:
+        told = Message(
+            "{point} moves with what is guided; name a point of the guide, or put the body there with at",
+            point=through.name,
+        )
+        names.problem(told, "through")
 
 
 def ground_guide(names: Names, body: str, guided: str, along: Heading, on: str) -> Direction | None:

@@ -100,7 +100,11 @@ class ForcedOscillation:
                 )
             )
         if self.determinant.is_zero:
-            raise CannotAnswer(Message("nothing limits the motion: a direction has neither stiffness nor mass"))
+            raise CannotAnswer(
+                Message(
+                    "nothing limits the motion: resonance without damping, or a direction without stiffness and mass"
+                )
+            )
         n, found = len(self.force), list[Phasor]()
         for k in range(n):
             replaced = [

@@ -129,7 +129,8 @@ def least_energy(model: SymbolicModel, given: Sequence[Row], start: Mapping[int,
 
         p(u) = A^T lambda,        A u = b        (Gauss: the least kinetic energy).
 
-    Raises CannotAnswer where a speed moves nothing that has mass."""
+    A speed that moves nothing with mass and stands in no given rate costs no energy: it is zero, the least motion.
+    Raises CannotAnswer where given rates hold several of these together."""
     f = model.field
     speeds = [c.speed for c in model.coordinates]
     at_start = {k: x for k, x in start.items() if k not in speeds}
@@ -148,8 +149,9 @@ def least_energy(model: SymbolicModel, given: Sequence[Row], start: Mapping[int,
     solved = solve(f, rows, [*speeds, *multipliers], Ratio.is_zero)
     if solved.contradictory:
         raise CannotAnswer(Message("the velocities of the start contradict each other"))
-    if set(solved.free) & set(speeds):
-        names = [c.name for c in model.coordinates if c.speed in solved.free]
+    bound = {s for line in (*given, *solved.pivots.values()) for s in line}
+    names = [c.name for c in model.coordinates if c.speed in solved.free and c.speed in bound]
+    if names:
         raise CannotAnswer(
             Message(
                 "the start does not say how fast {names} changes; give rate({name}) in start",
@@ -157,7 +159,7 @@ def least_energy(model: SymbolicModel, given: Sequence[Row], start: Mapping[int,
                 name=names[0],
             )
         )
-    return {speed: f.lowest_terms(solved.pivots[speed].get(RHS, f.zero)) for speed in speeds}
+    return {s: f.zero if s in solved.free else f.lowest_terms(solved.pivots[s].get(RHS, f.zero)) for s in speeds}
 
 
 def _row_of(x: Ratio, speeds: Sequence[int]) -> Row:

@@ -27,7 +27,7 @@ from freebody.study.answering.finding import Elements, Finding, judged
 from freebody.study.answering.integrals import special_functions_named
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.named_formulas import Chain
-from freebody.study.answering.numbers import LONGEST
+from freebody.study.answering.numbers import LONGEST, number_instead
 from freebody.study.answering.scope import for_all
 from freebody.study.answering.witness import motion_to, patience
 from freebody.study.setup import Setup
@@ -68,7 +68,9 @@ class AnswerCompletion:
             needed = self.conditions(found, element)
             broken = self._violated(needed)
             found.notes += broken + loops.loops_in(self.setup, element, self.state, chain)
-            value = None if broken else value
+            if broken:
+                value = self._where_a_divisor_vanishes(needed)
+                found.notes += [] if value is None else [Message("the value is that of the simulated motion")]
             parts = element if isinstance(element, tuple) else (element,)
             found.notes += special_functions_named(parts)
             told = texts(needed, until_event=self.reached is not None)
@@ -128,6 +130,15 @@ class AnswerCompletion:
             free = self.setup.in_free_coordinates(group, state)
             found += kept_until(self.setup.motion, reached, free, closing=group is closing)
         return found
+
+    def _where_a_divisor_vanishes(self, conditions: Sequence[Condition]) -> Value:
+        """What a motion that is followed to an event gives by numbers where nothing but a divisor of its formula is
+        zero, as in exact resonance: the motion itself has no gap there."""
+        if self.reached is None or any(c.relation != "!=" and self._is_broken(c) for c in conditions):
+            return None
+        with suppress(CannotAnswer, ArithmeticError, ValueError):
+            return number_instead(self.setup, self.question)
+        return None
 
     def _violated(self, conditions: list[Condition]) -> list[str]:
         """Conditions that the model's own numbers break at the start; the answer is not true of that model."""

@@ -6,7 +6,7 @@ from functools import partial, singledispatch
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.arithmetic import AtStart
@@ -25,6 +25,7 @@ from freebody.study.answering.passage import smooth_numbers
 from freebody.study.answering.witness import TOLERANCE, motion_to, patience, states_at
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
+from freebody.system.modes import depends_on_time
 
 N_PANELS = 16
 LONGEST = 60.0  # [s] that an event is waited for
@@ -140,13 +141,14 @@ def _extent_number(quantity: Extent, setup: Setup, event: AskedEvent | None, dra
     from freebody.study.answering.extent import extent_in_numbers
 
     value = extent_in_numbers(draw, quantity.measure, quantity.side)
-    if len(setup.model.coordinates) > 1:  # the first turns need not be the farthest
+    if len(setup.model.coordinates) > 1 or depends_on_time(setup.system):  # the first turns need not be the farthest
         _insist_no_farther(quantity, draw, value)
     return value
 
 
 def _insist_no_farther(quantity: Extent, draw: Draw, value: float) -> None:
-    """Raises CannotAnswer where it gets farther later on."""
+    """Raises BudgetExhausted where it gets farther later on: the time that is looked at tells how far, not that no more
+    comes."""
     longest = patience(draw.start(), LONGEST)
     try:
         seen = states_at(draw.reference, draw.start(), np.linspace(0.0, longest, _N_LOOKS))
@@ -157,7 +159,7 @@ def _insist_no_farther(quantity: Extent, draw: Draw, value: float) -> None:
         told = Message(
             "it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=longest, value=reached
         )
-        raise CannotAnswer(told)
+        raise BudgetExhausted(told)
 
 
 @_number.register(ExtremeOfMotion)

@@ -25,7 +25,6 @@ from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.first_integrals import is_driven
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.system.system import System
@@ -42,6 +41,11 @@ _ROUND_OFF = 1e-9  # of the product of two rates
 
 def _no_load(name: str) -> Message:
     return Message("{load} is no load; the work of a constraint is asked as power", load=name)
+
+
+def drivers(system: Described) -> set[str]:
+    """The connections that hold something at a function of time."""
+    return {row.connection for row in system.constraint_rows if row.general is not None or row.is_driven}
 
 
 @dataclass(frozen=True)
@@ -67,7 +71,7 @@ class FormulaPassage:
 
     def work(self, load: str) -> Ratio:
         """Of a load that is a function of its own measure: minus the change of its potential. Of the only one that is
-        not, what T + V gains."""
+        not, and of the only driver, what T + V gains."""
         before, after, _is_balance = self.energies(load)
         return before.field.lowest_terms(after - before)
 
@@ -75,7 +79,9 @@ class FormulaPassage:
         """At the start and at the end, of which the work of a load is the difference: minus its potential, or T + V of
         all else, then True."""
         if all(p.load != load for p in self.system.applied_loads):
-            raise CannotAnswer(_no_load(load))
+            if drivers(self.system) != {load} or (found := self._balance(load)) is None:
+                raise CannotAnswer(_no_load(load))
+            return (*found, True)
         try:
             return (*self._potentials([load], -1), False)
         except CannotAnswer:
@@ -88,7 +94,7 @@ class FormulaPassage:
         """T, and V of all other loads; None where not these alone do work: where dry friction does, something is led
         through time, or one phase follows another."""
         first = self.phases[0]
-        if len(self.phases) > 1 or self.system.dry_friction or is_driven(first.begin.model):
+        if len(self.phases) > 1 or self.system.dry_friction or drivers(self.system) - {load}:
             return None
         try:
             others = list(dict.fromkeys(p.load for p in self.system.applied_loads if p.load != load))
@@ -209,7 +215,8 @@ class NumericPassage:
         return self.now.value(measure) - self.begin.value(measure)
 
     def work(self, load: str) -> float:
-        if load not in self.system.loads:
+        is_driver = self.work_done is not None and load in drivers(self.system)
+        if load not in self.system.loads and not is_driver:
             raise CannotAnswer(_no_load(load))
         if self.work_done is not None:
             return self.work_done(load)

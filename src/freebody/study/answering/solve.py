@@ -26,6 +26,7 @@ from freebody.study.answering.parts import part_for
 from freebody.study.answering.past_borders import is_of_motion, past_borders
 from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.plain_numbers import with_plain_numbers
+from freebody.study.answering.reactions_at_rest import reaction_at_rest
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.sticking import while_it_sticks
 from freebody.study.given import each
@@ -340,13 +341,14 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         if system.space:
             return _without_phases(system, questions, str(error))
         rests = [q for q in questions if q.quantity.scope == "rest"]
-        if not rests:
+        held = {q.id: found for q in questions if (found := reaction_at_rest(system, q)) is not None}
+        if not rests and not held:
             raise ModelError([Problem((), str(error))], system.file) from error
         try:
             at_pose = _at_rest(system, rests)  # rest asks for no motion
         except CannotAnswer:
             raise ModelError([Problem((), str(error))], system.file) from error
-        found = {a.id: a for a in at_pose.answers}
+        found = {a.id: a for a in at_pose.answers} | held
         return replace(at_pose, answers=tuple(found.get(q.id) or refused(q, str(error)) for q in questions))
     phases = phases_of(tree)
     found = [at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions]

@@ -4,7 +4,7 @@ it is the one that comes first."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -13,6 +13,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.numeric.rest_problem import rest_problem
+from freebody.study.answering.crosscheck import MIN_DRAWS
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.answering.parameter_domain import above
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
@@ -33,6 +34,7 @@ from freebody.tolerances import ROUND_OFF
 
 MOST_CASES = 6
 _FAR = 1.6  # how far these are from the file's values, against the usual draws
+_LIKE_OWN = 0.3  # and how far where few of them have an answer
 
 _MORE = {1: Message("a larger one does not hold"), -1: Message("a smaller one does not hold")}
 
@@ -104,14 +106,16 @@ class Ends:
     def draws(self) -> list[Draw]:
         """The draws of the setup and wider ones, in whose pose the same contacts touch and nothing else does; the first
         has the file's own values. Raises CannotAnswer where that one is none of them."""
-        wide = draws(self.touching.held, self.n_wide, seed=SEED + 50, widest=_FAR, near=self.setup.draws[0])
-        every = [*self.setup.draws, *wide]
-        acute = [p.name for p in self.touching.system.parameters.values() if p.acute]
-        kept = [d for d in every if all(0.0 < d.values[name] < math.pi / 2 for name in acute)]
-        found = [d for d in kept if self.touching.is_admissible(d.reference, d.q)]
         own = self.setup.draws[0]
+        wide = draws(self.touching.held, self.n_wide, seed=SEED + 50, widest=_FAR, near=own)
+        found = self._admissible([*self.setup.draws, *wide])
         self.touching.insist(own.reference, own.q)
         return found
+
+    def _admissible(self, every: Iterable[Draw]) -> list[Draw]:
+        acute = [p.name for p in self.touching.system.parameters.values() if p.acute]
+        kept = [d for d in every if all(0.0 < d.values[name] < math.pi / 2 for name in acute)]
+        return [d for d in kept if self.touching.is_admissible(d.reference, d.q)]
 
     def limit(self, sign: int) -> HoldingLimit:
         """One end, with all cases that the draws come across, searched for once."""
@@ -122,7 +126,24 @@ class Ends:
     def _searched(self, sign: int) -> HoldingLimit:
         cases: list[FailureCase] = []
         compared: list[Compared] = []
-        for draw in self.draws:
+        self._search(self.draws, sign, cases, compared)
+        if sum(c.exact is not None for c in compared) < MIN_DRAWS:
+            # few parameters have such an end at all: some more like the file's own
+            own = self.setup.draws[0]
+            like_own = draws(self.touching.held, self.n_wide, seed=SEED + 51, widest=_LIKE_OWN, near=own)
+            self._search(self._admissible(like_own), sign, cases, compared)
+        joined = {case: case for case in cases}
+        for case in cases:
+            for other in cases:
+                both = one_of_both(joined[case], joined[other])
+                if both is not None:
+                    joined |= {k: both for k, v in joined.items() if v in (joined[case], joined[other])}
+        compared = [c if c.case is None else replace(c, case=joined[c.case]) for c in compared]
+        return HoldingLimit(sign, tuple(dict.fromkeys(joined.values())), tuple(compared))
+
+    def _search(self, at: Iterable[Draw], sign: int, cases: list[FailureCase], compared: list[Compared]) -> None:
+        """Adds what is found at these draws."""
+        for draw in at:
             near = next((x for c in cases if self.holds(c, draw) and (x := self.number(c.element, draw))), None)
             try:
                 edge = self.edge(draw, sign, near)
@@ -132,14 +153,6 @@ class Ends:
                 compared.append(self._compare(draw, edge, sign, cases))
             elif draw is self.setup.draws[0]:
                 raise CannotAnswer(self.why_never(draw))
-        joined = {case: case for case in cases}
-        for case in cases:
-            for other in cases:
-                both = one_of_both(joined[case], joined[other])
-                if both is not None:
-                    joined |= {k: both for k, v in joined.items() if v in (joined[case], joined[other])}
-        compared = [c if c.case is None else replace(c, case=joined[c.case]) for c in compared]
-        return HoldingLimit(sign, tuple(dict.fromkeys(joined.values())), tuple(compared))
 
     def why_never(self, draw: Draw) -> str:
         """Why nothing holds the system at a draw."""

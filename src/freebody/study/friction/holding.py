@@ -96,7 +96,7 @@ class RestHolding(Ends):
             return alone
         motion = self.equations.motion(here.failure, {})
         if motion is None:
-            return None
+            return self._friction_alone(here)
         found = [b for m in self._by_sizes(here, motion, {}) if (b := self._barrier_of(here, m)) is not None]
         return min(found, key=lambda b: len(b.where), default=None)
 
@@ -115,6 +115,25 @@ class RestHolding(Ends):
         size = eq.state.sqrt(self.field.lowest_terms(known[0] ** 2 + known[1] ** 2))
         reserve = self.field.lowest_terms(eq.coefficient(slipping[0], 1) * known[2] - size)
         return FailureMode(here.words, Condition(reserve, ">="))
+
+    def _friction_alone(self, here: SeenFailure) -> FailureMode | None:
+        """Where nothing but one place slips, and no motion is left that slips nowhere else, as by symmetry: the forces
+        there are unique, and inside the cone."""
+        eq, failure = self.equations, here.failure
+        sticking = eq.reactions(Failure())
+        if len(failure.slips) != 1 or failure.opens or not all(map(self.model.samples.vanishes, sticking.residuals)):
+            return None
+        rub = eq.dry_friction[failure.slips[0][0]]
+        force, load = _friction(eq, sticking, rub), _load(eq, sticking, rub, failure)
+        if force is None or load is None or rub.across is not None:
+            return None
+        value = self.number(force, here.draw)
+        if value is None:
+            return None
+        size = force if value >= 0.0 else -force
+        reserve = self.field.lowest_terms(eq.coefficient(rub, 1) * load - size)
+        where = tuple(self._at_their_signs((size, ">=", ""), here.draw))
+        return FailureMode(here.words, require(reserve, ">=")[0], where)
 
     def _barrier_of(self, here: SeenFailure, motion: dict[Slot, Ratio]) -> FailureMode | None:
         try:
@@ -258,22 +277,22 @@ def _reserves(study: RestHolding, first: Looked) -> list[str]:
         force = _friction(eq, reduced, rub)
         if force is None or not rub.of or not rub.row.reaction.startswith("friction force"):
             continue
-        pressing, constant = eq.load(rub, first.seen.failure)
-        load = constant
-        for column, share in pressing.items():
-            row = reduced.pivots.get(column)
-            if row is None or set(row) - {RHS}:
-                break
-            load = load + share * row.get(RHS, study.field.zero)
-        else:
-            if not load.is_zero():
-                ratio = study.field.lowest_terms(force / load)
-                where = rub.row.ends[0] if rub.row.ends else rub.row.connection
-                shown = tidy(ratio)
-                found.append(
-                    Stated(
-                        Message("{place}: friction force / normal force = {ratio}", place=where, ratio=to_text(shown)),
-                        to_python(shown),
-                    )
-                )
+        load = _load(eq, reduced, rub, first.seen.failure)
+        if load is not None and not load.is_zero():
+            ratio = study.field.lowest_terms(force / load)
+            where = rub.row.ends[0] if rub.row.ends else rub.row.connection
+            shown = tidy(ratio)
+            told = Message("{place}: friction force / normal force = {ratio}", place=where, ratio=to_text(shown))
+            found.append(Stated(told, to_python(shown)))
     return found
+
+
+def _load(eq: RestEquations, reduced: ReducedColumns, rub: DryFriction, failure: Failure) -> Ratio | None:
+    """What presses on a place with friction; None if it is not unique."""
+    pressing, load = eq.load(rub, failure)
+    for column, share in pressing.items():
+        row = reduced.pivots.get(column)
+        if row is None or set(row) - {RHS}:
+            return None
+        load = load + share * row.get(RHS, eq.field.zero)
+    return load

@@ -9,6 +9,7 @@ Source: Gruebler, Getriebelehre (1917); Kutzbach, Maschinenbau 8 (1929) 710.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
@@ -41,6 +42,7 @@ class Gruebler:
     connections: tuple[ConstraintCount, ...]
     loads: tuple[str, ...]
     space: bool = False
+    by_friction: tuple[str, ...] = ()  # connections of which dry friction holds a part, as long as it sticks
 
     @property
     def n(self) -> int:
@@ -97,8 +99,9 @@ class Gruebler:
         }
 
 
-def gruebler(system: System) -> Gruebler:
-    """Counts bodies and constraints, connection by connection."""
+def gruebler(system: System, rubbing: Collection[str] = ()) -> Gruebler:
+    """Counts bodies and constraints, connection by connection. rubbing: the connections with dry friction, of which the
+    rows of the system are those that stick."""
     by_name: dict[str, list[ConstraintRow]] = {name: [] for name in system.connections}
     for row in system.constraint_rows:
         if row.connection in by_name:
@@ -109,6 +112,7 @@ def gruebler(system: System) -> Gruebler:
         tuple(_held(system, name, rows) for name, rows in by_name.items()),
         tuple(system.loads),
         system.space,
+        tuple(name for name in rubbing if any(r.reaction.startswith("friction") for r in by_name.get(name, ()))),
     )
 
 

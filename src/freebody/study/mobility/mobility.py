@@ -50,12 +50,13 @@ def mobility(system: System, along: str | None = None, *, assembly_modes: bool =
     What touches at the start is held in touch, and what sticks where it is.
 
     Raises InputError for an unknown name, CannotAnswer if the motion cannot be followed along it."""
-    if system.bounds or system.dry_friction:
+    rubbing = tuple(dict.fromkeys(rub.row.connection for rub in system.dry_friction))
+    if system.bounds or rubbing:
         from freebody.study.settled import settled
 
         system = settled(system, forces=False)
     system = system.without_states
-    count = gruebler(system)
+    count = gruebler(system, rubbing)
     if system.unspecified:
         if along is not None:
             raise CannotAnswer(

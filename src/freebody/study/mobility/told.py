@@ -59,6 +59,12 @@ def count_section(g: Gruebler) -> Section:
             names=", ".join(g.loads[:_MOST]),
         )
         blocks.append(line(told))
+    if g.by_friction:
+        told = Message(
+            "{names}: friction holds as well, as long as it sticks; solve counts the freedoms without it",
+            names=", ".join(g.by_friction[:_MOST]),
+        )
+        blocks.append(line(told))
     count = line(Message("DOF = n L - K = {count}", count=g.formula))
     return Section((Message("Gruebler-Kutzbach count"),), (*blocks, count))
 

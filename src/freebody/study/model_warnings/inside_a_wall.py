@@ -35,9 +35,10 @@ class InsideAWall(WarningKind, name="inside a wall"):
                 if body.name in touching and low < -model.close:
                     told = Message(
                         "{body} starts inside {line}, which is solid on the right of its direction: move {body}, or "
-                        "turn the line round (the other way along)",
+                        "turn the line round ({round})",
                         body=body.name,
                         line=called,
+                        round=_turned_round(model, line),
                     )
                     yield self.warning(told, "bodies", body.name, about=about)
                 elif body.name not in near and low < -model.close and high > model.close:
@@ -60,6 +61,13 @@ class InsideAWall(WarningKind, name="inside a wall"):
             return side(None) - number(body.radius), side(None) + number(body.radius)
         sides = [side(name) for name in body.points if name in (*body.corners, "start", "end")]
         return min(sides, default=0.0), max(sides, default=0.0)
+
+
+def _turned_round(model: Opened, line: Line) -> str:
+    """What to write so that the other side of a line is solid: the side by name, where it is one of four."""
+    across = tuple(round(model.reference.number(c), 9) for c in line.direction.normal().components)
+    side = {(1, 0): "right", (-1, 0): "left", (0, 1): "up", (0, -1): "down"}.get(across)
+    return Message("the other way along") if side is None else f"solid: {side}"
 
 
 def _touching(model: Opened, line: Line) -> set[str]:

@@ -18,6 +18,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
@@ -26,6 +28,7 @@ from freebody.study.answering.draws import Draw
 from freebody.system.system import System
 
 _STEP = 1e-4  # rad, m, and by Omega of rates
+_RESONANT = 1e-6  # of the size of the slopes, whose round-off is some 1e-8
 
 Complex = NDArray[np.complex128]
 
@@ -75,9 +78,14 @@ class ForcedNumbers:
 
     @cached_property
     def motion(self) -> Complex:
-        """Z."""
+        """Z. Raises CannotAnswer in resonance, where it would be round-off of the slopes that limits it."""
         _mean, forced, slopes = self._swing(self._accelerations)
-        found = np.linalg.solve(-(self.frequency**2) * np.eye(len(self.places)) - slopes, forced)
+        matrix = -(self.frequency**2) * np.eye(len(self.places)) - slopes
+        sizes = np.linalg.svd(matrix, compute_uv=False)
+        if sizes[-1] <= _RESONANT * (self.frequency**2 + float(np.abs(slopes).max(initial=0.0))):
+            told = Message("resonance without damping: no oscillation stays steady, it grows with the time")
+            raise CannotAnswer(told)
+        found = np.linalg.solve(matrix, forced)
         return np.asarray(found, dtype=np.complex128)
 
     def of(self, quantity: Quantity) -> complex:

@@ -1,7 +1,8 @@
 """Whether an equilibrium is stable, in closed form: by the roots of det(K - s M), or by the signs of its coefficients.
 
 Dissipative damping does not change the verdict: a minimum of the energy stays stable, and where the stiffness has a
-negative direction the equilibrium stays unstable (Kelvin, Tait and Chetaev).
+negative direction the equilibrium stays unstable (Kelvin, Tait and Chetaev). Where forces have no potential, or a
+controller has states of its own, Routh's array decides, as about any steady motion.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import NONE, AtRest, Compared, compared
+from freebody.study.steady.stability import steady_stability
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import find_equilibrium
@@ -39,15 +41,14 @@ def equilibrium_stability(setup: Setup, question: Question, at_rest: AtRest) -> 
     model = setup.model
     if not model.coordinates:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
+    if setup.system.states:
+        return steady_stability(setup, question)
     rest = find_equilibrium(model, setup.start, stable_first=False)
     linear = Linearised(model, rest.values)
     linear.check_is_steady()
     if not linear.is_symmetric(linear.stiffness) or linear.is_gyroscopic:
-        raise CannotAnswer(
-            Message(
-                "forces without a potential act, or gyroscopic ones, so stability is no matter of the stiffness alone"
-            )
-        )
+        # a follower force, a rotor: no matter of the stiffness alone
+        return steady_stability(setup, question)
     free = FreeOscillations(model, rest)
     signs = [x for factor in free.factors for x in free.signs(factor)]
     if not signs:

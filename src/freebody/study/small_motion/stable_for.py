@@ -1,4 +1,6 @@
-"""For which parameters an equilibrium is stable: all leading minors of the stiffness are positive (Sylvester)."""
+"""For which parameters an equilibrium is stable: all leading minors of the stiffness are positive (Sylvester), or,
+where it does not tell, all that Routh's array asks for.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +16,7 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.at_equilibrium import AT_REST, places_at, small_motions_at, unrest
 from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
+from freebody.study.steady.stable_for import stability as steady_stability
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.tolerances import ROUNDED
@@ -23,13 +26,13 @@ def stability(setup: Setup, *, is_so: bool) -> list[Formula]:
     """Where the equilibrium at the start, else the one that formulas find, is stable, or (not is_so) unstable: all
     leading minors of the stiffness are positive, or one of them is negative. Raises CannotAnswer where the linearised
     equations do not tell."""
+    if setup.system.states:
+        return steady_stability(setup, is_so=is_so)
     rest = find_equilibrium(setup.model, setup.start, stable_first=False)
-    if rest.is_stable is None or not (rest.stable or rest.is_stable):
-        raise CannotAnswer(
-            Message("whether this equilibrium is stable does not follow from the linearised equations")
-            if rest.is_stable is None
-            else Message("this equilibrium is not stable")
-        )
+    if rest.is_stable is None:
+        return steady_stability(setup, is_so=is_so)
+    if not (rest.stable or rest.is_stable):
+        raise CannotAnswer(Message("this equilibrium is not stable"))
 
     def in_numbers(values: dict[str, float]) -> float:
         draw = setup.draws[0].with_values(values, setup.system)

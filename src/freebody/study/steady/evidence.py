@@ -108,16 +108,16 @@ def _with_roots(
     first = moving(steady, draw, q, rates)
     if solutions is None:
         return [first]
-    place = next((c for c in steady.others if c.index == solutions.index), None)
     found: list[Snapshot] = []
     for x in solutions.roots:
         _insist_divisor(setup, x, draw, first)
         (value,) = element_at(setup, (x,), draw, first)
         more = {s: element_at(setup, (y,), draw, first)[0] for s, y in solutions.with_them.items()}
-        if place is None:
-            found.append(moving(steady, draw, q, rates | more | {solutions.index: value}))
-        else:
-            found.append(moving(steady, draw, placed(steady, draw, q, place, value), rates))
+        values, there = more | {solutions.index: value}, q
+        for c in steady.others:
+            if c.index in values:
+                there = placed(steady, draw, there, c, values.pop(c.index))
+        found.append(moving(steady, draw, there, rates | values))
     return found
 
 

@@ -144,6 +144,10 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
         moved = _moved(Linear(steady, place, rates, put))
         if moved is not None:
             return moved
+    fixed = {index: x for index, x in pose.items() if index in given}
+    settled = _solved_together(Linear(steady, fixed, {c: x for c, x in rates.items() if c in given}, put))
+    if settled is not None:
+        return settled
     exact = Linear(steady, pose, {c.speed: start.of(c.speed) for c in steady.cyclic} | rates, put)
     left = _unbalanced(exact)
     if not left:
@@ -204,24 +208,31 @@ def _solved_for(linear: Linear, speed: int) -> Linear | None:
 
 
 def _solved_together(linear: Linear) -> Linear | None:
-    """With all open rates such that the motion is steady, where the conditions are linear in them and leave one value
-    for each: what a controller with states of its own settles at."""
+    """With all open rates and places such that the motion is steady, where the conditions are linear in them and leave
+    one value for each: what a controller with states of its own settles at."""
     steady, left = linear.steady, _unbalanced(linear)
-    open_ = [c.speed for c in steady.cyclic if c.speed not in linear.rates]
+    rates = [c.speed for c in steady.cyclic if c.speed not in linear.rates]
+    places = [c.index for c in steady.others if c.index not in linear.place]
+    open_ = [*rates, *places]
     if len(left) != len(open_):
         return None
     f, rows = steady.model.field, list[Row]()
     for x in left:
-        row: Row = {speed: f.partial(x, speed) for speed in open_}
-        if any(f.ingredients(k) & set(open_) for k in row.values()):
+        row: Row = {k: f.partial(x, k) for k in open_}
+        if any(f.ingredients(slope) & set(open_) for slope in row.values()):
             return None
         rest = f.lowest_terms(f.follow(x, dict.fromkeys(open_, f.zero)))
         rows.append({k: v for k, v in row.items() if not v.is_zero()} | {RHS: -rest})
     solved = solve(f, rows, open_, steady.model.samples.vanishes)
     if solved.free or solved.contradictory:
         return None
-    values = {speed: row.get(RHS, f.zero) for speed, row in solved.pivots.items()}
-    found = replace(linear, rates=linear.rates | values)
+    values = {k: row.get(RHS, f.zero) for k, row in solved.pivots.items()}
+    found = replace(
+        linear,
+        rates=linear.rates | {k: values[k] for k in rates},
+        place=linear.place | {k: values[k] for k in places},
+        moved=linear.moved | frozenset(places),
+    )
     return None if _unbalanced(found) else found
 
 

@@ -9,7 +9,7 @@ Fufaev, Dynamics of Nonholonomic Systems, 1972, ch. VI.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -192,7 +192,7 @@ class SteadyMotion:
                 Message("every value of {x} is steady: nothing depends on the coordinates that run", x=name)
             )
         if len(equations) > 1:
-            return self._linear(speed, name)
+            return self._linear([speed, *(c.speed for c in self.cyclic if c.speed != speed)], name)
         equation = equations[0]
         if speed not in equation.generators():
             raise CannotAnswer(
@@ -245,8 +245,9 @@ class SteadyMotion:
         signs = [v for v in self.model.samples.at_starts(c[2]) if v == v]
         return both[::-1] if signs and signs[0] < 0 else both
 
-    def _linear(self, speed: int, name: str) -> Solutions:
-        f, columns = self.model.field, [speed, *(c.speed for c in self.cyclic if c.speed != speed)]
+    def _linear(self, columns: Sequence[int], name: str) -> Solutions:
+        """The first of several unknowns, in which all conditions are linear."""
+        f, asked = self.model.field, columns[0]
         rows: list[Row] = []
         for equation in self.equations:
             row: Row = {}
@@ -256,7 +257,7 @@ class SteadyMotion:
                 if slope.generators() & set(columns):
                     raise CannotAnswer(
                         Message(
-                            "{name} follows from {n} equations that are not linear in the rates: {conditions}",
+                            "{name} follows from {n} equations that are not linear in what is unknown: {conditions}",
                             name=name,
                             n=len(self.equations),
                             conditions=further(*self.texts()),
@@ -270,7 +271,7 @@ class SteadyMotion:
             raise CannotAnswer(
                 Message("no rates make this pose steady: {conditions}", conditions=further(*self.texts()))
             )
-        if speed not in done.pivots:
+        if asked not in done.pivots:
             raise CannotAnswer(
                 Message(
                     "steady motion leaves {x} open; its conditions are {conditions}",
@@ -279,21 +280,16 @@ class SteadyMotion:
                 )
             )
         values = {column: f.lowest_terms(total_of(f, row)) for column, row in done.pivots.items()}
-        return Solutions(speed, [values.pop(speed)], with_them=values)
+        return Solutions(asked, [values.pop(asked)], with_them=values)
 
     def at_position(self, c: Coordinate) -> Solutions:
         """The values of a coordinate that stays constant."""
         if not any(c.index in self.model.field.ingredients(x) for x in self.equations):
             raise CannotAnswer(Message("steady motion leaves {x} open", x=c.name))
         if len(self.equations) != 1:
-            raise CannotAnswer(
-                Message(
-                    "{name} follows from {n} equations: {conditions}",
-                    name=c.name,
-                    n=len(self.equations),
-                    conditions=further(*self.texts()),
-                )
-            )
+            # what a controller with states settles at: their rates, and the places, together
+            places = [other.index for other in self.others if other is not c and other.index not in self.given]
+            return self._linear([c.index, *places, *(other.speed for other in self.cyclic)], c.name)
         with self.model.samples.apart():  # signs of roots do not matter, since both are among the zeros
             roots = zeros_of(self.model, self.equations[0], c)
         if not roots or len(roots) > MOST_ROOTS:

@@ -52,10 +52,7 @@ def read_plane(names: Names, body: RigidBody, name: str, spec: Any) -> BodyPlane
     known_keys(names, entry, ("through", "normal"), Message("a plane"))
     label = _label(body, name)
     normal = names.direction(entry.get("normal", "up"), "normal", body=body.name)
-    through = entry.get("through")
-    if isinstance(through, str) and "." not in through:
-        through = f"{body.name}.{through}"
-    return BodyPlane(_through(names, body, through), replace(normal, name=f"normal of {label}"), label)
+    return BodyPlane(_through(names, body, entry.get("through")), replace(normal, name=f"normal of {label}"), label)
 
 
 def _label(body: RigidBody, name: str) -> str:
@@ -63,8 +60,12 @@ def _label(body: RigidBody, name: str) -> str:
 
 
 def _through(names: Names, body: RigidBody, through: Any) -> Point:
-    """A point of a line or plane: by name, by its place on the body, or the middle of the body."""
+    """A point of a line or plane: by name, which needs no body where it is a point of its own, by its place on the
+    body, or the middle of the body."""
     if isinstance(through, str):
+        is_own = through in body.points or (body.name != GROUND and through not in names.bodies)
+        if "." not in through and is_own:
+            return names.point(f"{body.name}.{through}", "through")
         return names.point(through, "through")
     if through is None:
         return body.point()

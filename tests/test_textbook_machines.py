@@ -1,0 +1,270 @@
+"""Problems of textbook families of machines: brakes, controllers, columns, piles, linkages with slides. Beside each
+stands the family, and from what its formula follows by hand."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+from conftest import assert_same_function
+from freebody.errors import ModelError
+from freebody.language.expression import Expr
+from freebody.language.notation import to_python
+
+
+def expression(model: str, question: str) -> str:
+    answer = fb.System.from_text(model).solve(question)["q1"]
+    assert isinstance(answer.expression, Expr), answer
+    return to_python(answer.expression)
+
+
+def value(model: str, question: str) -> float:
+    found = fb.System.from_text(model).solve(question)["q1"].value
+    assert isinstance(found, float)
+    return found
+
+
+# Meriam & Kraige, Statics: a block brake whose lever has no mass; moments about its hinge give N (a - mu c) = P b
+SHOE_BRAKE = """
+parameters: {a: 0.3 m, b: 1 m, c: 50 mm, R: 0.25 m, mu: 0.35, P: 150 N, I: 2 kg m^2, w0: 40 rad/s}
+ground: {points: {O: [0, 0], H: [-a, R + c]}}
+bodies:
+  drum: {body: {inertia: I, radius: R}, at: [0, 0]}
+  lever: {body: {}, at: [-a, R + c], angle: 0, points: {S: [a, -c], E: [b, 0]}}
+connections:
+  O: {pin: [ground.O, drum]}
+  H: {pin: [ground.H, lever]}
+  shoe: {contact: {between: [lever.S, drum], friction: mu}}
+loads: {hand: {force: {at: lever.E, along: down, magnitude: P}}}
+measures: {phi: angle of drum}
+start: {phi: 0, rate(phi): w0}
+"""
+
+
+def test_a_lever_without_mass_needs_no_speed_at_the_start() -> None:
+    system = fb.System.from_text(SHOE_BRAKE)
+    for question, expected in (
+        ("normal force of shoe", "b*P/(a - mu*c)"),
+        ("energy lost until slipping ends", "I*w0**2/2"),
+    ):
+        found = system.solve(question)["q1"].expression
+        assert isinstance(found, Expr)
+        assert_same_function(to_python(found), expected, {"a": 0.3, "c": 0.05, "mu": 0.35})
+
+
+# Franklin et al., Feedback Control: m s^3 + k_d s^2 + k_p s + k_i; the integral settles at -d/k_i
+PID = """
+parameters: {m: 2 kg, k_p: 50 N/m, k_d: 10 N s/m, k_i: 20 N/(m s), d: 4 N, r: 1 m}
+ground: {lines: {rail: {along: right}}}
+bodies: {cart: {particle: {mass: m}, at: [0, 0]}}
+connections: {rail: {slider: {body: cart, along: rail}}}
+measures: {x: x of cart}
+states: {z: x - r}
+loads:
+  control: {force: {at: cart, along: right, magnitude: -k_p*(x - r) - k_d*rate(x) - k_i*z}}
+  wind: {force: {at: cart, along: left, magnitude: d}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        ("largest k_i so that the steady motion is stable", "k_p*k_d/m"),
+        ("largest k_i so that the equilibrium is stable", "k_p*k_d/m"),
+        ("x in steady motion", "r"),
+    ],
+)
+def test_a_pid_controller_that_starts_elsewhere_settles_at_the_set_point(question: str, expected: str) -> None:
+    assert_same_function(expression(PID, question), expected, {})
+
+
+# a first-order lag between controller and plant: I T s^3 + (I + c T) s^2 + c s + K, Routh: (I + c T) c > I T K
+LAG = """
+parameters: {I: 0.4 kg m^2, c: 0.2 N m s, K: 3 N m, T: 0.1 s}
+ground: {points: {O: [0, 0]}}
+bodies: {rotor: {body: {inertia: I}}}
+connections: {O: {pin: [ground.O, rotor]}}
+measures: {phi: angle of rotor}
+states: {u: (-K*phi - u)/T}
+loads:
+  motor: {torque: {on: rotor, magnitude: u}}
+  drag: {torque: {on: rotor, magnitude: -c*rate(phi)}}
+"""
+
+
+def test_the_largest_lag_of_a_loop_follows_from_routh() -> None:
+    expected = "I*c/(I*K - c**2)"
+    assert_same_function(expression(LAG, "largest T so that the equilibrium is stable"), expected, {"K": 3.0, "c": 0.2})
+
+
+# Ziegler 1952: a double pendulum with masses 2m and m under a follower force flutters from (7/2 - sqrt(2)) k/L on
+ZIEGLER = """
+parameters: {L: 1 m, k: 10 N m, P: 5 N, m: 1 kg}
+ground: {points: {O: [0, 0]}}
+bodies: {a: {rod: {length: L}}, b: {rod: {length: L}}, ma: {particle: {mass: 2*m}}, mb: {particle: {mass: m}}}
+connections:
+  O: {pin: [ground.O, a.start]}
+  J: {pin: [a.end, b.start]}
+  wa: {weld: [a.end, ma]}
+  wb: {weld: [b.end, mb]}
+loads:
+  k1: {torsional_spring: {body: a, stiffness: k, angle: 90 deg}}
+  k2: {torsional_spring: {body: b, on: a, stiffness: k}}
+  follower: {force: {at: b.end, along: against b.x, magnitude: P}}
+measures: {p: angle of a from up, q: angle of b from up}
+start: {p: 0, q: 0}
+"""
+
+
+def test_zieglers_column_flutters_under_a_follower_force() -> None:
+    found = expression(ZIEGLER, "largest P so that the equilibrium is stable")
+    assert_same_function(found, "(7/2 - sqrt(2))*k/L", {})
+
+
+# Hibbeler, Statics: a beam on the floor leans over the edge of a wall; moments about its foot give the push of the edge
+OVER_AN_EDGE = """
+parameters: {m: 12 kg, L: 3 m, h: 1 m, theta: 40 deg, mu: 0.6, g: 9.81 m/s^2}
+ground: {points: {edge: [0, h]}, lines: {floor: {along: right}}}
+bodies: {rod: {rod: {mass: m, length: L}, at: {start: [-h/tan(theta), 0]}, angle: theta}}
+connections:
+  foot: {contact: {between: [rod.start, ground.floor], friction: mu}}
+  top: {contact: {between: [ground.edge, rod]}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_beam_over_an_edge_needs_friction_at_its_foot() -> None:
+    found = value(OVER_AN_EDGE, "least mu so that it stays at rest")
+    m, L, h, theta, g = 12, 3, 1, math.radians(40), 9.81
+    edge = m * g * L / 2 * math.cos(theta) * math.sin(theta) / h
+    assert found == pytest.approx(edge * math.sin(theta) / (m * g - edge * math.cos(theta)), rel=1e-9)
+
+
+# Meriam & Kraige: three equal logs in a pile: friction/normal force is tan 15 deg between them, a third of it below
+PILE = """
+parameters: {m: 30 kg, r: 0.15 m, mu: 0.3, nu: 0.2, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  left: {disk: {mass: m, radius: r}, at: [-r, r]}
+  right: {disk: {mass: m, radius: r}, at: [r, r]}
+  top: {disk: {mass: m, radius: r}, at: [0, r + r*sqrt(3)]}
+connections:
+  fl: {contact: {between: [left, ground.floor], friction: nu}}
+  fr: {contact: {between: [right, ground.floor], friction: nu}}
+  tl: {contact: {between: [top, left], friction: mu}}
+  tr: {contact: {between: [top, right], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(("mu", "nu", "holds"), [(0.3, 0.2, True), (0.26, 0.2, False), (0.3, 0.085, False)])
+def test_a_pile_of_logs_holds_where_both_frictions_suffice(mu: float, nu: float, holds: bool) -> None:
+    model = PILE.replace("mu: 0.3", f"mu: {mu}").replace("nu: 0.2", f"nu: {nu}")
+    assert (mu >= math.tan(math.radians(15)) and nu >= math.tan(math.radians(15)) / 3) == holds
+    answer = fb.System.from_text(model).solve("does it hold")["q1"]
+    assert answer.expression is not None
+    assert ("does not hold" in str(answer.verdict)) != holds
+
+
+def test_a_guide_through_a_point_that_it_guides_is_refused() -> None:
+    model = """
+bodies: {bar: {rod: {length: 1 m, mass: 1 kg}, at: {start: [0, 0]}, angle: 10 deg}}
+ground: {points: {O: [0, 0]}}
+connections:
+  O: {pin: [ground.O, bar.start]}
+  hold: {slot: {pin: bar.end, along: right, through: bar.end}}
+"""
+    with pytest.raises(ModelError, match=r"bar\.end moves with what is guided"):
+        fb.System.from_text(model)
+
+
+# a plank whose lower side lies on a cylinder: stable for h < 2 R (Sommerfeld, Mechanics)
+def test_a_plank_on_a_drum_is_stable_below_its_diameter() -> None:
+    model = """
+parameters: {m: 3 kg, L: 1 m, h: 0.1 m, R: 0.2 m, g: 9.81 m/s^2}
+bodies:
+  drum: {disk: {radius: R}, fixed: true, at: [0, 0]}
+  plank:
+    {rectangle: {mass: m, width: L, height: h}, lines: {base: {along: right, through: bottom}}, at: [0, R + h/2]}
+connections: {roll: {rolling: {body: drum, on: plank.base, below: true}}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of plank}
+start: {theta: 0}
+"""
+    assert_same_function(expression(model, "range of h for which the equilibrium is stable"), "2*R", {})
+
+
+# m x'' + k x = F sin(W t): not damped, so both frequencies stay, and at W = sqrt(k/m) the amplitude grows with the time
+FORCED = """
+parameters: {m: 2 kg, k: 200 N/m, F: 10 N, W: 7 rad/s}
+bodies: {block: {particle: {mass: m}, at: [0, 0]}}
+connections: {g: {slider: {body: block, along: right}}}
+loads: {s: {law: {measure: x, force: -k*x}}, f: {force: {at: block, along: right, magnitude: F*sin(W*t)}}}
+measures: {x: x of block}
+start: {x: 0, rate(x): 0}
+"""
+
+
+def test_the_first_turn_of_a_forced_motion_is_not_taken_for_its_farthest() -> None:
+    answer = fb.System.from_text(FORCED).solve("greatest x")["q1"]
+    # x = F/(m (w^2 - W^2)) (sin W t - W/w sin w t), w = 10: both sides alike over the common period 2 pi s
+    assert answer.value is None
+    assert "it gets farther later on: in a simulation of 60 s" in str(answer.reason)
+
+
+def test_resonance_without_damping_has_no_steady_amplitude_in_numbers_either() -> None:
+    model = FORCED.replace(", W: 7 rad/s", "").replace("W*t", "sqrt(k/m)*t")
+    answer = fb.System.from_text(model).solve("steady amplitude of x")["q1"]
+    assert answer.value is None
+    assert "resonance without damping" in str(answer.reason)
+
+
+def test_the_work_of_a_driver_is_what_the_energy_gains() -> None:
+    model = """
+parameters: {m: 2 kg, L: 1 m, w: 3 rad/s, a: 30 deg, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {arm: {rod: {mass: m, length: L}}}
+connections: {O: {pin: [ground.O, arm.start]}, motor: {driver: {measure: phi, follows: w*t}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of arm}
+"""
+    # at a constant rate T stays, and the centre rises by L/2 sin phi
+    assert_same_function(expression(model, "work of motor until phi = a"), "m*g*L/2*sin(a)", {"a": 0.5})
+
+
+# Meriam & Kraige, Statics: ice tongs on a block; moments about the pivot give N h = W b, the ring T cos = W/2
+TONGS = """
+parameters: {W: 800 N, b: 0.2 m, h: 0.3 m, k: 0.15 m, mu: 0.8, g: 9.81 m/s^2}
+ground: {points: {hook: [0, h + k]}}
+bodies:
+  ring: {particle: {}, at: [0, h + k]}
+  left: {body: {}, at: [0, h], angle: 0, points: {top: [b, 0], tip: [-b, -h]}}
+  right: {body: {}, at: [0, h], angle: 0, points: {top: [-b, 0], tip: [b, -h]}}
+  block: {rectangle: {mass: W/g, width: 2*b, height: 0.4 m}, at: [0, 0], angle: 0}
+connections:
+  pivot: {pin: [left, right]}
+  h: {weld: [ground.hook, ring]}
+  rl: {link: [ring, left.top]}
+  rr: {link: [ring, right.top]}
+  cl: {contact: {between: [left.tip, block], friction: mu}}
+  cr: {contact: {between: [right.tip, block], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"), [("normal force of cl", "W*b/h"), ("tension of rl", "W/2*sqrt(b**2 + k**2)/k")]
+)
+def test_forces_at_rest_need_no_formulas_of_the_motion(question: str, expected: str) -> None:
+    near = {"b": 0.2, "h": 0.3, "k": 0.15, "mu": 0.8}
+    assert_same_function(expression(TONGS, question), expected, near)
+
+
+def test_in_exact_resonance_the_value_is_that_of_the_motion() -> None:
+    answer = fb.System.from_text(FORCED.replace("W: 7", "W: 10")).solve("x at t = 1 s")["q1"]
+    # x = F/(2 m w^2) (sin w t - w t cos w t), the limit of the forced law for W -> w
+    expected = 10 / (2 * 2 * 100) * (math.sin(10) - 10 * math.cos(10))
+    assert answer.value == pytest.approx(expected, rel=1e-9)
+    assert "the value is that of the simulated motion" in [str(note) for note in answer.notes]
