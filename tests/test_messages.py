@@ -562,7 +562,11 @@ questions: [reaction of A, reaction of B]
             "bodies: [{bar: {rod: {mass: m, length: 1 m}}}]",
             ["not a list: each entry has its name"],
         ),
-        ("first: ground.B, ", "", ["spring needs first; it takes first, second, stiffness, length, preload, only, e.g. "]),
+        (
+            "first: ground.B, ",
+            "",
+            ["spring needs first; it takes first, second, stiffness, length, preload, only, e.g. "],
+        ),
         ("second: bar.end, stiffness", "sekond: bar.end, stiff", ["Did you mean second?", "Did you mean stiffness?"]),
         ("mass: m, length: 1 m", "mass: 1, length: 1", []),
         ("m: 1 kg", "m: 1", ["m must be a mass (kg), but has no unit: write m: 1 kg under parameters"]),
