@@ -149,6 +149,21 @@ def test_tilted_can_that_also_spins_rolls_on_its_rim_past_lying_flat_and_keeps_i
             assert energy(found, at) == pytest.approx(first, rel=1e-8)
 
 
+def test_motion_that_begins_hardly_tilted_goes_on_about_the_point_of_the_rim_on_which_it_stands() -> None:
+    """As one that is cut in two where it has just begun to tip: 1e-5 rad does not tell where a rim is lowest."""
+    height, turned = tilted(math.degrees(1e-5), H)
+    away = np.array(
+        (R * math.cos(1e-5) - H / 2 * math.sin(1e-5), height, 0.0)
+    )  # from the point of the rim to the middle
+    v = np.cross((0, 0, 1.0), away)
+    found = moved(5.0, 0.03, f"{turned}, velocity: {v.tolist()}, angular_velocity: [0, 0, 1]", height=height)
+    assert energy(found, -1) == pytest.approx(energy(found, 0), rel=1e-9)
+    assert not found.course.events
+    assert spin(found, -1)[2] == pytest.approx(
+        math.sqrt(1 + 2 * M * G * (height - found.course.poses[-1, 0, 1]) / moments(H)[1]), rel=1e-6
+    )
+
+
 def test_can_on_a_truck_that_speeds_up_ever_more_tips_at_g_times_width_over_height() -> None:
     """m a h/2 about the rear edge is m g r at most; a = 2 j t."""
     text = """

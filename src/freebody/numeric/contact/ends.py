@@ -132,6 +132,18 @@ class FlatEnds:
         c, s = (end.pivot.sign * (p * float(values[one]) + q * float(values[other])) for one, other in end.along)
         self._put(end, c, s, now)
 
+    def hardly_tilted(self, now: ContactInstant, size: float) -> list[int]:
+        """Pivots for ends that stand on a point of their rim and are too flat to have a lowest one of their own, where
+        a motion begins so; size: a gap that is none."""
+        found: list[int] = []
+        for end in self.ends:
+            flat, tilt = self.bounded.barriers[end.flat], math.hypot(*self._lowest(end))
+            height = flat.sign * float(now.values[flat.place])
+            if self.bounded.is_valid(end.flat) and height > size and abs(height - end.radius * tilt) <= size:
+                self.put_at_lowest(end, now)
+                found.append(end.edge)
+        return found
+
     def put_at_lowest(self, end: FlatEnd, now: ContactInstant) -> None:
         """Where the rim is lowest."""
         c, s = (-n for n in self._lowest(end))

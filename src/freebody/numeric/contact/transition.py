@@ -15,7 +15,7 @@ import numpy as np
 
 from freebody.language.sentences import Message
 from freebody.numeric.contact.after import After, Choice
-from freebody.numeric.contact.bounded import Bounded
+from freebody.numeric.contact.bounded import TOUCHING, Bounded
 from freebody.numeric.contact.colliding import Collisions, push, recorded
 from freebody.numeric.contact.deciding import decide, lasts
 from freebody.numeric.contact.keller import impact_without_collision
@@ -75,6 +75,8 @@ class InstantTransition:
         before = frozenset[int]() if mode is None else mode.closed - {left}
         now = b.instant(y, t, near)
         touching = [k for k in touching_at(b, now, before, touched) if k != left]
+        if mode is None:
+            touching += b.ends.hardly_tilted(now, TOUCHING * b.numbers.length)
         result.behind = far_sides(self.still, now, touching, before.union(touched))
         touching = [k for k in touching if k not in result.behind]
         now = self._impacts(result, t, near, touching)
