@@ -25,7 +25,6 @@ import pytest
 import freebody as fb
 from freebody.narrative.explain import explain
 from freebody.study.setup import Setup
-from freebody.symbolic.spatial.balls import balls
 
 Agree = Callable[[fb.Solution, str, str], None]
 G, R, r = 9.81, 0.4, 0.05
@@ -115,14 +114,6 @@ def test_ball_in_a_free_bowl_leaves_the_mass_centre_of_both_where_it_is() -> Non
     drift = np.diff((bowl + 0.5 * ball) / 1.5, axis=0) / np.diff(found.course.times)[:, None]
     assert drift == pytest.approx(np.tile(drift[0], (len(drift), 1)), abs=1e-8)
     assert np.ptp(ball, axis=0).min() > 0.01
-
-
-def test_nothing_looks_at_how_a_ball_in_a_bowl_is_turned() -> None:
-    """Neither the distance of the centres nor the slip knows the axes of the ball; a point of it does."""
-    model = BOWL.replace("{SPACE}", "true").replace("AT", "[0, r - R, 0]")
-    assert balls(fb.System.from_text(model)) == {"ball"}
-    marked = model.replace("at: [0, r - R, 0]", "at: [0, r - R, 0], points: {mark: [r, 0, 0]}")
-    assert balls(fb.System.from_text(marked)) == frozenset()
 
 
 @pytest.mark.slow
