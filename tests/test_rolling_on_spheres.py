@@ -129,7 +129,7 @@ def test_ball_that_sticks_in_a_bowl_swings_as_one_that_rolls(agrees: Agree) -> N
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("language", "principle"), [("en", "rolls without slipping"), ("de", "rollt, ohne zu gleiten")]
+    ("language", "principle"), [("en", "roll without slipping"), ("de", "rollen, ohne zu gleiten")]
 )
 def test_small_swinging_in_a_bowl_is_derived_from_the_constraint_of_rolling(language: str, principle: str) -> None:
     system = fb.System.from_text(BOWL.replace("{SPACE}", "true").replace("AT", "[0, r - R, 0]"))
