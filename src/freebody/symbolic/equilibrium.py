@@ -14,7 +14,7 @@ What is not decided for all parameters is a condition: of stability, of the plac
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Symbol
@@ -59,6 +59,7 @@ class ClosedFormRest:
     stable: tuple[Condition, ...] = ()
     is_stable: bool | None = True
     neutral: tuple[str, ...] = ()
+    linear: Linearised | None = field(default=None, repr=False, compare=False)  # the equations about it
 
 
 class StateOfRest(SymbolicState):
@@ -165,7 +166,8 @@ def _on_their_side(model: SymbolicModel, forces: Sequence[Ratio], at: dict[int, 
 def _judged(model: SymbolicModel, at: dict[int, Ratio], sides: Sequence[Ratio] = ()) -> ClosedFormRest | None:
     """The equilibrium with its conditions; None where there is none, for any parameters or at the first sample. sides:
     what must not be negative for the forces to vanish there."""
-    if not _has_full_inertia(model, at) or not _has_forces(model, at):
+    linear = Linearised(model, at)
+    if not _has_full_inertia(linear) or not _has_forces(linear):
         return None
     conditions = exists(at.values())
     for side in sides:
@@ -188,7 +190,7 @@ def _judged(model: SymbolicModel, at: dict[int, Ratio], sides: Sequence[Ratio] =
             conditions += [] if condition is None else [condition]
     if not all(_at_first(model, c) for c in conditions):
         return None
-    return _with_stability(model, at, tuple(conditions))
+    return replace(_with_stability(linear, tuple(conditions)), linear=linear)
 
 
 def _is_on_branch(model: SymbolicModel, state: SymbolicState) -> bool:
@@ -203,11 +205,11 @@ def _is_on_branch(model: SymbolicModel, state: SymbolicState) -> bool:
     return True
 
 
-def _has_full_inertia(model: SymbolicModel, at: dict[int, Ratio]) -> bool:
+def _has_full_inertia(linear: Linearised) -> bool:
     """Whether the mass matrix has the rank at a place that it has elsewhere. Where it has not the coordinates are
     singular, as an angle about a point is in that point, and F = 0 tells nothing of the forces there: the generalized
     force r F_phi of an angle vanishes with r, whatever F_phi is."""
-    linear, f = Linearised(model, at), model.field
+    model, f = linear.model, linear.model.field
     columns = [c.index for c in model.coordinates]
 
     def n_without(matrix: Matrix, is_zero: Callable[[Ratio], bool]) -> int:
@@ -220,12 +222,11 @@ def _has_full_inertia(model: SymbolicModel, at: dict[int, Ratio]) -> bool:
     return not here or here == n_without(model.dynamics.mass_matrix, model.samples.vanishes)
 
 
-def _has_forces(model: SymbolicModel, at: dict[int, Ratio]) -> bool:
+def _has_forces(linear: Linearised) -> bool:
     """Whether the forces have a value at a place. Where a length vanishes, along which one of them acts, the zero of
     what is written above a fraction says nothing of it."""
-    linear = Linearised(model, at)
     try:
-        for F in model.dynamics.forcing:
+        for F in linear.model.dynamics.forcing:
             linear.here(F)
     except ZeroDivisionError:
         return False
@@ -240,9 +241,9 @@ def _at_first(model: SymbolicModel, c: Condition) -> bool:
     return values[0] > -ROUND_OFF if c.relation == ">=" else values[0] != 0 if c.relation == "!=" else values[0] > 0
 
 
-def _with_stability(model: SymbolicModel, at: dict[int, Ratio], conditions: tuple[Condition, ...]) -> ClosedFormRest:
+def _with_stability(linear: Linearised, conditions: tuple[Condition, ...]) -> ClosedFormRest:
     """By the leading minors of the stiffness."""
-    linear = Linearised(model, at)
+    model, at = linear.model, linear.at
     K, n = linear.stiffness, len(model.coordinates)
     if not linear.is_symmetric(K):
         return ClosedFormRest(at, conditions, (), None)  # forces without a potential

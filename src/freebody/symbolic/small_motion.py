@@ -87,7 +87,7 @@ class FreeOscillations:
 
     @cached_property
     def linear(self) -> Linearised:
-        return Linearised(self.model, self.rest.values)
+        return self.rest.linear or Linearised(self.model, self.rest.values)
 
     @cached_property
     def factors(self) -> tuple[ModeFactor, ...]:

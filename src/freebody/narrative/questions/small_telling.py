@@ -167,13 +167,13 @@ class SmallTelling:
     def _several(self, symbols: list[Symbol]) -> tuple[int, ...]:
         """det(K - w^2 M) = 0"""
         M, K = self.linear.mass, self.linear.stiffness
-        lines = self.matrices()
-        script = self.script
+        lines = self.matrices() if self.found else ()
+        script, from_what = self.script, "small.polynomial" if self.found else "small.polynomial_at_rest"
         with script.stage("small.characteristic", "small.characteristic_hint"):
             named(self.context, script, *(self._frequency(k, s) for k, s in enumerate(symbols)))
             script.say("small.determinant")
             sides = balanced(self._polynomial(M, K, power(symbols[0], number(2))))
-            line = script.line(*sides, why="small.polynomial", args={"lines": lines}, uses=lines, when="never")
+            line = script.line(*sides, why=from_what, args={"lines": lines}, uses=lines, when="never")
             roots: list[int] = []
             for symbol, value in zip(symbols, self.squares, strict=True):
                 shown, square = tidy(self.field.lowest_terms(value)), power(symbol, number(2))

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.errors import CannotAnswer, ModelError
+from freebody.language.sentences import Message, further
 from freebody.model.elements import DryFriction
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -26,7 +26,10 @@ from freebody.system.system import System
 def while_it_sticks(system: System, question: Question) -> Answer:
     """The answer for the system with all held that touches and sticks at the start. Raises CannotAnswer where something
     slides there."""
-    setup = StickingSetup(system)
+    try:
+        setup = StickingSetup(system)
+    except ModelError as error:
+        raise CannotAnswer(further(*(problem.message for problem in error.problems))) from error
     answer = QuestionSolver(setup, question).answer()
     if answer.expression is None or not setup.sticking:
         return answer
@@ -58,7 +61,7 @@ class StickingSetup(Setup):
 
     def _reserve(self, rub: DryFriction, state: SymbolicState) -> Ratio:
         """(mu N)^2 - F^2; where no force is needed N is enough, which is told of the contact itself."""
-        f, rows = state.field, {row.name: row for row in self.system.constraint_rows}
+        f, rows = state.model.field, {row.name: row for row in self.system.constraint_rows}
         forces = [state.multiplier(row) for row in rub.rows]
         pressed = [state.multiplier(rows[name]) for name in rub.load if name in rows]
         limit = state.scalar(rub.static)

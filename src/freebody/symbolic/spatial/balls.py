@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import cast
 
-from freebody.language.expression import ZERO, Expr
+from freebody.language.expression import ZERO
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction, SpatialPose, Vector
@@ -65,18 +65,14 @@ def _stated(system: System) -> Iterable[Measure | NonholonomicForm]:
 def _looks_alike(system: System, name: str) -> bool:
     """Whether nothing that is stated of a body depends on its orientation."""
     stated = [m for m in dict.fromkeys(_stated(system)) if name in set(m.bodies())]
-    if any(looks_at_axes(m, name) for m in stated if not isinstance(m, NonholonomicForm)):
+    if any(looks_at_axes(m, name) for m in stated if isinstance(m, Displacement)):
         return False
     forms = [m for m in stated if not isinstance(m, Displacement)]
     fixed = {body.name for body in system.bodies.values() if body.fixed}
-    if any(not set(m.bodies()) <= fixed | {name} for m in forms):
+    if any(not isinstance(m, NonholonomicForm) or not set(m.bodies()) <= fixed | {name} for m in forms):
         return False
     geometries = [_turned(system, name, columns) for columns in (None, _TURNED)]
-    for m in forms:
-        one, other = (_along_ground(g, m, name) for g in geometries)
-        if one != other or (not isinstance(m, NonholonomicForm) and set(one[3:]) != {ZERO}):
-            return False
-    return True
+    return all(_along_ground(geometries[0], m, name) == _along_ground(geometries[1], m, name) for m in forms)
 
 
 def looks_at_axes(stated: object, name: str) -> bool:
@@ -91,7 +87,7 @@ def looks_at_axes(stated: object, name: str) -> bool:
 
 
 def _turned(system: System, name: str, columns: tuple[tuple[Fraction, ...], ...] | None) -> DualGeometry:
-    """The ball turned; every other body as it is."""
+    """The ball at the origin, turned; every other body as it is."""
     from freebody.symbolic.spatial.bodies import SpatialBodies
 
     n = len(system.all_moving)
@@ -101,21 +97,18 @@ def _turned(system: System, name: str, columns: tuple[tuple[Fraction, ...], ...]
     straight = ((one, zero, zero), (zero, one, zero), (zero, zero, one))
     axes = straight if columns is None else [[field.element(c) for c in column] for column in columns]
     x, y, z = (Vector(a, b, c) for a, b, c in axes)
-    own = bodies.poses[name]
-    assert isinstance(own, SpatialPose)
-    poses = {**bodies.poses, name: SpatialPose(own.center, (x, y, z))}
+    poses = {**bodies.poses, name: SpatialPose(Vector(zero, zero, zero), (x, y, z))}
     plain = bodies.geometry(poses, straight_tangent(field, None), None, lambda _x: False)
     return DualGeometry(plain, {b.name: b.turns for b in system.bodies.values()})
 
 
-def _along_ground(g: DualGeometry, form: Measure | NonholonomicForm, name: str) -> tuple[Expr, ...]:
-    """The gradient of a form, or of a measure, by the motion of a ball, along the axes of the ground, in one normal
-    form."""
+def _along_ground(g: DualGeometry, form: Measure | NonholonomicForm, name: str) -> tuple[str, ...]:
+    """The gradient of a form by the motion of a ball, along the axes of the ground, in one normal form."""
+    assert isinstance(form, NonholonomicForm)
     field = g.plain.field
     total: dict[object, Ratio] = {}
-    terms = form.terms if isinstance(form, NonholonomicForm) else ((None, form),)
-    for coefficient, part in terms:
-        c = field.one if coefficient is None else coefficient.value(g.plain)
+    for coefficient, part in form.terms:
+        c = coefficient.value(g.plain)
         for slot, slope in part.value(g).slope.items():
             total[slot] = total.get(slot, field.zero) + c * slope
     slots = ("x", "y", "z", *ROTATIONS)
@@ -124,4 +117,4 @@ def _along_ground(g: DualGeometry, form: Measure | NonholonomicForm, name: str) 
     assert isinstance(pose, SpatialPose)
     moment = pose.turn(Vector(*along[3:]))
     z = field.zero if moment.z is None else moment.z
-    return tuple(field.expression(field.lowest_terms(x)) for x in (*along[:3], moment.x, moment.y, z))
+    return tuple(str(field.expression(field.lowest_terms(x))) for x in (*along[:3], moment.x, moment.y, z))
