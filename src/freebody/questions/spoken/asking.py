@@ -243,7 +243,8 @@ def _plain(names: Names, clause: Clause) -> Groups:
 
 def _guided(names: Names, of: list[str]) -> list[str]:
     """The positions along their guides of what is named, or of all that is guided, where no place of it is measured."""
-    bodies = [body for body in of or lookup.moving(names) if not lookup.places(names, body)]
+    bodies = of or lookup.moving(names)
+    bodies = [body for body in bodies if not (lookup.places(names, body) or lookup.angles(names, body))]
     return [f"position of {body} along {guide}" for body in bodies for guide in joining.guides(names, body)]
 
 
