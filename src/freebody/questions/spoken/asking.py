@@ -227,6 +227,8 @@ def _plain(names: Names, clause: Clause) -> Groups:
         if clause.only("quantity", "name", *SILENT):  # of the displacement against the force
             yield [f"phase lag of {measure}" for measure in names.measures]
         return
+    if asked == ["stroke"] and clause.only("quantity", "name", *SILENT) and len(clause.names) <= 1:
+        yield [f"stroke of {position}" for position in _guided(names, [name for _, name in clause.names])]
     if len(asked) > 1 and asked[0] in _OF_QUANTITY:
         inner = Clause([w for w in clause.words if w != Word("quantity", asked[0])])
         for group in quantities(names, inner):
@@ -237,6 +239,13 @@ def _plain(names: Names, clause: Clause) -> Groups:
     [quantity] = asked
     rest = clause.without("quantity")
     yield from composed(names, quantity, rest)
+
+
+def _guided(names: Names, of: list[str]) -> list[str]:
+    """The positions along their guides of what is named, or of all that is guided, where no place of it is measured."""
+    bodies = of or lookup.moving(names)
+    bodies = [body for body in bodies if not (lookup.places(names, body) or lookup.angles(names, body))]
+    return [f"position of {body} along {guide}" for body in bodies for guide in joining.guides(names, body)]
 
 
 def _bare(names: Names, clause: Clause) -> Groups:

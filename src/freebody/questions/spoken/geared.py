@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _RUNS = {"turn", "move", "roll", "slide", "rise", "fall"}  # verbs of what has a speed
+_FROM_TO = (("from", "on"), ("of", "on"), ("of", "from"))  # prepositions; the last is of German: von der, zum
 _SPEEDS = ("angular velocity", "velocity", "speed")
 _MAY_STAND = ("name", "value", "verb", "quantity", "part", *SILENT)
 
@@ -138,3 +139,21 @@ def _n_freedoms(names: Names) -> int:
     rolling = [row for row in names.constraint_rows if "rolling" in names.called.get(row.connection, ())]
     held = [row for row in rolling if row.reaction == "friction force"]
     return n_freedoms(names) - len(held)
+
+
+def efficiency_of_planets(names: Names, words: list[Word]) -> Groups:
+    """The efficiency of a planetary train from one of three members to another, while the third is held."""
+    clause = Clause(words)
+    members = [(before, name) for before, name in clause.names if name in names.bodies]
+    basic = [value for _, value in clause.values]
+    basic += [name for _, name in clause.names if name in names.parameters]
+    is_asked = sorted(clause.all("quantity")) == ["basic efficiency", "efficiency"] and bool(joining.planets(names))
+    is_told = len(members) == 3 and len(basic) == 1 and set(clause.all("verb")) == {"hold"}
+    known = clause.only("quantity", "verb", "name", "value", "mark", "relation", "ask", *SILENT)
+    if not (is_asked and is_told and known and len(clause.names) + len(clause.values) == 4):
+        return
+    for k in (0, 1):
+        (one, driving), (two, driven) = members[k : k + 2]
+        if (one, two) in _FROM_TO:
+            [held] = [name for _, name in members if name not in (driving, driven)]
+            yield [f"efficiency from {driving} to {driven} with {held} held and basic efficiency {basic[0]}"]

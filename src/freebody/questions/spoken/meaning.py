@@ -13,7 +13,7 @@ from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.frames import FORCES
-from freebody.questions.spoken.geared import geared, per_turn
+from freebody.questions.spoken.geared import efficiency_of_planets, geared, per_turn
 from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
@@ -88,6 +88,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
             timed,
         ):
             yield from told(names, sentence)
+    yield from efficiency_of_planets(names, said)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
 

@@ -40,6 +40,7 @@ _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOT
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
+_RODS = ("rod", "bar", "strut", "link")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
 _PINION = "pinion"  # the smaller of two gears, which is called the wheel only where it is alone
@@ -173,7 +174,7 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
             continue  # the ladder starts to slide
         named = list(_named(elements, window[::2]))
         beside = tokens[k - 2] if k > 1 else ""
-        is_rope = n == 1 and tokens[k].lower() in _ROPES
+        is_rope = n == 1 and tokens[k].lower() in (*_ROPES, *_RODS)
         if is_rope and sum(beside in elements.touching.get(name, ()) for name, _ in named) > 1:
             return  # the lower rope, where two of them are at the lower pulley
         for name, distance in named:

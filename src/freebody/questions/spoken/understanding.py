@@ -18,7 +18,7 @@ from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import is_kept
 from freebody.questions.spoken.kinds import is_of_kind
-from freebody.questions.spoken.lexicon import Word, languages, several, stands_for_all
+from freebody.questions.spoken.lexicon import Word, languages, several, stands_for_all, translated
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
@@ -333,6 +333,8 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
 def _joined(word: str, elements: Elements) -> str:
     """A word with hyphens, or the name that it is without them: the yo-yo."""
     plain = word.replace("-", "").lower()
+    if any(plain in translated(language) for language in languages()):  # the Jo-Jo
+        return plain
     return next((name for name in elements.exact if name.lower() == plain), word)
 
 

@@ -10,6 +10,7 @@ from itertools import accumulate
 
 from freebody.errors import UnitError
 from freebody.language.units.reader import parse_unit
+from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import (
     MARKED,
     Word,
@@ -125,6 +126,8 @@ def words_of(text: str, language: str, *, guess: bool = False, parameters: Conta
             continue
         if tokens[k] == _NO_WORD or _is_beside_name(token, found, k, language):
             continue  # it belongs to a phrase before, or says no more than a name
+        if token.endswith("ing") and _is_after_article(found, k) and _describes(found, k, language):
+            continue  # the hauling rope
         line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
         meant = [] if _is_letter(token) and k > 0 else phrases_at(line, begins[k], language)
         is_telling = _is_after_article(found, k) and places(token, language)  # the lower rope is lowered by none
@@ -282,6 +285,11 @@ def _is_slip(word: str, meant: str) -> bool:
     return slips <= 1 + (len(word) >= _LONG) or is_swapped
 
 
+def _is_thing(word: str) -> bool:
+    """Whether a word is what a thing is called in some language."""
+    return any(word.lower() in translated(own) or in_english_nouns(word, own) != word for own in languages())
+
+
 def respelt(text: str, language: str, taken: Container[str]) -> str:
     """The text with misspelt words of the language put right, where each is like one word alone.
 
@@ -290,7 +298,7 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
 
     def right(found: re.Match[str]) -> str:
         word = found[0].lower()
-        if word in words or word in taken or word in translated(language) or len(word) < _SHORTEST:
+        if word in words or word in taken or len(word) < _SHORTEST or _is_thing(found[0]):
             return found[0]
         if any(tells_apart(word.replace("ß", "ss"), own) for own in languages()):  # the half: no slip of a filler
             return found[0]
