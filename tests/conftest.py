@@ -107,7 +107,7 @@ def formula(text: str) -> sympy.Expr:
     names["elliptic_K"] = lambda k: sympy.elliptic_k(k**2)  # of the modulus; SymPy's are of the parameter
     names["elliptic_F"] = lambda phi, k: sympy.elliptic_f(phi, k**2)
     names |= {"fresnel_c": sympy.fresnelc, "fresnel_s": sympy.fresnels}
-    names |= {n: sympy.Function(n) for n in GIVEN}  # in numbers, by points
+    names |= {n: sympy.Function(n) for n in GIVEN if f"{n}(" in text}  # in numbers, by points
     names["exact"] = sympy.Rational  # numbers as fractions, not as floats
     return sympy.S(eval(_NUMBER.sub(r"exact('\g<0>')", text), {"__builtins__": {}}, names))
 

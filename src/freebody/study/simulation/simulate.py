@@ -183,7 +183,7 @@ def _simulated(
             )
         )
     simulator = (
-        Simulator(system, values, events, by_steps=options.by_steps, tells_borders=not options.by_steps)
+        Simulator(system, values, events, by_steps=options.by_steps, tells_borders=True, stops_at_borders=not keep)
         if before is None
         else before.simulator
     )

@@ -54,12 +54,14 @@ class Simulator:
         *,
         by_steps: bool = False,
         tells_borders: bool = False,
+        stops_at_borders: bool = True,
     ) -> None:
         """values: of parameters, in SI, instead of the model's. events: what to look for, as "theta = 90 deg" or
         "theta' = 0", with "rising" or "falling" behind it for one direction only; one that begins with "stop when" ends
         the motion. by_steps: for time stepping, which does not follow single contacts. tells_borders: loads that act on
-        one side only have events where they begin and end. Raises CannotAnswer naming
-        parameters without a value, or what contradicts itself at the start."""
+        one side only have events where they begin and end; stops_at_borders: their motion stops there and begins anew,
+        as one with derivatives must not. Raises CannotAnswer naming parameters without a value, or what contradicts
+        itself at the start."""
         self.system = system
         for name, value in (values or {}).items():
             if name in system.parameters and system.parameters[name].sign == "positive" and not value > 0.0:
@@ -73,8 +75,12 @@ class Simulator:
         self._began = q, v if self.blow is None else self.blow.before
         self.numbers = self.reference.numbers()
         watches, tracked = [*_watches(self, events), *_limits_of_validity(self)], list(system.measures.values())
-        self.tells_borders = tells_borders
-        borders = [] if by_steps else [*border_watches(system, self.reference.number, self.numbers.length)]
+        self.tells_borders, self._values = tells_borders, values
+        borders = (
+            []
+            if by_steps or not stops_at_borders
+            else [*border_watches(system, self.reference.number, self.numbers.length)]
+        )
         self.borders = frozenset(watch.name for watch in borders)
         watches += borders
         self.bounded = None if by_steps or not has_phases(system) else Bounded(self.numbers, watches, tracked)
@@ -117,6 +123,8 @@ class Simulator:
         """The motion with its derivatives by parameters. Raises CannotAnswer where the start has none."""
         from freebody.numeric.tangent.motion import TangentMotion  # nobody else needs it
 
+        if self.borders:
+            return Simulator(self.system, self._values, stops_at_borders=False).tangents(names)
         engine = self.engine if self.bounded is None else self.bounded
         return TangentMotion(self.reference, engine, self.start, self._near, names)
 

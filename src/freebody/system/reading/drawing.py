@@ -91,15 +91,12 @@ def _scales(source: Source, value: Any) -> Iterator[tuple[str, float]]:
 
 
 def _wheels(source: Source, value: Any) -> Iterator[tuple[Point, Expr]]:
-    """Radii of wheels by the point at which they stand on their road."""
+    """Radii of wheels by the point at which they stand on their road. They are drawn in the plane alone."""
     names = source.names
     if value is None:
         return
     if not isinstance(value, dict):
         names.problem(Message("{section} is a mapping by name", section="wheels"), "drawing", "wheels")
-        return
-    if names.space:
-        names.problem(Message("wheels are drawn in models of the plane"), "drawing", "wheels")
         return
     for text, radius in cast("dict[str, Any]", value).items():
         at = ("drawing", "wheels", text)
