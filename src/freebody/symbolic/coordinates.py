@@ -12,10 +12,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Point
+from freebody.measures.geometry import GROUND
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.configuration import Configuration
@@ -159,15 +158,15 @@ class CoordinateChoice:
         return found
 
     def _of_use(self) -> dict[str, Measure]:
-        """The named measures but those of lines that nothing else knows: neither the start, nor a load, nor what is
-        held. A length that is only watched, as that of a slack string, is no coordinate of what flies freely: its
-        motion has a short law in x and y, and none in a distance and an angle."""
+        """The named measures but those of lines between bodies of which nothing else knows a line: neither the start,
+        nor a load, nor what is held. A length that is only watched, as that of a slack string, is no coordinate of what
+        flies freely: its motion has a short law in x and y, and none in a distance and an angle."""
         system, measures = self._system, self._system.all_measures
         known = [measures[n] for n in {*system.all_start, *system.all_start_rates} if n in measures]
         known += [m for push in system.all_loads for m in (push.measure, *(m for _name, m in push.measures))]
         known += [row.measure for row in system.constraint_rows]
-        lines = {_ends(line) for m in known if not isinstance(m, NonholonomicForm) for line in m.lines()}
-        return {n: m for n, m in measures.items() if not (own := set(map(_ends, m.lines()))) or own & lines}
+        on_lines = {body for m in known if not isinstance(m, NonholonomicForm) for body in _ends(m)}
+        return {n: m for n, m in measures.items() if not (own := _ends(m)) or own & on_lines}
 
     def _define(self, c: Candidate) -> Definition | None:
         """An unknown for a measure with its equations; None for one that cannot be written."""
@@ -354,9 +353,9 @@ class CoordinateChoice:
         return found
 
 
-def _ends(line: tuple[Point, Point]) -> frozenset[tuple[str, tuple[Expr, ...]]]:
-    """Between which points a line is, either way."""
-    return frozenset((point.body, point.offset) for point in line)
+def _ends(measure: Measure) -> set[str]:
+    """The moving bodies at the ends of its lines."""
+    return {point.body for line in measure.lines() for point in line} - {GROUND}
 
 
 def _label(name: str) -> str:
