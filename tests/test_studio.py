@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import base64
 import gzip
 import hashlib
 import json
@@ -411,6 +412,17 @@ def test_a_question_of_a_quiz_is_asked_with_its_options() -> None:
     assert posed["options"] == list("abcde")
     assert all(f"({letter})" in posed["html"] for letter in posed["options"])
     assert done("posed", {"text": PENDULUM, "question": "first"}).answer["options"] == []
+
+
+def test_a_force_and_its_reaction_have_one_mark_and_their_symbol_speaks_of_it() -> None:
+    """The tension of the string acts on the mass and on the pulley."""
+    text = (ROOT / "examples" / "atwood_machine.yaml").read_text(encoding="utf-8")
+    answers = [done("picture", {"text": text, "free": [body]}).answer for body in ("left", "pulley")]
+    pictures = [base64.b64decode(answer["content"]).decode() for answer in answers]
+    [tension] = [meaning for meaning in answers[0]["meanings"] if meaning["symbol"] == "Tleft"]
+    [force] = tension["forces"]
+    assert all(f'data-of="force {force}"' in picture for picture in pictures)
+    assert ['data-of="body left"' in picture for picture in pictures] == [True, False]
 
 
 def test_forces_on_a_body_cut_free_are_judged() -> None:

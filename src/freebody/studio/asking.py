@@ -38,7 +38,7 @@ def drawn(request: PictureRequest) -> PictureAnswer:
     content: str | bytes
     match request.format:
         case "svg":
-            content = made.svg(dark=request.dark)
+            content = made.svg(dark=request.dark, is_marked=bool(request.free))
         case "tex":
             content = made.tikz()
         case "png":
@@ -51,7 +51,7 @@ def drawn(request: PictureRequest) -> PictureAnswer:
 def studied(request: StudyRequest) -> StudyAnswer:
     """What a study finds, as a part of a page."""
     found = _found(request)
-    html = html_content(found.told, request.prefix)
+    html = html_content(found.told, request.prefix, is_marked=True)
     return StudyAnswer(
         html=html,
         plain=finite(found.to_plain()),

@@ -26,7 +26,6 @@ _NOTHING = 1e-7  # of the largest reaction: what is smaller has no sense
 _MOST_ROWS = 2_000  # of a system that is set in motion for this
 
 
-@lru_cache(maxsize=8)  # at all instants of a motion they are the same
 def drawn_symbols(system: System, *, base: System | None = None) -> Mapping[str, ReactionSymbol]:
     """`reaction_symbols` of a system, by row, with the sign that makes a reaction positive at the start. base: the
     system of which it is one mode, whose start counts."""

@@ -14,11 +14,12 @@ FORMATS = (".svg", ".png", ".pdf", ".tex")
 class Picture(PictureContent):
     """A picture that writes itself."""
 
-    def svg(self, *, dark: bool | None = None) -> str:
-        """An SVG element of its own, whose colours follow a dark page unless `dark` says which to take."""
+    def svg(self, *, dark: bool | None = None, is_marked: bool = False) -> str:
+        """An SVG element of its own, whose colours follow a dark page unless `dark` says which to take. is_marked: with
+        what its lines belong to, a body or a force, for pages that light them up"""
         from freebody.present.picture.svg import svg
 
-        return svg(self, dark=dark)
+        return svg(self, dark=dark, is_marked=is_marked)
 
     def tikz(self) -> str:
         """A tikzpicture, for which plain tikz is enough."""

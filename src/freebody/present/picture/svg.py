@@ -23,14 +23,14 @@ _HALO = 2.6
 _LIGHT, _DARK = THEMES["light"], THEMES["dark"]
 
 
-def svg(picture: PictureContent, *, dark: bool | None = None) -> str:
-    """dark: on light paper, on dark paper, or None: on that of the page."""
-    return _Writer(picture, dark).text()
+def svg(picture: PictureContent, *, dark: bool | None = None, is_marked: bool = False) -> str:
+    """dark: on light paper, on dark paper, or None: on that of the page; is_marked: with what lines belong to"""
+    return _Writer(picture, dark, is_marked).text()
 
 
 class _Writer:
-    def __init__(self, picture: PictureContent, dark: bool | None) -> None:
-        self.picture, self.dark = picture, dark
+    def __init__(self, picture: PictureContent, dark: bool | None, is_marked: bool) -> None:
+        self.picture, self.dark, self.is_marked = picture, dark, is_marked
         self.low, self.high = picture.corners
         self.inks: dict[Ink, str] = {}
         self.key = ""
@@ -101,7 +101,7 @@ class _Writer:
 
     def _of(self, each: Shape | Word) -> str:
         """What it belongs to, for pages."""
-        return f' data-of="{html.escape(each.of)}"' if each.of and self.dark is None else ""
+        return f' data-of="{html.escape(each.of)}"' if each.of and self.is_marked else ""
 
     def _at(self, point: Array) -> Array:
         return np.array((point[0] - self.low[0], self.high[1] - point[1]))

@@ -155,8 +155,9 @@ class Picture(Protocol):
     @property
     def description(self) -> str: ...
 
-    def svg(self, *, dark: bool | None = None) -> str:
-        """An SVG element of its own, whose colours follow a dark page unless `dark` says which to take."""
+    def svg(self, *, dark: bool | None = None, is_marked: bool = False) -> str:
+        """An SVG element of its own, whose colours follow a dark page unless `dark` says which to take. is_marked: with
+        what its lines belong to, a body or a force, for pages that light them up"""
         ...
 
     def tikz(self) -> str:

@@ -25,6 +25,7 @@ from freebody.present.scene import Scene
 from freebody.study.mobility.centres import instant_centres
 from freebody.study.pictures.instant import instant_along
 from freebody.study.pictures.shown import forces_in_numbers
+from freebody.study.senses import drawn_symbols
 
 if TYPE_CHECKING:
     from freebody.study.simulation.simulate import Simulation
@@ -168,7 +169,8 @@ class MotionShown:
     @cached_property
     def _forces(self) -> list[list[ShownForce]]:
         """At the few instants: at the first of their bodies that moves."""
-        return [forces_in_numbers(instant_along(self.motion, k)) for k in self.few]
+        symbols = drawn_symbols(self.system)
+        return [forces_in_numbers(instant_along(self.motion, k), symbols) for k in self.few]
 
     def forces(self, kinds: Sequence[str]) -> list[Arrow]:
         """Of some of `FORCES`."""

@@ -57,7 +57,7 @@ def checked_bodies(system: System, bodies: Sequence[str]) -> tuple[str, ...]:
 class FreeBody:
     """Bodies cut free at one instant. closed: the bounds that are closed then, by name; slips: the sense in which
     dry friction slides, by the name of its row; values: of multipliers, by the name of the row; told: rows that are
-    drawn even if they never act."""
+    drawn even if they never act; symbols: of the reactions, where they are known."""
 
     def __init__(
         self,
@@ -67,6 +67,7 @@ class FreeBody:
         closed: frozenset[str] = frozenset(),
         labels: Mapping[str, str] | None = None,
         told: Collection[str] = (),
+        symbols: Mapping[str, ReactionSymbol] | None = None,
     ) -> None:
         self.snapshot = snapshot
         self.system = snapshot.reference.system
@@ -75,12 +76,13 @@ class FreeBody:
         own = {name: label for name, label in self.system.looks.labels.items() if name in self.system.loads}
         self.labels = own | dict(labels or {})  # of loads as their author has them
         self.told = frozenset(told)
+        self._symbols = symbols
         self.size = snapshot.reference.sizes.length
         self.reference = snapshot.reference
 
     @cached_property
     def symbols(self) -> Mapping[str, ReactionSymbol]:
-        return drawn_symbols(self.system)
+        return drawn_symbols(self.system) if self._symbols is None else self._symbols
 
     @cached_property
     def action(self) -> Action:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -22,6 +22,7 @@ from freebody.study.mobility.centres import instant_centres
 from freebody.study.pictures.free_body import FreeBody
 from freebody.study.pictures.instant import Instant
 from freebody.study.pictures.touching import closed_bounds
+from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 
 _NOTHING = 1e-6  # of the largest force
@@ -64,11 +65,12 @@ def _centres(system: System, found: Instant) -> list[tuple[str, Array]]:
     return [(b if a == GROUND else f"{a}\u2013{b}", np.array(at)) for (a, b), at in known]
 
 
-def forces_in_numbers(found: Instant) -> list[ShownForce]:
-    """Loads, and reactions at the first of their bodies that moves: components at one point as their resultant."""
+def forces_in_numbers(found: Instant, symbols: Mapping[str, ReactionSymbol] | None = None) -> list[ShownForce]:
+    """Loads, and reactions at the first of their bodies that moves: components at one point as their resultant.
+    symbols: `drawn_symbols` of the system, where many instants have the same"""
     system = found.snapshot.reference.system
     moving = [body.name for body in system.moving]
-    free = FreeBody(found.snapshot, moving, closed=closed_bounds(found.snapshot))
+    free = FreeBody(found.snapshot, moving, closed=closed_bounds(found.snapshot), symbols=symbols)
     valued: list[ShownForce] = []
     reactions = free.reaction_values(found.reactions)
     seen: set[str] = set()

@@ -84,10 +84,10 @@ def _font() -> str:
     return f'@font-face {{ font-family: "Freebody Math"; src: url({address}) format("woff2"); }}\n'
 
 
-def html_content(report: Report, prefix: str) -> str:
+def html_content(report: Report, prefix: str, *, is_marked: bool = False) -> str:
     """The report without any style, for a page that has `report.css`. prefix: of the names of its parts, which a page
-    with several reports keeps apart."""
-    return _body(report, prefix, "div")
+    with several reports keeps apart; is_marked: whether lines of pictures say what they belong to."""
+    return _body(report, prefix, "div", is_marked=is_marked)
 
 
 def html_fragment(report: Report) -> str:
@@ -98,9 +98,9 @@ def html_fragment(report: Report) -> str:
 
 
 @in_its_decimals
-def _body(report: Report, prefix: str, element: str) -> str:
+def _body(report: Report, prefix: str, element: str, *, is_marked: bool = False) -> str:
     subtitle = f'<p class="subtitle">{_words(report.subtitle)}</p>' if report.subtitle else ""
-    writer = _Writer(report, prefix)
+    writer = _Writer(report, prefix, is_marked=is_marked)
     content = writer.blocks(report.blocks)
     bar = writer.bar() if writer.n_steps and not prefix else ""
     heading = f"<header><h1>{_words(report.title)}</h1>{subtitle}</header>"
@@ -125,9 +125,9 @@ def _count_steps(blocks: Sequence[Block]) -> int:
 class _Writer(BlockWriter[str]):
     """Writes the blocks of one report, and counts the sections and steps that it has met."""
 
-    def __init__(self, report: Report, prefix: str) -> None:
+    def __init__(self, report: Report, prefix: str, *, is_marked: bool) -> None:
         super().__init__(report)
-        self.prefix = prefix
+        self.prefix, self.is_marked = prefix, is_marked
         self.n_sections = 0
         self.n_steps = 0
         self.depth = 1
@@ -257,7 +257,7 @@ class _Writer(BlockWriter[str]):
         label = escape(plain(f"{picture.title}. {picture.description}"), quote=True)
         lead = f"<b>{capital(self.word('figure'))} {figure.number}</b>"
         caption = f"<figcaption>{lead} {self.text(figure.caption)}</figcaption>"
-        drawing = f'<div class="drawing" role="img" aria-label="{label}">{picture.svg()}</div>'
+        drawing = f'<div class="drawing" role="img" aria-label="{label}">{picture.svg(is_marked=self.is_marked)}</div>'
         return f'<figure id="{self.prefix}fig-{figure.number}">{drawing}{caption}</figure>'
 
     # -- text -------------------------------------------------------------------------------------
