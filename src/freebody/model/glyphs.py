@@ -328,7 +328,7 @@ class Field(Generic[D]):
 Joint = Pin[P, D] | Weld[P] | Ball[P] | Cross[P, D] | Rail[P, D] | Face[P, D] | Groove[P, N] | Roller[P, N]
 Rolling = Track[P, D, N] | Wheels[P, N] | Belt[P, N] | Toothed[P]
 Touching = Surface[P, D, N] | Touch | Halt[P, D, N] | TurnHalt[D, N] | Shoe[P]
-Pushing = Spring[P, N] | Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D]
+Pushing = Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D] | Spring[P, N]
 Sign = (
     Joint[P, D, N]
     | Rolling[P, D, N]

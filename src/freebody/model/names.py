@@ -56,6 +56,10 @@ class Joining(Protocol):
     # its forces act where its bodies touch
     has_contact_point: ClassVar[bool]
 
+    def keeps_as_one(self, names: Names) -> bool:
+        """Whether the places of its bodies are those of one body."""
+        ...
+
     def joined_points(self, names: Names) -> tuple[Point, Point] | None:
         """The two points that it keeps together while both bodies turn, in the plane."""
         ...

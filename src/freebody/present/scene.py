@@ -222,8 +222,8 @@ class _Reader:
     def _shown(self) -> Iterator[ShownGlyph]:
         """Without strings that are slack in the mode of the system, with rails that a particle cannot turn on, and with
         wheels on their road where the model says so, instead of pins in slots."""
-        stated = {} if self.system.space else self.system.looks.wheels
-        wheels = {at: self._roller(at, radius) for at, radius in stated.items()}
+        looks = self.system.looks
+        wheels = {} if self.system.space else {at: self._roller(at, radius) for at, radius in looks.wheels.items()}
         yield from (ShownGlyph(at.body, roller) for at, roller in wheels.items())
         taut = {row.connection for row in self.system.constraint_rows}
         for glyph in self.system.glyphs:

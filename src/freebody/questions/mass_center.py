@@ -105,8 +105,9 @@ def _of_center(names: Names, found: Found, path: Path) -> Quantity | None:
     if what == "z" and not names.space:
         names.problem(Message("in the plane there is no z"), *path)
         return None
-    is_of_all = found["of"] is None or found["of"].endswith("system")
-    group = None if is_of_all else tuple(names.body(word, *path).name for word in re.split(r", | and ", found["of"]))
+    of = found["of"] or "system"
+    words = [] if of.endswith("system") else re.split(r", | and ", of)
+    group = tuple(names.body(word, *path).name for word in words) or None
     bodies = [b for b in names.bodies.values() if b.name != GROUND and not b.fixed and b.mass != ZERO]
     if found["of"] is None and len(bodies) > 1 and any(b.turns for b in bodies):
         ways = "; ".join(f"{what} of {name}" for name in ("mass center of system", *(b.name for b in bodies)))

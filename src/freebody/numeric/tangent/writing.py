@@ -29,7 +29,7 @@ class TangentWriter(Writer):
     """Writes what a system in numbers states, as operations of which some inputs are parameters."""
 
     def __init__(self, reference: NumericSystem, names: Sequence[str]) -> None:
-        super().__init__(reference.numbers(), lambda measure: reference.frame.number(measure))
+        super().__init__(reference.numbers(), lambda measure: reference.frame.number(measure), lambda _measure: None)
         self.reference, self.varied = reference, tuple(names)
         n = self.n_coordinates
         self._first_acceleration = 2 * n + 1 + (4 * len(self._bodies) if reference.system.space else 0)

@@ -65,8 +65,8 @@ class InsideAWall(WarningKind, name="inside a wall"):
 
 def _turned_round(model: Opened, line: Line) -> str:
     """What to write so that the other side of a line is solid: the side by name, where it is one of four."""
-    across = tuple(round(model.reference.number(c), 9) for c in line.direction.normal().components)
-    side = {(1, 0): "right", (-1, 0): "left", (0, 1): "up", (0, -1): "down"}.get(across)
+    x, y = (round(model.reference.number(c), 9) for c in line.direction.normal().components)
+    side = {(1.0, 0.0): "right", (-1.0, 0.0): "left", (0.0, 1.0): "up", (0.0, -1.0): "down"}.get((x, y))
     return Message("the other way along") if side is None else f"solid: {side}"
 
 
