@@ -96,6 +96,18 @@ start: {x: 0, rate(x): v}
 """,
         {"normal force of it at start": "m*(g - 2*a*v**2)"},
     ),
+    # at the lowest point of a bowl of the curvature 2 k, at the speed v: N = m (g + 2 k v^2)
+    "surface at the bottom of a bowl": (
+        "point_on_surface",
+        """
+space: {up: z}
+parameters: {m: 2 kg, k: 0.5 1/m, v: 3 m/s, g: 9.81 m/s^2}
+bodies: {bead: {particle: {mass: m}, at: [0, 0, 0], velocity: [v, 0, 0]}}
+connections: {it: {point_on_surface: {point: bead, z: k*rho^2}}}
+loads: {weight: {gravity: g}}
+""",
+        {"normal force of it at start": "m*(g + 2*k*v**2)"},
+    ),
     # kappa = s/A^2 after the way s at the speed v: N = m v^2 s/A^2
     "clothoid": (
         "clothoid",

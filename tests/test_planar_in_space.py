@@ -280,7 +280,7 @@ KINDS = {
     f"{kind.kind}": kind.example
     for kinds in (Connection.kinds, Load.kinds)
     for kind in kinds.values()
-    if kind.__module__.startswith("freebody.") and "space: true" not in kind.example and kind.kind not in NOT_THERE
+    if kind.__module__.startswith("freebody.") and "space:" not in kind.example and kind.kind not in NOT_THERE
 }
 
 

@@ -88,12 +88,14 @@ def described(kind: str) -> System:
 
 @cache
 def closed(kind: str) -> Description:
-    """The same; what may open is closed, and what may slip sticks."""
+    """The same; what may open is closed, and what may slip sticks. An end touches with its rim: flat, it would be held
+    twice."""
     system = described(kind)
     if not system.bounds and not system.dry_friction:
         return system
-    mode = ContactMode.of({bound.name for bound in system.bounds}, {rub.name: 0 for rub in system.dry_friction})
-    return in_mode(system, mode)[0]
+    flat = {bound.name for bound in system.bounds if bound.pivot is not None}
+    held = {bound.name for bound in system.bounds} - flat
+    return in_mode(system, ContactMode.of(held, {r.name: 0 for r in system.dry_friction if not flat & {*r.load}}))[0]
 
 
 @cache
