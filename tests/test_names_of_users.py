@@ -23,7 +23,7 @@ KINDS = [
     for name in names_of(kind)
 ]
 LOADS = sorted(kind for kind, load in Load.kinds.items() if load.__module__.startswith("freebody."))
-LANGUAGE = {"phi", "x", "s"}  # in which a user writes a formula
+LANGUAGE = {"phi", "x", "y", "s"}  # in which a user writes a formula
 ALONE = {"c", "p", "q"}  # beside numbers only
 
 

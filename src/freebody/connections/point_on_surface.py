@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.connections.surfaces import drawn, polar, surface_of
-from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
@@ -24,7 +23,7 @@ from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
-from freebody.model.surfaces import Surface
+from freebody.model.surfaces import HEIGHT, Surface
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -68,7 +67,7 @@ connections: {it: {point_on_surface: {point: bead, z: k*rho^2}}}
         if surface is None:
             return []
         place = surface.place_of(names.point(self.point))
-        above = Composed((Symbol("z") - surface.height) / surface.steepness, place, LENGTH)
+        above = Composed((HEIGHT - surface.height) / surface.steepness, place, LENGTH)
         return [ConstraintRow("surface", "normal force", above, unilateral=self.leaves)]
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:

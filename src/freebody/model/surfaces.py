@@ -19,6 +19,7 @@ from freebody.measures.geometry import Components, Direction, Point
 from freebody.model.rotations import vector_product
 
 Axes = tuple[Direction, Direction, Direction]
+HEIGHT = Symbol("@z")  # of a point, in formulas with x and y
 SQUARE = Symbol("x") * Symbol("x") + Symbol("y") * Symbol("y")
 
 
@@ -58,7 +59,8 @@ class Surface:
     def place_of(self, point: Point) -> tuple[tuple[str, Measure], ...]:
         """x, y and z of a point, as the surface counts them."""
         return tuple(
-            (name, Displacement(point, self.origin, axis)) for name, axis in zip("xyz", self.axes, strict=True)
+            (name, Displacement(point, self.origin, axis))
+            for name, axis in zip(("x", "y", HEIGHT.name), self.axes, strict=True)
         )
 
 

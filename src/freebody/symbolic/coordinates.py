@@ -354,8 +354,9 @@ class CoordinateChoice:
 
 
 def _ends(measure: Measure) -> set[str]:
-    """The moving bodies at the ends of its lines."""
-    return {point.body for line in measure.lines() for point in line} - {GROUND}
+    """The moving bodies at the ends of its lines. A line of one body turns as that does, and has no length to tell."""
+    ends = [{point.body for point in line} for line in measure.lines()]
+    return set[str]().union(*(bodies for bodies in ends if len(bodies) > 1)) - {GROUND}
 
 
 def _label(name: str) -> str:
