@@ -39,7 +39,7 @@ class Drawing:
     title: str = "Block on a slope"
     description: str = "A block on an incline with its weight and the normal force."
 
-    def svg(self, *, dark: bool | None = None) -> str:
+    def svg(self, *, dark: bool | None = None, is_marked: bool = False) -> str:
         return (
             '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 240 130" width="240" height="130">'
             "<style>.ink{stroke:#1f2328;fill:none;stroke-width:1.5}.body{fill:#0072b2;fill-opacity:.3;stroke:#0072b2}"
