@@ -92,7 +92,7 @@ def told(system: System) -> dict[str, str]:
     [
         ("(m1 - m2)/(m1 + m2)*g", "the moment of inertia of pulley is forgotten, as if the tension were the same"),
         ("(m1 - m2)/(m1 + m2 + M)*g", "the moment of inertia of pulley is taken to be that of a ring"),
-        ("(m1 + m2)/(m1 + m2 + M/2)*g", "weight of right has the wrong sign"),
+        ("(m1 + m2)/(m1 + m2 + M/2)*g", "the load weight on right has the wrong sign"),
         ("(m1 - m2)/(m2 + M/2)*g", "the inertia term of left is forgotten"),
         ("(m1 - m2)/(m1 + m2 + M/2)", "the factor g is forgotten"),
         (

@@ -896,3 +896,31 @@ def test_the_commands_answer_with_their_exit_codes() -> None:
 def test_a_parameter_without_a_value_is_asked_for() -> None:
     with pytest.raises(CannotAnswer, match="numbers need a value for m"):
         equilibria(System.from_text(PENDULUM.replace("m: 2 kg", "m: kg")))
+
+
+def test_loads_that_only_die_away_balance_nowhere() -> None:
+    """On y = h exp(-x/b) the slope is nowhere zero: Newton's steps go on by b, and lose a factor e each."""
+    sled = System.from_text("""
+parameters: {m: 60 kg, h: 12 m, b: 15 m, g: 9.81 m/s^2}
+bodies: {sled: {particle: {mass: m}, near: {at: [0, h]}}}
+connections: {snow: {curved_rail: {point: sled, y: h*exp(-x/b)}}}
+loads: {weight: {gravity: g}}
+measures: {x: {x of sled}}
+start: {x: 0}
+""")
+    with pytest.raises(CannotAnswer, match="there is no equilibrium"):
+        equilibria(sled)
+
+
+@pytest.mark.parametrize("n", [2, 4, 6])
+def test_a_flat_minimum_of_a_high_order_is_found(n: int) -> None:
+    """The steps to the zero of x^(n - 1) shrink by (n - 2)/(n - 1) each."""
+    bowl = System.from_text(f"""
+parameters: {{m: 1 kg, a: 1 m, g: 9.81 m/s^2}}
+bodies: {{bead: {{particle: {{mass: m}}, near: {{at: [0.7 m, 0]}}}}}}
+connections: {{wire: {{curved_rail: {{point: bead, y: a*(x/a)^{n}}}}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{x: {{x of bead}}}}
+start: {{x: 0.7 m}}
+""")
+    assert abs(equilibria(bowl)[0].measures["x"]) < 1e-2

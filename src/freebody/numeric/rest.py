@@ -43,6 +43,7 @@ FAR, FAR_ROUND = 1e5, 300.0  # beyond so many sizes, or radians, from where it b
 _REACH = 0.5  # of the first step of a search, in sizes or radians
 _N_ITERATIONS = 80
 _STEP = 1e-7  # by the size of the system: a difference ahead keeps half of the digits
+_GOING_ON = 8  # steps of which the shortest is not much shorter than the longest
 _SMALL = 1e-13  # the same: a step after which nothing changes any more
 _BALANCED = 1e-14  # of the loads: what they leave in a pose that rests
 _DOWN = 1e-6  # of the loads: from where what is left of them is balanced by Newton's steps
@@ -181,7 +182,7 @@ class RestFinder:
         """The rest to which damped Newton steps from a pose lead; None if they end elsewhere."""
         self.n_searches += 1
         here = self.try_balance(pose)
-        damping, ratio, reach, errors = 1e-8, 0.0, _REACH, list[float]()
+        damping, ratio, reach, errors, moved = 1e-8, 0.0, _REACH, list[float](), list[float]()
         for _ in range(_N_ITERATIONS):
             if here is None or not len(here.residual) or self._is_far(here.pose, pose):
                 break
@@ -203,16 +204,16 @@ class RestFinder:
             if there is not None and there.error < here.error:
                 # a step that keeps what it promises may be followed by a longer one
                 reach = 2.0 * reach if there.error <= (1.0 - 0.5 * part) * here.error else _REACH
-                small = float(self.reference.sizes.relative(step).max()) < _SMALL
+                moved.append(float(self.reference.sizes.relative(step).max()))
                 ratio, here, damping = there.error / here.error, there, max(0.1 * damping, 1e-10)
-                if small:
+                if moved[-1] < _SMALL:
                     break
             elif damping >= 1e4:
                 break
             else:
                 damping = max(10.0 * damping, 1e-4)
                 ratio, reach = 0.0, _REACH
-        return here if here is not None and self.is_rest(here) else None
+        return here if here is not None and self.is_rest(here) and not _goes_on(moved) else None
 
     def _best(self, here: LoadBalance, step: Array, factors: Sequence[float]) -> LoadBalance | None:
         """The best of some multiples of a step: where a rest is a multiple root, Newton's own is too short."""
@@ -297,6 +298,13 @@ class RestFinder:
             for g in (self.geometry(a), self.geometry(b))
         ]
         return bool(np.abs(laws[0] - laws[1]).max(initial=0.0) <= 1e-3 * np.abs(laws).max(initial=0.0) + ROUND_OFF)
+
+
+def _goes_on(steps: Sequence[float]) -> bool:
+    """Whether Newton's steps went on as long as they were while the loads died away: exp(-x/b) loses a factor e at each
+    step of b and is nowhere zero. At a zero of the order n a step is (n - 1)/n of the one before."""
+    last = steps[-_GOING_ON:]
+    return len(last) == _GOING_ON and min(last) > 0.2 * max(last)
 
 
 def _least_squares(A: Array, b: Array) -> Array:
