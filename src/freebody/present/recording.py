@@ -61,6 +61,11 @@ class Recording:
             import xarray
         except ModuleNotFoundError:
             raise InputError(Message('datasets need xarray; pip install "freebody[data]"')) from None
-        data = {name: (s.dimensions, s.values, dict(s.attributes)) for name, s in self.series.items()}
+        data = {name: (s.dimensions, s.values, _plain(s.attributes)) for name, s in self.series.items()}
         time = ("time", self.times, {"units": "s", "long_name": "time"})
         return xarray.Dataset(data, coords={"time": time, **self.labels}, attrs=dict(self.attributes))
+
+
+def _plain(attributes: Mapping[str, Any]) -> dict[str, Any]:
+    """Without messages, which file formats do not take for texts."""
+    return {key: str.__str__(value) if isinstance(value, str) else value for key, value in attributes.items()}

@@ -371,6 +371,10 @@ class Bounded:
                 groups.append([k])
         return replace(mode, groups=tuple(tuple(group) for group in groups if len(group) > 1))
 
+    def values(self) -> Floats:
+        """(n_rows,) of all measures at the instant that `free` looked at last."""
+        return self.free.room.rows[:, kinematics.VALUE]
+
     def is_valid(self, k: int) -> bool:
         """Whether a barrier exists at the instant that `free` looked at last: a foot is on its edge."""
         return within(self.barriers[k], self.free.room.rows)

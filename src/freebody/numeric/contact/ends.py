@@ -17,16 +17,34 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from freebody.model.elements import RimPivot
-from freebody.numeric.kernels import kinematics
 
 if TYPE_CHECKING:
-    from freebody.numeric.contact.bounded import Bounded
-    from freebody.numeric.contact.rows import ContactInstant
+    from freebody.numeric.contact.rows import ContactInstant, FrictionRow, UnilateralRow
+    from freebody.numeric.engine.writing import ArrayBuilder
+    from freebody.numeric.kernels.arrays import Floats
+    from freebody.numeric.numbers import Numbers
 
 Setting = tuple[float, float, float]  # c and s of the place of a pivot, and its height
+
+
+class Held(Protocol):
+    """What flat ends ask of the system that they are of."""
+
+    numbers: Numbers
+    written: ArrayBuilder
+    barriers: list[UnilateralRow]
+    drags: list[FrictionRow]
+
+    def values(self) -> Floats:
+        """(n_rows,) of all measures in the pose that was looked at last."""
+        ...
+
+    def is_valid(self, k: int) -> bool:
+        """Whether a barrier counts in the pose that was looked at last."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -46,7 +64,7 @@ class FlatEnd:
 class FlatEnds:
     """Those of one system, and where their pivots are now."""
 
-    def __init__(self, bounded: Bounded, pivots: Mapping[str, RimPivot]) -> None:
+    def __init__(self, bounded: Held, pivots: Mapping[str, RimPivot]) -> None:
         """pivots: by the bound of the flat end."""
         self.bounded = bounded
         number = {barrier.name: k for k, barrier in enumerate(bounded.barriers)}
@@ -128,7 +146,7 @@ class FlatEnds:
     def put_against(self, end: FlatEnd, angle: float, now: ContactInstant) -> None:
         """At e = w x m/|w|, w at an angle from p to q."""
         p, q = math.sin(angle), -math.cos(angle)
-        values = self.bounded.free.room.rows[:, kinematics.VALUE]
+        values = self.bounded.values()
         c, s = (end.pivot.sign * (p * float(values[one]) + q * float(values[other])) for one, other in end.along)
         self._put(end, c, s, now)
 
@@ -150,7 +168,7 @@ class FlatEnds:
         self._put(end, c, s, now)
 
     def _lowest(self, end: FlatEnd) -> tuple[float, float]:
-        values = self.bounded.free.room.rows[:, kinematics.VALUE]
+        values = self.bounded.values()
         return float(values[end.lowest[0]]), float(values[end.lowest[1]])
 
     def _put(self, end: FlatEnd, c: float, s: float, now: ContactInstant) -> None:
