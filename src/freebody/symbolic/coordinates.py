@@ -159,14 +159,16 @@ class CoordinateChoice:
 
     def _of_use(self) -> dict[str, Measure]:
         """The named measures but those of lines between bodies of which nothing else knows a line: neither the start,
-        nor a load, nor what is held. A length that is only watched, as that of a slack string, is no coordinate of what
-        flies freely: its motion has a short law in x and y, and none in a distance and an angle."""
+        nor a load, nor what is held, and that nothing leads. A length that is only watched, as that of a slack string,
+        is no coordinate of what flies freely: its motion has a short law in x and y, and none in a distance and an
+        angle."""
         system, measures = self._system, self._system.all_measures
         known = [measures[n] for n in {*system.all_start, *system.all_start_rates} if n in measures]
         known += [m for push in system.all_loads for m in (push.measure, *(m for _name, m in push.measures))]
         known += [row.measure for row in system.constraint_rows]
         on_lines = {body for m in known if not isinstance(m, NonholonomicForm) for body in _ends(m)}
-        return {n: m for n, m in measures.items() if not (own := _ends(m)) or own & on_lines}
+        led = {body for row in system.constraint_rows for body in row.measure.bodies()}
+        return {n: m for n, m in measures.items() if not (own := _ends(m)) or own & on_lines or own <= led}
 
     def _define(self, c: Candidate) -> Definition | None:
         """An unknown for a measure with its equations; None for one that cannot be written."""

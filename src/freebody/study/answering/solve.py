@@ -28,7 +28,6 @@ from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.plain_numbers import with_plain_numbers
 from freebody.study.answering.reactions_at_rest import reaction_at_rest
 from freebody.study.answering.solution import Solution
-from freebody.study.answering.sticking import while_it_sticks
 from freebody.study.given import each
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import in_words
@@ -373,7 +372,7 @@ def _without_phases(system: System, questions: Sequence[Question], reason: str) 
         elif (resting := _of_rest(system, q)) is not None:
             answers.append(at_rest(system, resting))
         else:
-            direct = partial(while_it_sticks, system, q) if q.quantity.scope == "small motion" else None
+            direct = partial(_while_it_sticks, system, q) if q.quantity.scope == "small motion" else None
             answers.append(
                 answered(system, q, direct or partial(_refused_for, reason), partial(number_with_changes, system, q))
             )
@@ -396,3 +395,9 @@ def _of_rest(system: System, question: Question) -> Question | None:
 
 def _refused_for(reason: str) -> Answer:
     raise CannotAnswer(reason)
+
+
+def _while_it_sticks(system: System, question: Question) -> Answer:
+    from freebody.study.answering.sticking import while_it_sticks  # which looks at contacts in numbers
+
+    return while_it_sticks(system, question)
