@@ -399,14 +399,14 @@ class Contact(_Contact):
 
     What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the
     right of its direction, so below one that points to the right; `below: true` for the other side), or
-    `inside bowl` for the inside of a ring. In space: a body on a plane of another one (see `planes`), a sphere on a sphere,
-    inside one, on a box, a convex body, a cylinder, a disk, a ring, a rod or a point, a point on a sphere, a box or
-    a convex body, a cylinder or a disk on a box or a convex body, cylinders across or along each other, and boxes
+    `inside bowl` for the inside of a ring. In space: a body on a plane of another one (see `planes`), a sphere on a
+    sphere, inside one, on a box, a convex body, a cylinder, a disk, a ring, a rod or a point, a point on a sphere, a
+    box or a convex body, a cylinder or a disk on a box or a convex body, cylinders across or along each other, and boxes
     and convex bodies on each other. friction: one coefficient, or {static: 0.5, kinetic: 0.4}; restitution between 0
     (default) and 1; rolling_resistance: the arm of the normal force [m]. A contact whose bodies have no place (`at`)
     starts touching, and `touching: true` moves the bodies there, or out of each other, by the least;
-    `touching: false` leaves them where they are. Of two bodies with plane faces only `touching: true` does. A cylinder, or a
-    disk, may stand flat on a plane or a face: it tips about its rim, and where it falls back without rebound the
+    `touching: false` leaves them where they are. Of two bodies with plane faces only `touching: true` does. A cylinder,
+    or a disk, may stand flat on a plane or a face: it tips about its rim, and where it falls back without rebound the
     angular momentum about the other edge stays. Where it spins with friction there, a motion needs its
     spinning_resistance (2/3 of the coefficient of friction times the radius where the pressure is even and it only
     spins); else it ends, saying so."""
@@ -1144,9 +1144,9 @@ class SphericalShell(_SphericalShell):
 class Spring(_Spring):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
     natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself.
-    `preload: F0` in place of a length: it pulls with F0 at the start, or pushes where that is negative. `only:
-    compressed` is a buffer on `first`: it pushes with k (l0 - l) where the points are closer than its length, and is
-    not touched where they are farther apart; with a preload it pushes with that at once. `only: stretched` pulls
+    `preload: F0` in place of a length: it pulls with F0 at the start, or pushes where that is negative.
+    `only: compressed` is a buffer on `first`: it pushes with k (l0 - l) where the points are closer than its length,
+    and is not touched where they are farther apart; with a preload it pushes with that at once. `only: stretched` pulls
     alone."""
 
     def __init__(

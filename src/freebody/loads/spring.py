@@ -38,9 +38,9 @@ if TYPE_CHECKING:
 class Spring(Load, kind="spring"):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
     natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself.
-    `preload: F0` in place of a length: it pulls with F0 at the start, or pushes where that is negative. `only:
-    compressed` is a buffer on `first`: it pushes with k (l0 - l) where the points are closer than its length, and is
-    not touched where they are farther apart; with a preload it pushes with that at once. `only: stretched` pulls
+    `preload: F0` in place of a length: it pulls with F0 at the start, or pushes where that is negative.
+    `only: compressed` is a buffer on `first`: it pushes with k (l0 - l) where the points are closer than its length,
+    and is not touched where they are farther apart; with a preload it pushes with that at once. `only: stretched` pulls
     alone."""
 
     first: str
