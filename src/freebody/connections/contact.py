@@ -62,7 +62,8 @@ class Contact(Connection, kind="contact"):
     sphere, inside one, on a box, a convex body, a cylinder, a disk, a ring, a rod or a point, a point on a sphere, a
     box or a convex body, a cylinder or a disk on a box or a convex body, cylinders across or along each other,
     and boxes and convex bodies on each other. friction: one coefficient, or {static: 0.5, kinetic: 0.4};
-    restitution between 0 (default) and 1; rolling_resistance: the arm of the normal force [m]. A contact whose bodies have no place (`at`)
+    restitution between 0 (default) and 1; rolling_resistance: the arm of the normal force [m]. A contact whose
+    bodies have no place (`at`)
     starts touching, and `touching: true` moves the bodies there, or out of each other, by the least;
     `touching: false` leaves them where they are. Of two bodies with plane faces only `touching: true` does. A cylinder,
     or a disk, may stand flat on a plane or a face: it tips about its rim, and where it falls back without rebound the
