@@ -88,3 +88,36 @@ def test_what_is_no_spring_has_no_extension() -> None:
 def test_the_compression_swings_between_two_values_of_opposite_sign() -> None:
     most = [asked(STRUCK, f"greatest {what} of spring")["q1"].value for what in ("extension", "compression")]
     assert most == pytest.approx([2.0 / math.sqrt(100 * 4 / 3) * 1.0] * 2)
+
+
+BUFFER = """
+parameters: {m: 2 kg, k: 800 N/m, l: 0.2 m, d: 1 m, v: 3 m/s, F0: 20 N}
+ground: {points: {A: [0, 0]}}
+bodies: {cart: {particle: {mass: m}, at: [d, 0]}}
+connections: {rail: {slider: {body: cart, along: right}}}
+loads: {buffer: {spring: {first: ground.A, second: cart, stiffness: k, length: l, only: compressed}}}
+measures: {x: {x of cart}}
+start: {x: d, rate(x): -v}
+"""
+
+
+def test_a_buffer_is_compressed_by_the_energy_of_the_cart_and_not_at_all_before(agrees: Agree) -> None:
+    """k c^2/2 = m v^2/2."""
+    found = fb.solve(
+        fb.System.from_text(BUFFER), ["greatest compression of the buffer", "compression of buffer at start"]
+    )
+    agrees(found, "q1", "v*sqrt(m/k)")
+    agrees(found, "q2", "0")
+
+
+def test_a_preloaded_buffer_is_compressed_before_it_is_touched() -> None:
+    with pytest.raises(fb.ModelError, match="ask for: force in buffer"):
+        asked(BUFFER.replace("length: l,", "length: l, preload: F0,"), "compression of buffer")
+
+
+def test_what_is_fixed_has_no_part_in_a_mass_centre_that_is_asked_for() -> None:
+    """Both are asked for by themselves, and the answer says so."""
+    model = STRUCK.replace("M}, at: [L, 0]}", "M}, at: [L, 0], fixed: true}")
+    model = model.replace(", b: {slider: {body: B, along: right}}", "")
+    found = asked(model, "velocity of mass center of A and B")
+    assert [answer.understood for answer in found.answers] == ["velocity of A.mass_center", "velocity of B"]

@@ -924,3 +924,17 @@ measures: {{x: {{x of bead}}}}
 start: {{x: 0.7 m}}
 """)
     assert abs(equilibria(bowl)[0].measures["x"]) < 1e-2
+
+
+def test_a_repulsion_that_only_dies_away_balances_nowhere() -> None:
+    """F = c/x^3: each of Newton's steps is x/3, longer than the one before."""
+    apart = System.from_text("""
+parameters: {m: 1 kg, c: 2 N m^3, a: 1 m}
+bodies: {p: {particle: {mass: m}, at: [a, 0]}}
+connections: {rail: {slider: {body: p, along: right}}}
+loads: {push: {force: {at: p, along: right, magnitude: c/x^3}}}
+measures: {x: {x of p}}
+start: {x: a}
+""")
+    with pytest.raises(CannotAnswer, match="there is no equilibrium"):
+        equilibria(apart)

@@ -43,7 +43,7 @@ FAR, FAR_ROUND = 1e5, 300.0  # beyond so many sizes, or radians, from where it b
 _REACH = 0.5  # of the first step of a search, in sizes or radians
 _N_ITERATIONS = 80
 _STEP = 1e-7  # by the size of the system: a difference ahead keeps half of the digits
-_GOING_ON = 8  # steps of which the shortest is not much shorter than the longest
+_GOING_ON = 8  # steps of which the last is not much shorter than the first
 _SMALL = 1e-13  # the same: a step after which nothing changes any more
 _BALANCED = 1e-14  # of the loads: what they leave in a pose that rests
 _DOWN = 1e-6  # of the loads: from where what is left of them is balanced by Newton's steps
@@ -204,9 +204,10 @@ class RestFinder:
             if there is not None and there.error < here.error:
                 # a step that keeps what it promises may be followed by a longer one
                 reach = 2.0 * reach if there.error <= (1.0 - 0.5 * part) * here.error else _REACH
-                moved.append(float(self.reference.sizes.relative(step).max()))
+                length = float(self.reference.sizes.relative(step).max())
+                moved = [*moved, length] if part == 1.0 else []
                 ratio, here, damping = there.error / here.error, there, max(0.1 * damping, 1e-10)
-                if moved[-1] < _SMALL:
+                if length < _SMALL:
                     break
             elif damping >= 1e4:
                 break
@@ -301,10 +302,11 @@ class RestFinder:
 
 
 def _goes_on(steps: Sequence[float]) -> bool:
-    """Whether Newton's steps went on as long as they were while the loads died away: exp(-x/b) loses a factor e at each
-    step of b and is nowhere zero. At a zero of the order n a step is (n - 1)/n of the one before."""
+    """Whether Newton's steps, as they are without a limit, stay as long while the loads die away: exp(-x/b) loses a
+    factor e at each step of b, 1/x^n at each of x/n, and both are nowhere zero. To a zero of the order n a step is at
+    most (n - 1)/n of the one before."""
     last = steps[-_GOING_ON:]
-    return len(last) == _GOING_ON and min(last) > 0.2 * max(last)
+    return len(last) == _GOING_ON and last[-1] > 0.5 * last[0]
 
 
 def _least_squares(A: Array, b: Array) -> Array:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, differentiate, free_symbols, negate
+from freebody.language.expression import ZERO, Expr, differentiate, free_symbols, negate, substitute
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ENERGY, LENGTH, POWER, TORQUE, Dimension
 from freebody.model.elements import VALUE, AppliedLoad
@@ -52,7 +52,8 @@ class Extension(Quantity, kind="extension"):
     """By how much a spring is longer than without force, or shorter (its compression): its force over its stiffness.
     What acts on one side only, as an elastic string, has none where it exerts no force."""
 
-    load: str
+    force: LoadForce
+    stiffness: Expr
     is_compression: bool = False
 
     example = """
@@ -63,23 +64,24 @@ questions: {it: extension of spring at start}
     measured_in = LENGTH
 
     def value(self, system: Described, state: State[Any]) -> Any:
-        """(l - l0) = F/k, with the law F = k (l - l0) + F0 of a spring with a preload as well."""
-        pushes = [p for p in system.applied_loads if p.load == self.load]
-        force = system.loads[self.load].pulls_with([state.law(p) for p in pushes], state.sqrt)
-        stiffness = stiffness_of(pushes[0])
-        assert force is not None
-        assert stiffness is not None
-        return (-1 if self.is_compression else 1) * force / state.scalar(stiffness)
+        return self.by_force(self.force.value(system, state), state)
+
+    def by_force(self, force: Any, state: State[Any]) -> Any:
+        """l - l0 = F/k, with the law F = k (l - l0) of a spring; a preload F0 at l_1 is one at another l0."""
+        return (-1 if self.is_compression else 1) * force / state.scalar(self.stiffness)
 
     def sentence(self, system: Described) -> Sentence:
-        return Sentence("what.compression" if self.is_compression else "what.extension", {"load": self.load})
+        return Sentence("what.compression" if self.is_compression else "what.extension", {"load": self.force.load})
 
 
 def stiffness_of(push: AppliedLoad) -> Expr | None:
-    """The slope of a law that is linear in a length; None of others."""
-    slope = differentiate(push.law, VALUE.name)
-    is_linear = VALUE.name not in free_symbols(slope)
-    return negate(slope) if is_linear and slope != ZERO and push.measure.dimension == LENGTH else None
+    """The slope of a law that is linear in a length; None of others, and of what acts on one side with a preload, whose
+    force does not tell how far it is compressed before it is touched."""
+    law = push.law if push.one_sided is None else push.one_sided.law
+    slope = differentiate(law, VALUE.name)
+    is_linear = VALUE.name not in free_symbols(slope) and push.measure.dimension == LENGTH
+    is_told = push.one_sided is None or substitute(law, {VALUE.name: ZERO}) == ZERO
+    return negate(slope) if is_linear and is_told and slope != ZERO else None
 
 
 @dataclass(frozen=True)
@@ -170,14 +172,20 @@ def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
 )
 def _extension(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
-    springs = dict.fromkeys(
-        p.load for p in names.applied_loads if "spring" in names.called.get(p.load, ()) and stiffness_of(p) is not None
-    )
+    springs = {
+        p.load: k
+        for p in names.applied_loads
+        if "spring" in names.called.get(p.load, ()) and (k := stiffness_of(p)) is not None
+    }
+    if any(p.load == of and p.one_sided is not None and of not in springs for p in names.applied_loads):
+        told = Message("{name} is compressed before it is touched; ask for: force in {name}", name=of)
+        names.problem(told, *path)
+        return None
     if of not in springs:
         told = Message("{name} is no spring with a stiffness.{hint}", name=of, hint=did_you_mean(of, [*springs]))
         names.unknown(of, told, *path)
         return None
-    return Extension(of, is_compression=found["what"] == "compression")
+    return Extension(LoadForce(of, names.loads[of]), springs[of], found["what"] == "compression")
 
 
 @asked("power | work of LOAD", rf"(?P<what>power|work) of (?P<of>{NAME})", rank=30)

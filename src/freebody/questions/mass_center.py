@@ -107,7 +107,14 @@ def _of_center(names: Names, found: Found, path: Path) -> Quantity | None:
         return None
     of = found["of"] or "system"
     words = [] if of.endswith("system") else re.split(r", | and ", of)
-    group = tuple(names.body(word, *path).name for word in words) or None
+    named = [names.body(word, *path) for word in words]
+    if fixed := next((body.name for body in named if body.fixed or body.name == GROUND), None):
+        names.problem(Message("{body} is fixed: ask for the mass centre of bodies that move", body=fixed), *path)
+        return None
+    if what in "xyz" and found["along"] is not None:
+        names.problem(Message("{what} has its direction already; leave out 'along'", what=what), *path)
+        return None
+    group = tuple(body.name for body in named) or None
     bodies = [b for b in names.bodies.values() if b.name != GROUND and not b.fixed and b.mass != ZERO]
     if found["of"] is None and len(bodies) > 1 and any(b.turns for b in bodies):
         ways = "; ".join(f"{what} of {name}" for name in ("mass center of system", *(b.name for b in bodies)))

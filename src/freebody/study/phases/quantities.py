@@ -19,7 +19,7 @@ from freebody.model.state import State
 from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
 from freebody.questions.blow import ImpulsiveWrench
-from freebody.questions.loads import LoadForce, Power
+from freebody.questions.loads import Extension, LoadForce, Power
 from freebody.questions.reactions import Wrench
 from freebody.questions.reactions_by_component import ReactionComponent
 from freebody.questions.vectors import component
@@ -64,6 +64,11 @@ def _impulse(quantity: ImpulsiveWrench, base: System, system: System, state: Sta
         rows = [row for row in base.rows if row.connection == quantity.connection]
         return _resultant(quantity, base, [(row.measure, state.impulse(row)) for row in rows], state)
     return quantity.value(plain(system), state)
+
+
+@_value.register(Extension)
+def _extension(quantity: Extension, base: System, system: System, state: State[Any]) -> Any:
+    return quantity.by_force(_value(quantity.force, base, system, state), state)
 
 
 @_value.register(Power)
