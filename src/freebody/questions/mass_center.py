@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,18 @@ from freebody.language.units import LENGTH, TIME, Dimension
 from freebody.measures.geometry import GROUND, Direction
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
-from freebody.questions.vectors import Group, Vector, axes_of, component, has_name, is_among, place, said_along, said_of
+from freebody.questions.vectors import (
+    Group,
+    Vector,
+    axes_of,
+    component,
+    has_name,
+    is_among,
+    place,
+    read_group,
+    said_along,
+    said_of,
+)
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -97,7 +107,7 @@ def of_mass_center(system: Described, state: State[Any], group: Group, order: in
 @asked(
     "x | y | position | velocity | speed | acceleration of mass center of system | of BODY and BODY [along DIRECTION]",
     rf"(?P<what>x|y|z|position|velocity|speed|acceleration) of (?:the |their |its )?{_CENTER}"
-    rf"(?: of (?:the )?(?P<of>(?:whole )?system|{NAME}(?:(?:, | and ){NAME})+))?(?: along (?P<along>.+))?",
+    rf"(?: of (?:the )?(?:whole )?(?P<of>system|{NAME}(?:(?:, | and ){NAME})+))?(?: along (?P<along>.+))?",
     rank=65,
 )
 def _of_center(names: Names, found: Found, path: Path) -> Quantity | None:
@@ -105,16 +115,13 @@ def _of_center(names: Names, found: Found, path: Path) -> Quantity | None:
     if what == "z" and not names.space:
         names.problem(Message("in the plane there is no z"), *path)
         return None
-    of = found["of"] or "system"
-    words = [] if of.endswith("system") else re.split(r", | and ", of)
-    named = [names.body(word, *path) for word in words]
-    if fixed := next((body.name for body in named if body.fixed or body.name == GROUND), None):
+    group = read_group(names, found["of"], path)
+    if fixed := next((name for name in group or () if name == GROUND or names.bodies[name].fixed), None):
         names.problem(Message("{body} is fixed: ask for the mass centre of bodies that move", body=fixed), *path)
         return None
     if what in "xyz" and found["along"] is not None:
         names.problem(Message("{what} has its direction already; leave out 'along'", what=what), *path)
         return None
-    group = tuple(body.name for body in named) or None
     bodies = [b for b in names.bodies.values() if b.name != GROUND and not b.fixed and b.mass != ZERO]
     if found["of"] is None and len(bodies) > 1 and any(b.turns for b in bodies):
         ways = "; ".join(f"{what} of {name}" for name in ("mass center of system", *(b.name for b in bodies)))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -12,10 +11,11 @@ from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import RigidBody
 from freebody.model.spins import body_axes
 from freebody.model.state import State
-from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.base import POINT, Described, Found, Path, Quantity, asked
 from freebody.questions.energy import times_tensor
 from freebody.questions.mass_center import of_mass_center
 from freebody.questions.vectors import (
+    GROUP,
     IN_BASIS,
     ORIGIN,
     Basis,
@@ -31,6 +31,7 @@ from freebody.questions.vectors import (
     is_among,
     place,
     read_basis,
+    read_group,
     said_along,
     said_of,
     turning_rate,
@@ -40,7 +41,6 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 SYSTEM_CENTER = "mass center"
-_GROUP = rf"{NAME}(?:(?:, | and ){NAME})*"
 
 
 @dataclass(frozen=True)
@@ -200,23 +200,23 @@ def _own_spin(system: Described, state: State[Any], b: RigidBody) -> Vector:
 # -- words ------------------------------------------------------------------------------------
 @asked(
     "linear momentum [of BODY and BODY] [along DIRECTION]",
-    rf"(?:linear )?momentum(?: of (?:the )?(?P<of>{_GROUP}))?(?: along (?P<along>.+))?",
+    rf"(?:linear )?momentum(?: of (?:the )?(?P<of>{GROUP}))?(?: along (?P<along>.+))?",
     rank=35,
 )
 def _momentum(names: Names, found: Found, path: Path) -> Quantity | None:
-    body = _group(names, found["of"], path)
+    body = read_group(names, found["of"], path)
     return Momentum(body, None if found["along"] is None else names.direction(found["along"], *path))
 
 
 @asked(
     "angular momentum [of BODY and BODY] [about POINT | about its mass center] [along DIRECTION] [in BASIS]",
-    rf"angular momentum(?: of (?:the )?(?P<of>{_GROUP}))?"
+    rf"angular momentum(?: of (?:the )?(?P<of>{GROUP}))?"
     rf"(?: about (?:(?P<center>(?:its|their|the) (?:common )?(?:mass cent(?:er|re)|cent(?:er|re) of mass))"
     rf"|(?P<about>{POINT})))?(?: along (?P<along>.+?))?{IN_BASIS}",
     rank=35,
 )
 def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
-    body = _group(names, found["of"], path)
+    body = read_group(names, found["of"], path)
     along = None if found["along"] is None else names.direction(found["along"], *path)
     if along is not None and not names.space:
         names.problem(Message("in the plane an angular momentum has no direction; leave it out"), *path)
@@ -225,11 +225,3 @@ def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
         return AngularMomentum(body, SYSTEM_CENTER, along=along, basis=basis)
     about = None if found["about"] is None else names.point(found["about"], *path)
     return AngularMomentum(body, about, along=along, basis=basis)
-
-
-def _group(names: Names, text: str | None, path: Path) -> Group:
-    """The bodies of 'cart and bob'; None for the system."""
-    if text is None or text == "system":
-        return None
-    bodies = tuple(names.body(word, *path).name for word in re.split(r", | and ", text))
-    return bodies[0] if len(bodies) == 1 else bodies

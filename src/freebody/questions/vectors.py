@@ -5,6 +5,7 @@ A vector is a tuple (x, y) of ground components; in space three, or those along 
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
@@ -26,7 +27,16 @@ Group = str | tuple[str, ...] | None
 Basis = tuple[Direction, Direction, Direction]  # the axes along which a vector of space is wanted
 AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
 ORIGIN = Point(GROUND, (ZERO, ZERO), "ground.origin")
+GROUP = rf"{NAME}(?:(?:, | and ){NAME})*"  # bodies: cart and bob
 IN_BASIS = rf"(?: (?:in|along the axes of) (?:the )?(?:frame |basis )?(?P<basis>{NAME}))?"
+
+
+def read_group(names: Names, text: str | None, path: Path) -> Group:
+    """The bodies of 'cart and bob'; None for the system."""
+    if text is None or text == "system":
+        return None
+    bodies = tuple(names.body(word, *path).name for word in re.split(r", | and ", text))
+    return bodies[0] if len(bodies) == 1 else bodies
 
 
 def read_basis(names: Names, name: str | None, path: Path) -> Basis | None:
