@@ -484,7 +484,7 @@ DEAR = {
     "wedge_under_load",
 }
 ROUND = [
-    pytest.param(path.stem, k, marks=pytest.mark.slow if k % 3 or path.stem in DEAR else ())
+    pytest.param(path.stem, k, marks=pytest.mark.slow if k % 5 or path.stem in DEAR else ())
     for k, path in enumerate(sorted(EXAMPLES.glob("*.yaml")))
 ]
 
