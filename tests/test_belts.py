@@ -87,6 +87,19 @@ def test_the_mass_of_a_fast_belt_makes_it_slip() -> None:
     assert slip.time == pytest.approx((critical - 480) / acceleration, rel=1e-6)
 
 
+def test_the_range_without_slip_is_one_inequality_for_the_torque() -> None:
+    """F <= 2 (T_0 - q v^2) (e - 1)/(e + 1), solved for M; that F >= -2 (...) follows from it."""
+    system = drive(", pretension: T_0, friction: mu, wrap: 163 deg, mass_per_length: q", w=150)
+    (condition,) = system.solve("belt force of belt").answers[0].conditions
+    left, relation, right = condition.expression.split(" ", 2)
+    assert (left, relation) == ("M", "<=")
+    gain = math.exp(0.3 * math.radians(163))
+    most = 2 * (400 - 0.25 * (0.06 * 150) ** 2) * (gain - 1) / (gain + 1)
+    numbers = {name: system.parameters[name].value for name in system.parameters}
+    found = eval(right, {"exp": math.exp, "pi": math.pi}, numbers)
+    assert found == pytest.approx(most * 10 / FORCE)
+
+
 def test_a_tightened_belt_in_a_groove_carries_up_to_its_largest_tension() -> None:
     """Shigley, sec. 17-2: F = (T_max - q v^2)(1 - e^(-mu' phi)), mu' = mu/sin(beta/2)."""
     system = drive(", largest_tension: 600 N, friction: mu, groove_angle: 38 deg, mass_per_length: q, wrap: 163 deg")

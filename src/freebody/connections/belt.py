@@ -123,10 +123,10 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
         at_rest, share = limit
         speed = Symbol(f"rate({_WAY})")
         pressing = at_rest - self._mass(names) * speed * speed
+        held = slipping = multiply(share, pressing)  # a limit below zero holds nothing
         if speed.name in free_symbols(pressing):  # faster than that the belt lifts off
-            pressing = divide(pressing + Call("abs", pressing), number(2))
-        force = multiply(share, pressing)
-        return [], [DryFriction(row, force, force, measures=((_WAY, way),))]
+            slipping = multiply(share, divide(pressing + Call("abs", pressing), number(2)))
+        return [], [DryFriction(row, held, slipping, measures=((_WAY, way),))]
 
     def _mass(self, names: Names) -> Expr:
         return names.formula(self.mass_per_length, MASS / LENGTH, "mass_per_length")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
@@ -14,6 +15,7 @@ from freebody.language.expression import (
     Sum,
     add,
     multiply,
+    n_operations,
     number,
     power,
 )
@@ -23,6 +25,7 @@ from freebody.symbolic.decide import decide, implied, sign_given
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.waves import square_variants
 
 _FLIPPED = {">": "<", ">=": "<="}
 
@@ -39,7 +42,7 @@ class SolvedRelation:
 
     def text(self) -> Stated:
         if self.unknown is None or self.bound is None:
-            return relation_text(readable(self.element), self.relation)
+            return shortest(Condition(self.element, self.relation))
         field = self.element.field
         return readable_or_told(compared(field.generators[self.unknown].display, self.relation, readable(self.bound)))
 
@@ -108,6 +111,54 @@ def solved_for(condition: Condition, unknowns: Sequence[int]) -> SolvedRelation:
         bound = x.field.lowest_terms(-parts[0] / parts[1])
         return SolvedRelation(condition.element, relation, g, bound, purposes)
     return plain
+
+
+def shortest(c: Condition) -> Stated:
+    """The inequality in the form with the fewest operations: as it stands, or solved for one parameter."""
+    e = readable(c.element)
+    best, least = relation_text(e, c.relation), n_operations(e) - 1
+    for g in _parameters(c.element.field, c.element):
+        solved = solved_for(c, (g,))
+        if solved.bound is not None:
+            n = n_operations(readable(solved.bound))
+            if n < least:
+                best, least = solved.text(), n
+    root = _bound(c)
+    return root[0] if root is not None and root[1] < least else best
+
+
+def _bound(c: Condition) -> tuple[Stated, int] | None:
+    """n^2 g^2 > q^2 with a positive parameter g as g > |q|/n, and how many operations that takes."""
+    field, x = c.element.field, c.element
+    if c.relation == "!=" or x.den is not None:
+        return None
+    for g in _parameters(field, x):
+        parts = x.coefficients(g)
+        if len(parts) != 3 or not parts[1].is_zero() or not field.generators[g].positive:
+            continue
+        front = parts[2].fraction()
+        n = 0 if front is None or front < 0 else math.isqrt(int(front))
+        if front is None or n * n != front or n == 0:
+            continue
+        for terms in square_variants(field, field.terms((-parts[0]).num)):
+            root = field.root_as_written(terms)
+            if root is not None:
+                return _bounded(field.variable(g), c.relation, root / n)
+    return None
+
+
+def _bounded(g: Ratio, relation: str, q: Ratio) -> tuple[Stated, int]:
+    sign, left = sign_given(q), tidy(g)
+    if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        q, sign = -q, -sign
+    shown = readable(q)
+    is_known = sign in (Sign.POSITIVE, Sign.NONNEGATIVE)
+    return compared(left, relation, shown if is_known else Call("abs", shown)), n_operations(shown)
+
+
+def _parameters(field: Field, x: Ratio) -> list[int]:
+    free = x.generators() - {field.index(field.pi)}
+    return [g for g in sorted(free) if field.generators[g].kind == "parameter"]
 
 
 def simplified(conditions: Iterable[Condition], unknowns: Sequence[int]) -> list[SolvedRelation]:

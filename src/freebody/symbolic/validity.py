@@ -8,21 +8,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from freebody.language.expression import Call, n_operations
-from freebody.language.notation import Stated, compared, reworded
+from freebody.language.notation import reworded
 from freebody.language.sentences import Message, in_turn, turns
-from freebody.symbolic.conditions import Condition, both, relation_text, require, with_purposes
-from freebody.symbolic.decide import decide, possible, sign_given
+from freebody.symbolic.conditions import Condition, both, require, with_purposes
+from freebody.symbolic.decide import decide, possible
 from freebody.symbolic.existence import FORMAL
-from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.relations import radicand_of, readable, solved_for
-from freebody.symbolic.signs import Sign
-from freebody.symbolic.tidy import tidy
-from freebody.symbolic.waves import square_variants
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.relations import radicand_of, shortest
 
 NEVER = Message("for no values of the parameters")
 TAKEN = Message("as at the start")  # a sign that the formulas take as it is at the first sample
@@ -185,51 +180,3 @@ def _placed(x: Ratio, condition: str, until_event: bool) -> str:
     if kinds == {"time"}:
         return Message("at every time with {condition}", condition=condition)
     return Message("at every instant of the motion with {condition}", condition=condition)
-
-
-def shortest(c: Condition) -> Stated:
-    """The inequality in the form with the fewest operations."""
-    e = readable(c.element)
-    best, least = relation_text(e, c.relation), n_operations(e) - 1
-    for g in _parameters(c.element.field, c.element):
-        solved = solved_for(c, (g,))
-        if solved.bound is not None:
-            n = n_operations(readable(solved.bound))
-            if n < least:
-                best, least = solved.text(), n
-    root = _bound(c)
-    return root[0] if root is not None and root[1] < least else best
-
-
-def _bound(c: Condition) -> tuple[Stated, int] | None:
-    """n^2 g^2 > q^2 with a positive parameter g as g > |q|/n, and how many operations that takes."""
-    field, x = c.element.field, c.element
-    if c.relation == "!=" or x.den is not None:
-        return None
-    for g in _parameters(field, x):
-        parts = x.coefficients(g)
-        if len(parts) != 3 or not parts[1].is_zero() or not field.generators[g].positive:
-            continue
-        front = parts[2].fraction()
-        n = 0 if front is None or front < 0 else math.isqrt(int(front))
-        if front is None or n * n != front or n == 0:
-            continue
-        for terms in square_variants(field, field.terms((-parts[0]).num)):
-            root = field.root_as_written(terms)
-            if root is not None:
-                return _bounded(field.variable(g), c.relation, root / n)
-    return None
-
-
-def _bounded(g: Ratio, relation: str, q: Ratio) -> tuple[Stated, int]:
-    sign, left = sign_given(q), tidy(g)
-    if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE):
-        q, sign = -q, -sign
-    shown = readable(q)
-    is_known = sign in (Sign.POSITIVE, Sign.NONNEGATIVE)
-    return compared(left, relation, shown if is_known else Call("abs", shown)), n_operations(shown)
-
-
-def _parameters(field: Field, x: Ratio) -> list[int]:
-    free = x.generators() - {field.index(field.pi)}
-    return [g for g in sorted(free) if field.generators[g].kind == "parameter"]

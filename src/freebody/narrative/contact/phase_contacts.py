@@ -56,6 +56,8 @@ def _states(leg: PhaseSegment) -> list[Sentence]:
     for name, state in phase.mode.states.items():
         rub = phase.dry_friction[name]
         key = "slides" if state else "rolls" if rolls(rub) else "sticks"
+        if not (rub.load or rub.of):  # a force of its own, as of a belt: nothing touches
+            key = "gives_way" if state else "runs"
         found.append(Sentence(f"contact.{key}", {"connection": label(rub.of or name)}))
     return found
 

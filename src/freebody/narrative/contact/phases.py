@@ -274,5 +274,6 @@ def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: An
         shown = written(general)
         key, when = ("answer.at_start", "start") if question.at_start else ("answer.at_instant", "always")
         sides = (left, answer.expression) if shown == answer.expression else (left, shown, answer.expression)
+        key = key if lines else "answer.by_law"
         script.line(*sides, why=key, args={"lines": lines}, uses=lines, when="start" if when == "start" else "always")
     return script.stages

@@ -174,6 +174,7 @@ class Script:
         """Checks a formula and adds it; returns its number. Raises RoutesDisagree where it does not hold."""
         relations = tuple(relations) or ("=",) * (len(sides) - 1)
         self._check(sides, relations, when)
+        sides, relations = _said_once(sides, relations)
         self._introduce_constants(sides)
         number, self._number = self._number, self._number + 1
         reason = Sentence(why, args or {}) if why else None
@@ -240,6 +241,19 @@ def _agrees(a: float, b: float, relation: Relation, scale: float, share: float =
             return a != b
         case _:
             return True
+
+
+def _said_once(sides: Sequence[Side], relations: Sequence[Relation]) -> tuple[tuple[Side, ...], tuple[Relation, ...]]:
+    """Without a side that reads as the one before it, made of other parts though it be."""
+    kept = [
+        0,
+        *(
+            k
+            for k in range(1, len(sides))
+            if relations[k - 1] != "=" or _shown(sides[k - 1 : k]) != _shown(sides[k : k + 1])
+        ),
+    ]
+    return tuple(sides[k] for k in kept), tuple(relations[k - 1] for k in kept[1:])
 
 
 def _shown(sides: Sequence[Side]) -> str:

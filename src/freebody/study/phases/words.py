@@ -84,7 +84,7 @@ def verb(phase: Phase, rub: DryFriction, state: int) -> str:
     if state:
         return Message("slides")
     if rolls(rub) and phase.model.coordinates:
-        return Message("rolls")
+        return Message("rolls") if rub.load or rub.of else Message("runs without slip")
     is_still = not phase.model.coordinates and not is_driven(phase.model)
     return Message("holds") if is_still else Message("sticks")
 

@@ -1,9 +1,10 @@
 """Signs under premises.
 
-An element is taken apart into its factors. A factor has the sign that `signs` can tell, or that of a premise; what is
-then left open is looked at in one point of every open cell on which premises and factors keep their signs (`cells.py`).
-That settles >= under premises that are open sets, since what is not negative in all cells is not negative in their
-closure. A zero inside of the premises would be one that does not change the sign, so a minimum; there is none where
+An element is taken apart into its factors. A factor has the sign that `signs` can tell, or that of a premise, if it is
+no less than a multiple of it; what is then left open is looked at in one point of every open cell on which premises and
+factors keep their signs (`cells.py`). That settles >= under premises that are open sets, since what is not negative in
+all cells is not negative in their closure. A zero inside of the premises would be one that does not change the sign, so
+a minimum; there is none where
 
     one cell is all there is, or
     a derivative along a positive or free variable has a strict sign, or
@@ -16,6 +17,7 @@ import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any, Protocol
 
 import flint
@@ -29,6 +31,7 @@ from freebody.symbolic.signs import Sign, is_positive, sign_of, times
 _flint: Any = flint
 _MOST_FACTORS = 6
 _MOST_TERMS = 200
+_MOST_PARTS = 4  # of a premise, that are tried
 _PART = 64  # of a positive term that is taken away to show that an element cannot vanish
 
 
@@ -179,9 +182,9 @@ def _of_factor(base: Ratio, premises: list[_Given]) -> Sign:
     if number is not None:
         return number
     for p in premises:
-        for sign in (1, -1):
-            if sign * base == p.element and p.relation != "!=":
-                found = Sign.POSITIVE if p.relation == ">" else Sign.NONNEGATIVE
+        for sign in (1, -1) if p.relation != "!=" else ():
+            found = _beside(sign * base, p)
+            if found is not Sign.UNKNOWN:
                 return found if sign > 0 else -found
     nonzero = any(p.relation != ">=" and _divides(base, p.element) for p in premises)
     found, used = known, list[_Given]()
@@ -194,6 +197,18 @@ def _of_factor(base: Ratio, premises: list[_Given]) -> Sign:
         if nonzero or _cannot_vanish(upward, strict):
             return Sign.POSITIVE if found is Sign.NONNEGATIVE else Sign.NEGATIVE
     return found
+
+
+def _beside(x: Ratio, p: _Given) -> Sign:
+    """Of what is a positive number times the element of a premise and something that is not negative: c p + rest, with
+    the c that takes away one of the terms of x."""
+    own, given = x.terms()[0], p.element.terms()[0]
+    parts = {Fraction(n, given[monomial]) for monomial, n in own.items() if monomial in given}
+    for c in sorted(c for c in parts if c > 0)[:_MOST_PARTS]:
+        rest = sign_of(x - x.field.element(c) * p.element) if x.den == p.element.den else Sign.UNKNOWN
+        if rest in (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO):
+            return Sign.POSITIVE if p.relation == ">" or rest is Sign.POSITIVE else Sign.NONNEGATIVE
+    return Sign.UNKNOWN
 
 
 def _divides(base: Ratio, x: Ratio) -> bool:
