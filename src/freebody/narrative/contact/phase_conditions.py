@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import cast
 
 from freebody.language.expression import Call, Expr, Symbol, add, negate, number, power
 from freebody.language.sentences import Message, turns
@@ -157,6 +158,9 @@ def tell_conditions(script: Script, way: PhaseSequence, lines: Mapping[str, tupl
 def _sides(r: SolvedRelation) -> tuple[Expr, Sign, Expr]:
     if r.unknown is not None and r.bound is not None:
         return r.element.field.generators[r.unknown].display, _SIGNS[r.relation], readable(r.bound)
+    if (sides := r.text().sides) is not None:
+        left, sign, right = sides
+        return left, cast("Sign", sign), right
     return sides_of(readable(r.element), r.relation)
 
 

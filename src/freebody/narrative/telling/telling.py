@@ -194,16 +194,21 @@ def _side_by_side(figures: list[Figure]) -> Block:
 
 
 def _paragraphs(text: Text) -> Iterator[Block]:
-    """A text as a paragraph; a fraction too wide for a line of text is displayed between its words."""
+    """A text as a paragraph; a fraction too wide for a line of text is displayed between its words, without the stop
+    or comma behind it."""
     waiting: list[Piece] = []
+    is_behind = False
     for piece in text:
         if isinstance(piece, Formula) and formula_width(piece) > _IN_A_LINE:
             if waiting:
                 yield Paragraph(tuple(waiting))
             yield Equations((Equation(piece),))
-            waiting = []
-        else:
-            waiting.append(piece.lstrip() if isinstance(piece, str) and not waiting else piece)
+            waiting, is_behind = [], True
+            continue
+        if isinstance(piece, str) and not waiting:
+            piece = (piece.lstrip(" .,;") if is_behind else piece).lstrip()
+        if piece or not isinstance(piece, str):
+            waiting.append(piece)
     if waiting:
         yield Paragraph(tuple(waiting))
 
