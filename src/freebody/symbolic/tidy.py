@@ -49,6 +49,7 @@ _PLACE = {
 }
 _EXPANDED_TERMS = 12  # larger sums are always shorter collected
 _COMPLEMENTS = {"asin": "acos", "acos": "asin"}
+_ODD = {"asin", "atan", "tan", "sinh", "tanh"}
 _FACTOR_TERMS = 600  # larger polynomials are not factored
 
 
@@ -236,10 +237,15 @@ def shown(field: Field, index: int) -> Expr:
         return raised
     if index in field.arcs:
         name, x = field.arcs[index]
-        return multiply(number(2), Call("atan", tidy(x))) if name == "half" else Call(name, tidy(x))
+        return multiply(number(2), _called("atan", tidy(x))) if name == "half" else _called(name, tidy(x))
     if isinstance(generator.display, Call) and generator.display.function == name:
-        return Call(name, tidy(x))
+        return _called(name, tidy(x))
     return generator.display
+
+
+def _called(name: str, x: Expr) -> Expr:
+    """A function of an argument; an odd one without a sign in front of it."""
+    return negate(Call(name, negate(x))) if name in _ODD and is_written_negative(x) else Call(name, x)
 
 
 def _as_power(field: Field, x: Ratio) -> Expr | None:
