@@ -8,7 +8,7 @@ from contextlib import suppress
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number
+from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number, power
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
@@ -87,10 +87,10 @@ def _euler(
     script.say("steady.small", **args)
     first = _line(script, tidy(a), Call("rate", u), tidy(f.lowest_terms(c - b)), spin, w)
     second = _line(script, tidy(b), Call("rate", w), tidy(f.lowest_terms(a - c)), spin, u)
-    square = Symbol(fresh(context, "lambda_2", "exponent_2"))
+    square = Symbol(fresh(context, "Lambda", "Lambda_exponent"))
     named(context, script, Meaning(square, Sentence("steady.exponent_symbol"), slopes.square, "1/s^2"))
     given: dict[str, Argument] = {"lines": (first, second)}
-    right = multiply(tidy(f.lowest_terms((c - b) * (a - c))), spin, spin)
+    right = multiply(tidy(f.lowest_terms((c - b) * (a - c))), power(spin, number(2)))
     line = script.line(
         multiply(tidy(f.lowest_terms(a * b)), square),
         right,
@@ -188,7 +188,8 @@ def tell_stability(context: Context, question: Question, answer: Answer) -> list
     stages, more, glossary, lines = disturbances(context, linear)
     values = expression if isinstance(expression, tuple) else (expression,)
     with more.stage("stage.value"):
-        names = [Symbol(fresh(context, f"lambda2_{k + 1}", f"square_{k + 1}")) for k in range(len(values))]
+        own = ["Lambda"] if len(values) == 1 else [f"Lambda_{k + 1}" for k in range(len(values))]
+        names = [Symbol(fresh(context, name, f"{name}_exponent")) for name in own]
         meanings = [
             Meaning(name, Sentence("steady.exponent_symbol"), glossary.nearest(value, _square), "1/s^2")
             for name, value in zip(names, values, strict=True)
