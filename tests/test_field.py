@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Symbol, evaluate
+from freebody.language.notation import to_text
 from freebody.symbolic.angle_factors import factors_of, open_parts
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.functions import cos_sin, functions
@@ -149,6 +150,26 @@ def test_a_factor_of_two_angles_is_cancelled() -> None:
 def test_the_tidy_form_has_the_same_value(x: Ratio, at: dict[str, float]) -> None:
     shown: dict[str, Any] = {"rate(q)": at["u"]} | at
     assert close(float(evaluate(tidy(x), shown)), SET.value(x, at))
+
+
+def test_two_roots_become_one_where_their_divisor_goes_into_it() -> None:
+    """sqrt(a L g) sqrt(L - b)/L = sqrt(a g (L - b)/L); where both radicands may be negative they stay apart."""
+    f = SignedField()
+    a, g, L = (f.parameter(name, positive=True) for name in ("a", "g", "L"))
+    b = f.parameter("b")
+    joined = tidy(f.sqrt(a * L * g) * f.sqrt(L - b) / L)
+    at = {"a": 0.7, "g": 9.81, "L": 1.3, "b": 0.4}
+    assert to_text(joined).count("√") == 1
+    assert float(evaluate(joined, at)) == pytest.approx(math.sqrt(0.7 * 9.81 * (1.3 - 0.4) / 1.3), rel=1e-14)
+    apart = f.sqrt((b - L) * L) * f.sqrt(b - a) / L
+    both_negative = {**at, "b": 5.0}
+    assert float(evaluate(tidy(apart), both_negative)) == pytest.approx(math.sqrt(3.7 * 4.3 / 1.3), rel=1e-14)
+
+
+def test_an_odd_function_has_no_sign_in_front_of_its_argument() -> None:
+    f = SignedField()
+    a, b = f.parameter("a", positive=True), f.parameter("b", positive=True)
+    assert to_text(tidy(functions(f)["atan"](-a / b))) == "-atan(a/b)"
 
 
 @quick

@@ -92,17 +92,18 @@ def _as_it_is(x: Ratio) -> Expr:
 
 
 def _root_of_a_quotient(x: Ratio) -> Expr | None:
-    """a sqrt(r)/(b f) with f dividing r, as a/b sqrt((r/f)/f): sqrt(L g)/g is sqrt(L/g), sqrt(6 k)/3 is sqrt(2 k/3).
-    f has a sign of its own, or since r = f h is positive wherever this has a value, and h has one."""
+    """a sqrt(r)/(b f) with f dividing r, as a/b sqrt((r/f)/f): sqrt(L g)/g is sqrt(L/g), sqrt(6 k)/3 is sqrt(2 k/3),
+    and sqrt(L g) sqrt(L - b)/L is sqrt(g (L - b)/L). f has a sign of its own, or since r = f h is positive wherever
+    this has a value, and h has one."""
     field = x.field
     if x.den is None:
         return None
     _unit, factors = field.factor(x.num)
     roots = [base for base, e in factors if e == 1 and len(base.generators()) == 1 and is_root_generator(field, base)]
-    if len(roots) != 1:
+    radicands = [field.radicand(field.index(root)) for root in roots]
+    if not roots or sum(strict_sign(r) != 1 for r in radicands) > 1:  # sqrt(a) sqrt(b) is sqrt(a b) where a is positive
         return None
-    inside = field.radicand(field.index(roots[0]))
-    outside = x / roots[0]
+    inside, outside = math.prod(radicands, start=field.one), x / math.prod(roots, start=field.one)
     changed = False
     unit, below = field.factor(x.den)
     if (common := math.gcd(unit, *field.terms(inside.num).values())) > 1:
