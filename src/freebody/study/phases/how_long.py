@@ -1,7 +1,7 @@
 """How long a phase can take to its event, in numbers: no motion is followed for longer than its law says.
 
-Where energy gives the speed, u^2 = f(q), the motion is at the place of its event on the way out, or behind the next zero
-of f, where it turns, on the way back:
+Where energy gives the speed, u^2 = f(q), the motion is at the place of its event on the way out, or on the way back,
+behind the next zero of f, where it turns:
 
     T = integral dq/sqrt(f) from the start to the place,    or as long to the turn, back, and on to the place.
 
