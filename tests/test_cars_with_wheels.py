@@ -37,8 +37,8 @@ connections:
   rear_tyre: {{contact: {{between: [rear, ground.road], friction: mu, touching: true}}}}
   {brakes}
 loads: {{weight: {{gravity: g}}{drive}}}
-measures: {{x: x of car}}
-start: {{x: 0, rate(x): {v}}}
+measures: {{x: x of car, phi: angle of front, psi: angle of rear}}
+start: {{x: 0, rate(x): {v}, phi: 0, rate(phi): {spin}, psi: 0, rate(psi): {spin}}}
 """
 DRIVE = ", drive: {torque: {on: rear, magnitude: -T, reacts_on: car}}"
 BRAKES = """front_brake: {brake: {between: [front, car], torque: T}}
@@ -46,7 +46,7 @@ BRAKES = """front_brake: {brake: {between: [front, car], torque: T}}
 
 
 def driven(torque: float) -> fb.System:
-    return fb.System.from_text(CAR.format(T=torque, brakes="", drive=DRIVE, v=0))
+    return fb.System.from_text(CAR.format(T=torque, brakes="", drive=DRIVE, v=0, spin=0))
 
 
 def axle_loads(acceleration: float) -> tuple[float, float]:
@@ -104,7 +104,7 @@ def test_a_car_with_wheels_of_inertia_speeds_up_and_its_axle_loads_shift() -> No
 @pytest.mark.slow
 def test_a_car_stops_by_its_brakes_while_its_wheels_roll() -> None:
     """(m + 2 I/r^2) x'' = -2 T/r up to the stop, where the brakes hold at once."""
-    system = fb.System.from_text(CAR.format(T=800.0, brakes=BRAKES, drive="", v=20))
+    system = fb.System.from_text(CAR.format(T=800.0, brakes=BRAKES, drive="", v=20, spin=-20.0 / R))
     deceleration, way = system.solve(["acceleration of x at start", "x when rate(x) = 0"]).answers
     a = 2 * 800.0 / R / (M + 2 * J / R**2)
     assert deceleration.value == pytest.approx(-a, rel=1e-12)
