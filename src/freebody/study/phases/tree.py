@@ -353,14 +353,15 @@ class PhaseTree(Home):
                 return
             began = None if node.began is None or edge.time is None else node.began + edge.time
             acting = dict(phase.mode.acting)
+            for one in edge.first.watches:  # a buffer and the damper beside it are reached at once
+                if one.name in acting:
+                    acting[one.name] = one.kind == "touches"
             if watch.kind == STRIKES:
                 instant = PhaseStart(placed, phase.mode.closed, {}, before, known=known, began=began)
                 edge.nodes = self._blown(node, edge, replace(instant, acting=acting))
             elif watch.kind == "touches" and watch.name not in acting:
                 edge.nodes = self._touched(node, edge, placed, before, known, began)
             else:
-                if watch.name in acting:
-                    acting[watch.name] = watch.kind == "touches"
                 slips: dict[str, Ratio] = {}
                 for name, state in states.items():
                     is_still = name == watch.name or state == 0
