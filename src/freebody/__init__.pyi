@@ -490,13 +490,18 @@ class Cylindrical(_Cylindrical):
     ) -> None: ...
 
 class Damper(_Damper):
-    """`damper: {first: ground.A, second: block, damping: c}`: pulls with c dl/dt."""
+    """`damper: {first: ground.A, second: block, damping: c}`: pulls with c dl/dt. `only: compressed` resists while it
+    is pressed together and gives way freely while it is pulled apart, as a door closer does; `only: stretched` resists
+    while it is pulled apart. With a `length` it acts where the points are closer than that (`compressed`), or farther
+    apart (`stretched`), and resists both ways there, as the damper beside a buffer of the same length."""
 
     def __init__(
         self,
         first: _Text,
         second: _Text,
         damping: _Formula,
+        length: _Formula | None = ...,
+        only: Any = ...,
     ) -> None: ...
 
 class DiscClutch(_DiscClutch):

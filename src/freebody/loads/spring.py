@@ -103,7 +103,10 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
 
 
 class Damper(Load, kind="damper"):
-    """`damper: {first: ground.A, second: block, damping: c}`: pulls with c dl/dt."""
+    """`damper: {first: ground.A, second: block, damping: c}`: pulls with c dl/dt. `only: compressed` resists while it
+    is pressed together and gives way freely while it is pulled apart, as a door closer does; `only: stretched` resists
+    while it is pulled apart. With a `length` it acts where the points are closer than that (`compressed`), or farther
+    apart (`stretched`), and resists both ways there, as the damper beside a buffer of the same length."""
 
     called: ClassVar[tuple[str, ...]] = ("dashpot", "shock absorber")
     also: ClassVar[tuple[str, ...]] = ("dashpot",)
@@ -111,6 +114,8 @@ class Damper(Load, kind="damper"):
     first: str
     second: str
     damping: Formula
+    length: Formula | None = None
+    only: Literal["compressed", "stretched"] | None = None
 
     pulling_sign = -1
     example = """
@@ -120,10 +125,25 @@ loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
-        return [AppliedLoad("", distance, negate(multiply(names.positive(self, "damping", DAMPING), RATE)))]
+        c, natural = names.positive(self, "damping", DAMPING), names.length_or(self, "length")
+        side, two = number(1 if self.only == "stretched" else -1), number(2)
+        if self.only is None:
+            if natural is not None:
+                told = Message("a damper with a length acts on one side of it: only: compressed")
+                names.problem(told, "length")
+            return [AppliedLoad("", distance, negate(multiply(c, RATE)))]
+        if natural is None:  # (v + |v|)/2 is v where the ends part and 0 where they approach; (v - |v|)/2 the reverse
+            return [AppliedLoad("", distance, negate(divide(multiply(c, RATE + side * Call("abs", RATE)), two)))]
+        # (1 + sign e)/2 is 1 where it is longer than its length, and 0 elsewhere; (1 - sign e)/2 the reverse
+        stretch = Composed(Symbol("@length") - natural, (("@length", distance),), LENGTH)
+        force = divide(multiply(multiply(c, RATE), 1 + side * Call("sign", VALUE)), two)
+        border = OneSided(distance, natural, stretch, negate(multiply(c, RATE)), self.only == "stretched")
+        return [AppliedLoad("", stretch, negate(force), one_sided=border)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        yield glyphs.Spring(names.point(self.first), names.point(self.second), is_spring=False, is_damper=True)
+        longest = names.length_or(self, "length") if self.only == "compressed" else None
+        first, second = names.point(self.first), names.point(self.second)
+        yield glyphs.Spring(first, second, is_spring=False, is_damper=True, longest=longest)
 
 
 def turn_about(names: Names, body: str, on: str, about: Heading | None) -> Measure:

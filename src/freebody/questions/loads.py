@@ -177,7 +177,8 @@ def _extension(names: Names, found: Found, path: Path) -> Quantity | None:
         for p in names.applied_loads
         if "spring" in names.called.get(p.load, ()) and (k := stiffness_of(p)) is not None
     }
-    if any(p.load == of and p.one_sided is not None and of not in springs for p in names.applied_loads):
+    is_spring = "spring" in names.called.get(of, ()) and of not in springs
+    if is_spring and any(p.load == of and p.one_sided is not None for p in names.applied_loads):
         told = Message("{name} is compressed before it is touched; ask for: force in {name}", name=of)
         names.problem(told, *path)
         return None

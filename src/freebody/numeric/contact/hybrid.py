@@ -27,7 +27,7 @@ from freebody.numeric.contact.problem import OutcomeCount as Consistency
 from freebody.numeric.contact.record import PhaseRecord, beside_its_way, cut, merged
 from freebody.numeric.contact.rows import ContactInstant, ModeOf, within
 from freebody.numeric.contact.sharing import SharedReactions
-from freebody.numeric.contact.stillness import STILL
+from freebody.numeric.contact.stillness import DIRECTED
 from freebody.numeric.contact.sudden import SuddenBlows
 from freebody.numeric.contact.transition import InstantTransition
 from freebody.numeric.contact.trouble import advised, contradiction, jammed, turned_by_friction, unresisted_spin
@@ -148,7 +148,7 @@ class Hybrid:
         mode = self.bounded.grouped(replace(mode, past=self.bounded.past), now)
         engine, guards, about = self.bounded.engine(mode)
         self._keep(mode, now)
-        self.bounded.point(mode, STILL * self.transition.still.speed(y, now))
+        self.bounded.point(mode, DIRECTED * self.transition.still.speed(y, now))
         engine.count_from(at.near)
         sizes = self._sizes(engine, guards, y, t)
         is_open = engine.is_shared or engine.room.info[factoring.N_LEFT_OUT] > 0.0

@@ -18,6 +18,8 @@ from freebody.tolerances import ROUNDED
 
 STILL = 1e-9  # rates below this part of the system's speed are none
 
+DIRECTED = 1e-7  # slips in planes below this part of it have no direction of their own: the errors of steps turn them
+
 
 class MotionSpeeds:
     """The speeds of one motion."""

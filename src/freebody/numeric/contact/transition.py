@@ -24,6 +24,7 @@ from freebody.numeric.contact.rebounds import settle
 from freebody.numeric.contact.rows import ContactInstant, ModeOf
 from freebody.numeric.contact.stillness import STILL, MotionSpeeds
 from freebody.numeric.contact.touching import far_sides, touching_at
+from freebody.numeric.kernels import kinematics
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.options import ImpactLaw
 
@@ -72,17 +73,22 @@ class InstantTransition:
         y = y.copy()
         forbidden = tuple(forbidden)
         result = After(y, None)
-        before = frozenset[int]() if mode is None else mode.closed - {left}
+        before_all = frozenset[int]() if mode is None else mode.closed
+        before = before_all - {left}
         now = b.instant(y, t, near)
         touching = [k for k in touching_at(b, now, before, touched) if k != left]
         if mode is None:
             touching += b.ends.hardly_tilted(now, TOUCHING * b.numbers.length)
         result.behind = far_sides(self.still, now, touching, before.union(touched))
         touching = [k for k in touching if k not in result.behind]
-        now = self._impacts(result, t, near, touching)
+        hit_as_it_leaves = left if self._is_hit_as_it_leaves(left, before_all, now, touching) else None
+        now = self._impacts(result, t, near, touching if hit_as_it_leaves is None else [*touching, hit_as_it_leaves])
         if result.status is OutcomeCount.NONE:
             return result
         slow = STILL * self.still.speed(y, now)
+        if hit_as_it_leaves is not None and not self._goes_beyond(hit_as_it_leaves, slow):
+            touching.append(hit_as_it_leaves)
+            forbidden = tuple(choice for choice in forbidden if choice != ("closed", hit_as_it_leaves, None))
         touching = self._pivoting(result, now, touching, {k for k in touching if b.ends.tips(k, now, slow)})
         # rebounds too small to be followed end at once; then accelerations decide on the mode
         settle(self.still, result, b.instant(y, t, near), touching, near)
@@ -100,6 +106,26 @@ class InstantTransition:
             result.handed = self._handed(result.mode, before, left, now)
         result.handed |= {edge for edge in b.ends.by_edge if left in (edge, b.ends.by_edge[edge].rim)}
         return result
+
+    def _is_hit_as_it_leaves(
+        self, left: int | None, before: frozenset[int], now: ContactInstant, touching: list[int]
+    ) -> bool:
+        """Whether what touches comes to the end of its edge at the very instant at which something collides, as where
+        two edges come to lie on each other: it takes part in the collision, whichever of the two is noticed first."""
+        if left is None or left not in before or not self.bounded.barriers[left].within:
+            return False
+        slow = STILL * self.still.speed(now.y, now)
+        return any(self.bounded.ends.opening(k, now) < -slow for k in touching)
+
+    def _goes_beyond(self, k: int, slow: float) -> bool:
+        """Whether a foot moves beyond the end of its edge at which it is, faster than what counts as none; at the
+        instant that was looked at last."""
+        rows = self.bounded.free.room.rows
+        for row, low, high in self.bounded.barriers[k].within:
+            value, rate = float(rows[row, kinematics.VALUE]), float(rows[row, kinematics.RATE])
+            if (rate if value - low < high - value else -rate) < -slow:
+                return True
+        return False
 
     def _tipping(self, mode: ModeOf) -> dict[int, float]:
         """Flat ends that tip by the accelerations of a mode, with the angles of these."""

@@ -218,19 +218,27 @@ class GuardMonitor:
 
     def _slow(self) -> int | None:
         """The guard of a slip in a plane that is slower at the end of the step than what tells its direction. It comes
-        to rest in ever shorter steps where its direction turns meanwhile."""
+        to rest in ever shorter steps where its direction turns meanwhile. Or that of a slip that began from rest and
+        has set out the other way."""
         if not self._turns.any():
             return None
-        self._at(1.0)
-        e = self.motion.engine
-        small = dict(zip(e.layout.slide[:, 0].tolist(), e.layout.slide_factor[:, 3].tolist(), strict=True))
+        values = self._at(1.0)
         for g in np.flatnonzero(self._turns).tolist():
-            one, other = e.layout.guard[g, 1:3].tolist()
-            speed = math.hypot(e.room.rows[one, RATE], e.room.rows[other, RATE])
-            if speed <= small[one] and self._started[g]:
+            speed, small = self._slip(g)
+            if speed <= small and self._started[g]:
                 return g
-            self._started[g] = self._started[g] or speed > small[one]
+            if speed > small and not self._started[g] and values[g] < 0.0:
+                return g
+            self._started[g] = self._started[g] or speed > small
         return None
+
+    def _slip(self, g: int) -> tuple[float, float]:
+        """The speed of a slip in a plane at the instant looked at last, and that below which it has no direction of its
+        own."""
+        layout, rows = self.motion.engine.layout, self.motion.engine.room.rows
+        one, other = layout.guard[g, 1:3].tolist()
+        small = float(layout.slide_factor[layout.slide[:, 0].tolist().index(one), 3])
+        return math.hypot(rows[one, RATE], rows[other, RATE]), small
 
     # -- gaps and slip rates ------------------------------------------------------------------
     def _of_gaps(self, begin: Floats, zero: Floats) -> tuple[float, int] | None:
@@ -275,10 +283,19 @@ class GuardMonitor:
                 self._side[g] = 1.0  # the dense output passes zero by what it is off
                 continue
             self._at(place.part)
+            if self._turns[g] and not self._started[g] and self._is_below_its_noise(g, end):
+                continue
+            self._at(place.part)
             if self.is_valid(g, 0.0):
                 return place.part
             self._side[g] = search.side
         return None
+
+    def _is_below_its_noise(self, g: int, part: float) -> bool:
+        """Whether a slip in a plane that has only begun is so slow at a part of the step that rounding turns it."""
+        self._at(part)
+        speed, small = self._slip(g)
+        return speed <= small
 
     # -- forces -------------------------------------------------------------------------------
     def _of_forces(self, zero: Floats, until: float) -> tuple[float, int] | None:

@@ -158,6 +158,8 @@ def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula
     element = formula.element - model.geometry.scalar(quantity.target)
     index = model.field.index(model.geometry.scalar(Symbol(name)))
     if element.is_zero():
+        if any(index in model.field.ingredients(c.element) for c in formula.needed):
+            raise CannotAnswer(Message("that is so in a whole range of {name}, and not elsewhere", name=name))
         raise CannotAnswer(for_every(setup.system.parameters[name]))
     if index not in model.field.ingredients(element):
         raise CannotAnswer(Message("that does not depend on {name}", name=name))

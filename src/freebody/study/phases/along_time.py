@@ -170,10 +170,13 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
         seen = np.array([at(watch, np.where(until > 0.0, s * until, t)) for s, t in zip(_SHARES, _TIMES, strict=True)])
         with np.errstate(invalid="ignore"):
             missed = (seen < -_NOW * np.abs(seen).max(axis=0)).any(axis=0)
-        if (missed & mine & ~too_near).any():
+        if not (missed & mine & ~too_near).any():
+            continue
+        if watch.kind != "changes sign" or missed[0] or not mine[0]:
             raise CannotAnswer(
                 Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
             )
+        too_near |= missed & mine  # beyond a side that formulas take for granted, as of a cart that has broken through
     found.tests = _times_in_order(course, found.candidates, sets) + found.tests
     found.too_near = too_near & mine
     return found

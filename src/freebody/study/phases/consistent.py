@@ -41,7 +41,7 @@ def candidates(home: Home, instant: PhaseStart, indices: Chosen) -> Iterator[Con
     combined = (
         (still, rubbing, {**instant.acting, **sides})
         for still, rubbing in _combined(home, instant, allowed_states)
-        for sides in _sides(home, instant)
+        for sides in sides_at_borders(home, instant)
     )
     tried = itertools.islice(combined, 4 * allowed(MAX_CANDIDATES))
     for k, (still, dry_friction, acting) in enumerate(tried):
@@ -89,7 +89,7 @@ def _combined(
             yield still, {name: s for part in chosen for name, s in part.items()}
 
 
-def _sides(home: Home, instant: PhaseStart) -> list[dict[str, bool]]:
+def sides_at_borders(home: Home, instant: PhaseStart) -> list[dict[str, bool]]:
     """The sides of the borders at which a motion begins."""
     open_ones = sorted(home.system.borders.keys() - instant.acting.keys())
     return [

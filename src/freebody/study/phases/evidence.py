@@ -37,6 +37,7 @@ from freebody.study.answering.spread import disagreement
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.changes_asked import is_before_impact
 from freebody.study.phases.followed import before_impact, begun, changed, follow
+from freebody.study.phases.how_long import longest_times
 from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
@@ -48,7 +49,7 @@ from freebody.study.phases.quantities import (
     value_in_mode,
 )
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.witness import MAX_TIME, FollowedPhase, NumericMode, PhaseSnapshot
+from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
@@ -268,7 +269,8 @@ def _along_motion(tree: PhaseTree, question: Question, piece: AnswerBranch) -> E
         event = seen[-1].event
         draw = Draw(seen[0].mode.values, seen[0].mode.references[0], seen[0].q)
         if all(other[:2] != (expected.kind, expected.name) for other in seen[-1].together):
-            found = Message("nothing") if event is None else f"{event[1]} {event[0]}"
+            nothing = Message("nothing within {time:.4g} s", time=seen[-1].time)
+            found = nothing if event is None else f"{event[1]} {event[0]}"
             differ = Message(
                 "'{question}': the closed form says that {a} {event}, the numeric route that {b} comes first",
                 question=question.text,
@@ -296,9 +298,9 @@ def run(
     if key not in tree.seen:
         if isinstance(event, Clock) and event.time is None and end is not None:  # when all has settled
             event = replace(event, time=number(end))
-        until = [MAX_TIME if end is None else 1.5 * end] * len(piece.nodes)
+        known = longest_times(tree, piece.nodes, piece.first, k) if end is None else [1.5 * end] * len(piece.nodes)
         stages = [stage(tree, n) for n in piece.nodes]
-        tree.seen[key] = follow(tree.system, stages, tree.sets.one(k), until, event)
+        tree.seen[key] = follow(tree.system, stages, tree.sets.one(k), known, event)
     return tree.seen[key]
 
 

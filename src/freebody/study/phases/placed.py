@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, free_symbols
+from freebody.language.expression import ZERO, Expr, free_symbols, n_operations
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.model.elements import Parameter, Start
@@ -27,6 +27,16 @@ class Placed:
     bodies: Mapping[str, Start] | None = None
     since: Expr | None = None
     lengths: Mapping[str, Expr] = field(default_factory=dict[str, Expr])
+
+    @property
+    def n_operations(self) -> int:
+        """How long the formulas of the state are."""
+        found = 0
+        for start in (self.bodies or {}).values():
+            place = () if start.at is None else start.at[1]
+            turned = (start.angle or ZERO, start.angular_velocity or ZERO)
+            found += sum(map(n_operations, (*place, *(start.velocity or ()), *turned, *(start.rates or ()))))
+        return found
 
     def put_into(self, system: System) -> System:
         if self.bodies is None:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Symbol, add, substitute
+from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, substitute
 from freebody.language.notation import stated_plain
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow
@@ -279,7 +279,8 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
 
 def _with_places(tree: PhaseTree, e: Expr) -> Expr:
     """Without the symbols that stand for angles and times at which later phases begin."""
-    return substitute(e, {name: readable(x) for name, x in tree.later.items()})
+    met = sorted(free_symbols(e) & tree.later.keys())
+    return substitute(e, {name: readable(tree.later[name]) for name in met})
 
 
 def _course(phase: Phase) -> ClosedFormMotion | None:

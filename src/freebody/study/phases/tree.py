@@ -18,10 +18,11 @@ from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import UnilateralConstraint
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.blown import after_blow
-from freebody.study.phases.consistent import candidates, checks, without_slip
+from freebody.study.phases.consistent import checks, without_slip
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
 from freebody.study.phases.ends import PhaseOutcome, Proofs
 from freebody.study.phases.events import first_events
+from freebody.study.phases.foreseen import Foresight
 from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
 from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome, collisions
@@ -44,6 +45,7 @@ MAX_DEPTH = 5
 MAX_NODES = 24
 MAX_IMPACTS = 2  # one after the other, in formulas
 MOST_TERMS = 6  # of a condition behind the jerk of a string
+MOST_OPERATIONS = 1000  # of a state from which others than the model's own values are followed on
 MOST_SIGNS = 4  # ways in which the frictions of one mode are pressed
 _EFFORT = 1000  # what an effort is told by
 
@@ -55,6 +57,7 @@ class PhaseTree(Home):
         insist_on_phases(system)
         super().__init__(system)
         self.n_nodes = 0
+        self.foresight = Foresight(self)
         self.reasons: list[str] = []
         self.lost: dict[int, str] = {}  # parameter sets for which nothing follows on the start, and why
         self.seen: dict[Any, Any] = {}  # motions in numbers, kept for other questions
@@ -218,28 +221,26 @@ class PhaseTree(Home):
 
     def _follow(self, instant: PhaseStart, indices: Chosen, depth: int) -> list[PhaseNode]:
         """The phases that begin in a state, each with the parameter sets for which it does."""
-        left = indices
+        left = np.zeros(self.sets.n, dtype=bool)
+        left[indices] = True
         phases: list[tuple[Phase, list[Inequality]]] = []
         labels = np.full(self.sets.n, NOTHING)
         tests: list[Test] = []
-        for mode in candidates(self, instant, left):
-            if not len(left) or self.n_nodes >= allowed(MAX_NODES):
+        for mode in self.foresight.modes(instant, left):
+            if not left.any() or self.n_nodes >= allowed(MAX_NODES):
                 break
             try:
-                for phase in self._phases_of(mode, instant, left):
+                for phase in self._phases_of(mode, instant, np.flatnonzero(left)):
                     needed = [(self.to_home(phase, x), rel, purpose) for x, rel, purpose in checks(phase, instant)]
                     needed += without_slip(mode, instant)
                     own = [self._test(*check) for check in needed]
                     tests += [t for t in own if t.relation != "="]
-                    holds = (
-                        np.all([t.holds & t.known for t in own], axis=0) if own else np.ones(self.sets.n, dtype=bool)
-                    )
-                    mine = left[holds[left]]
-                    if len(mine):
-                        labels[mine] = len(phases)
+                    holds = np.all([left, *(t.holds & t.known for t in own)], axis=0)
+                    if holds.any():
+                        labels[holds] = len(phases)
                         phases.append((phase, needed))
                         self.n_nodes += 1
-                        left = left[~holds[left]]
+                        left &= ~holds
             except NO_FORM as error:
                 self.reasons.append(why(self.system, error))
         if not phases:
@@ -346,16 +347,21 @@ class PhaseTree(Home):
         n_reasons = len(self.reasons)
         try:
             placed = self.placed(phase, {**phase.still, **edge.first.zero.values})
+            is_own = self.system.has_values and 0 in edge.sets
+            if not is_own and placed.n_operations > allowed(MOST_OPERATIONS):
+                edge.stops = Message("the state there is a formula too long to read; simulate the motion")
+                return
             began = None if node.began is None or edge.time is None else node.began + edge.time
             acting = dict(phase.mode.acting)
+            for one in edge.first.watches:  # a buffer and the damper beside it are reached at once
+                if one.name in acting:
+                    acting[one.name] = one.kind == "touches"
             if watch.kind == STRIKES:
                 instant = PhaseStart(placed, phase.mode.closed, {}, before, known=known, began=began)
                 edge.nodes = self._blown(node, edge, replace(instant, acting=acting))
             elif watch.kind == "touches" and watch.name not in acting:
                 edge.nodes = self._touched(node, edge, placed, before, known, began)
             else:
-                if watch.name in acting:
-                    acting[watch.name] = watch.kind == "touches"
                 slips: dict[str, Ratio] = {}
                 for name, state in states.items():
                     is_still = name == watch.name or state == 0

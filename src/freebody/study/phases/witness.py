@@ -45,7 +45,6 @@ _PLACES = (
     "is reached",
     STRIKES,
 )  # events of places, which a motion may pass and come back from between two looks
-MAX_TIME = 1000.0
 
 
 @dataclass(frozen=True)

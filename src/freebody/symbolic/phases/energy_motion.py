@@ -187,8 +187,12 @@ def course_of(model: SymbolicModel, start: StartState, slips: Sequence[Ratio] = 
     is_timed = is_driven(model) and any(f.index(f.time) in f.ingredients(a) for a in accelerations)
     free = not model.dependent and not is_timed
     laws, sides = _laws(smooth, _one_way(model, slips)) if free else ([], ())
-    in_time = LawMotion(model, start, laws, smooth.integrals.resting, sides)
     has_laws = len(laws) == len(model.coordinates)
+    if free and not has_laws and not _has_energy(model, start):
+        # which law it is the parameters decide, as of a damper that lets swing or does not
+        laws, sides = _laws(smooth, _one_way(model, slips), takes_side=True)
+        has_laws = len(laws) == len(model.coordinates)
+    in_time = LawMotion(model, start, laws, smooth.integrals.resting, sides)
     if len(model.coordinates) == 1:
         try:
             by_energy = EnergyMotion(model, start, model.coordinates[0])
@@ -217,13 +221,24 @@ def _one_way(model: SymbolicModel, slips: Sequence[Ratio]) -> set[int]:
     return found
 
 
-def _laws(motion: SmoothMotion, one_way: Set[int]) -> tuple[list[MotionLaw], tuple[Ratio, ...]]:
+def _has_energy(model: SymbolicModel, start: StartState) -> bool:
+    """Whether energy gives the speed of a coordinate."""
+    for c in model.coordinates:
+        with suppress(CannotAnswer):
+            EnergyMotion(model, start, c)
+            return True
+    return False
+
+
+def _laws(
+    motion: SmoothMotion, one_way: Set[int], *, takes_side: bool = False
+) -> tuple[list[MotionLaw], tuple[Ratio, ...]]:
     """The laws of the coordinates that have one, and what is positive on the side of a sign that they are for."""
     samples = motion.model.samples
     before, samples.assumed = samples.assumed, []
     found: list[MotionLaw] = []
     for c in motion.model.coordinates:
-        law = motion.law_of(c, keeps_sense=c.speed in one_way)
+        law = motion.law_of(c, takes_side=takes_side, keeps_sense=c.speed in one_way)
         if law is not None and law.has_course:
             found.append(law)
     taken, samples.assumed = samples.assumed, before
