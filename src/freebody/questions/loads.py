@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class LoadForce(Quantity, kind="load"):
     """Force or torque of a load; a spring's or damper's is positive when it pulls. is_thrust: the opposite, a
-    compressive force. only_pushes: whether it never pulls, as a buffer; the greatest force is the greatest thrust then."""
+    compressive force. only_pushes: whether it never pulls, as a buffer; its greatest force is the greatest thrust."""
 
     load: str
     pushes_with: Dimension

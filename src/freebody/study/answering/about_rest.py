@@ -11,12 +11,12 @@ from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Equilibrium, SmallOscillations
+from freebody.questions.small_motion import Equilibrium, RestValue, SmallOscillations
 from freebody.study.answering.finding import Elements, Finding
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.decide import decide
-from freebody.symbolic.equilibrium import ClosedFormRest, StateOfRest, equilibria, lies_in_family
+from freebody.symbolic.equilibrium import ClosedFormRest, StateOfRest, equilibria, find_equilibrium, lies_in_family
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations
@@ -112,6 +112,17 @@ def equilibrium(setup: Setup, question: Question, q: Equilibrium) -> Finding:
     if lies_in_family(model, rest.values, q.measure):
         notes.append(Message("one of a family: free to rest anywhere along {names}", names=q.name))
     return Finding(x, evidence, conditions, notes + _other_rests(setup, q, x, others))
+
+
+def value(setup: Setup, question: Question, q: RestValue) -> Finding:
+    """What a quantity is at rest, at the equilibrium that is meant."""
+    from freebody.study.answering import at_equilibrium
+
+    rest = find_equilibrium(setup.model, setup.start)
+    element: Elements = q.of.value(setup.system, StateOfRest(setup.model, rest.values))
+    conditions = needs_of_rest(setup, rest)
+    evidence = at_equilibrium.value_at_rest(setup, question.text, q.of, rest.values, element, conditions)
+    return Finding(element, evidence, conditions, _stability(setup, rest))
 
 
 def _other_rests(setup: Setup, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:

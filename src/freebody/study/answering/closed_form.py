@@ -23,7 +23,7 @@ from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import Staying
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
-from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
+from freebody.questions.small_motion import Equilibrium, OfSmallMotion, RestValue, SmallOscillations
 from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
@@ -412,6 +412,10 @@ class QuestionSolver:
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:
         return about_rest.equilibrium(self.setup, self.question, q)
+
+    @_found.register(RestValue)
+    def _value_at_rest(self, q: RestValue) -> Finding:
+        return about_rest.value(self.setup, self.question, q)
 
     # -- the answer ---------------------------------------------------------------------------
     def finish(self, found: Finding) -> Answer:
