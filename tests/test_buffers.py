@@ -116,7 +116,7 @@ def test_derivation_of_the_deepest_point_tells_when_the_buffer_is_touched() -> N
 
 def test_two_free_carts_press_the_buffer_between_them_by_the_speed_at_which_they_meet() -> None:
     """With the momentum kept, s = x1 - x2 swings by mu s'' = -k s, mu = m1 m2/(m1 + m2): it turns at v0 sqrt(mu/k),
-    and the carts part after half a period as after an elastic impact. Source: Gross et al., Technische Mechanik 3, ch. 2."""
+    and the carts part after half a period as after an elastic impact. Gross et al., TM 3, ch. 2."""
     system = fb.System.from_text("""
 parameters: {m1: 1 kg, m2: 2 kg, k: 100 N/m, v0: 2 m/s, L: 0.5 m, d: 1 m}
 bodies: {first: {particle: {mass: m1}}, second: {particle: {mass: m2}}}
