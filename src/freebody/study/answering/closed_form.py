@@ -45,10 +45,12 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_until
 from freebody.symbolic.reached import HoldsOnce, Reached
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.state import StagedState, SymbolicState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
+
+_SWOLLEN = 60  # terms from which on a formula at an event is tried with the loops solved first
 
 
 class QuestionSolver:
@@ -275,11 +277,16 @@ class QuestionSolver:
         purpose, never = event.comes, NeverHappens(event.never)
         conditions = insisted((Condition(x, relation, purpose) for x, relation in reached.conditions), never)
         x: Elements = q.counted(smooth_passage(self.setup, reached, self._elements))
+        # a formula with signs that were taken at the start is compared only where they are so, there and at the event
+        there = SymbolicState(self.model, self.setup.motion.known_at(reached))
+        if any(part.n_terms > _SWOLLEN for part in (x if isinstance(x, tuple) else (x,))):
+            with suppress(CannotAnswer, ZeroDivisionError):
+                staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)
+                x = q.counted(smooth_passage(self.setup, reached, self._elements, staged))
+                there = staged
         if has_integrals(x):
             conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
         self._check_is_told(x)
-        # a formula with signs that were taken at the start is compared only where they are so, there and at the event
-        there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
         begins = [c for c in begins if not c.element.is_zero()]  # a distance that starts at zero
         ends = [c for c in ends if not self._is_untold(c.element)]
