@@ -81,6 +81,39 @@ def test_a_pid_controller_that_starts_elsewhere_settles_at_the_set_point() -> No
         assert_same_function(to_python(answer.expression), expected, {})
 
 
+def test_a_pid_controller_tends_to_the_set_point_as_long_as_routh_lets_it() -> None:
+    """m s^3 + k_d s^2 + k_p s + k_i is Hurwitz for k_p k_d > m k_i; then x tends to r, and the integral to -d/k_i."""
+    at_rest = PID + "start: {x: 0, rate(x): 0}\n"
+    solution = fb.System.from_text(at_rest).solve(["x as t grows", "z as t grows", "velocity of x as t grows"])
+    for answer, expected in zip(solution.answers, ("r", "-d/k_i", "0"), strict=True):
+        assert isinstance(answer.expression, Expr)
+        assert_same_function(to_python(answer.expression), expected, {})
+        assert "k_p·k_d > m·k_i" in str(answer.conditions)
+    unstable = fb.System.from_text(at_rest.replace("k_i: 20", "k_i: 2000")).solve("x as t grows")["q1"]
+    assert unstable.value is None
+    assert "k_p·k_d > m·k_i" in str(unstable.reason)
+
+
+# two masses on dampers and springs, the last one pulled: at rest both springs carry F
+CHAIN = """
+parameters: {m1: 2 kg, m2: 3 kg, k: 50 N/m, c: 10 N s/m, F: 4 N, L: 1 m, K: 20 N/m, C: 3 N s/m}
+bodies: {a: {particle: {mass: m1}}, b: {particle: {mass: m2}}}
+connections: {ga: {slider: {body: a, along: right}}, gb: {slider: {body: b, along: right}}}
+measures: {x1: x of a, x2: x of b}
+loads:
+  s1: {law: {measure: x1, force: -k*x1 - c*rate(x1)}}
+  s2: {spring: {first: a, second: b, stiffness: K, length: L}}
+  d2: {damper: {first: a, second: b, damping: C}}
+  f: {force: {at: b, along: right, magnitude: F}}
+start: {x1: 0, x2: L, rate(x1): 0, rate(x2): 0}
+"""
+
+
+def test_coupled_damped_masses_tend_to_their_equilibrium() -> None:
+    assert_same_function(expression(CHAIN, "x2 as t grows"), "L + F/k + F/K", {})
+    assert_same_function(expression(CHAIN, "force in s2 as t grows"), "F", {})
+
+
 # a first-order lag between controller and plant: I T s^3 + (I + c T) s^2 + c s + K, Routh: (I + c T) c > I T K
 LAG = """
 parameters: {I: 0.4 kg m^2, c: 0.2 N m s, K: 3 N m, T: 0.1 s}

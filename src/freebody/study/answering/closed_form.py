@@ -307,6 +307,7 @@ class QuestionSolver:
             reached.time if reached.settled is None else reached.settled,
             [*conditions, *real(x)],
             [*begins, *ends],
+            reached.decays,
         )
         named = chain_of(self.setup, q, x, there) if q.is_of_state else None
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says, in_names=named)
