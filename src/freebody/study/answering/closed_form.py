@@ -8,7 +8,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, singledispatchmethod
-from typing import NoReturn
+from typing import NoReturn, cast
 
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, FormulaTooLong, NeverHappens
@@ -219,12 +219,17 @@ class QuestionSolver:
         try:
             return first_found(self.system, q.parameter, attempt)
         except CannotAnswer:
-            if (reached := as_reached(self.question, q)) is None:
+            reached, balanced = as_reached(self.question, q), None
+            if reached is None:
+                balanced = about_rest.as_balanced(self.system, self.question, q)
+            if reached is None and (balanced is None or len(self.model.coordinates) != 1):
                 raise
-            solver = QuestionSolver(Setup(self.system), reached)
+            system, asked = balanced or (self.system, cast("Question", reached))
+            solver = QuestionSolver(Setup(system), asked)
             found = solver._find()
             self.setup, self.model = solver.setup, solver.model
-            return replace(found, notes=[])
+            told = Message("the forces balance there; whether it is stable is another question")
+            return replace(found, notes=[] if balanced is None else [told])
 
     # -- one instant --------------------------------------------------------------------------
     @singledispatchmethod
