@@ -419,3 +419,16 @@ def test_machines_have_the_formulas_of_their_textbooks(
     model: str, question: str, expected: str, near: dict[str, float]
 ) -> None:
     assert_same_function(expression(model, question), expected, near)
+
+
+def test_a_value_that_the_sign_of_a_parameter_forbids_is_told() -> None:
+    """F - 2 P = m a is zero for P = F/2; with 2 P + F it is so for P = -F/2 alone."""
+    model = """
+parameters: {m: 2 kg, F: 5 N, P: 1 N}
+bodies: {block: {particle: {mass: m}}}
+connections: {g: {slider: {body: block, along: right}}}
+loads: {f: {force: {at: block, along: right, magnitude: F + 2*P}}}
+measures: {x: x of block}
+"""
+    reason = str(fb.System.from_text(model).solve("value of P for which acceleration of x = 0")["q1"].reason)
+    assert reason.startswith("that is so for P = -F/2 alone, which is negative")
