@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -84,11 +84,12 @@ def loaded(file: Path, *, is_asked_here: bool) -> System:
         if not is_asked_here or not all(problem.path[:1] == ("questions",) for problem in error.problems):
             raise
         bad = {problem.path[1] for problem in error.problems if len(problem.path) > 1}
-        asked: Any = document.data["questions"]
+        asked = document.data["questions"]
         if isinstance(asked, dict):
-            left: Any = {name: one for name, one in asked.items() if name not in bad}
+            by_name = cast("dict[str, Any]", asked)
+            left: Any = {name: one for name, one in by_name.items() if name not in bad}
         else:
-            left = [one for k, one in enumerate(asked) if k not in bad]
+            left = [one for k, one in enumerate(cast("list[Any]", asked)) if k not in bad]
         system = System.from_document(document.with_value(("questions",), left))
         for line in str(error).splitlines():
             say(f"warning: {line}")

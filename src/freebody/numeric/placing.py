@@ -79,7 +79,11 @@ class PoseEquation:
 
     def loosened(self, share: float) -> PoseEquation:
         """The same with a gap that counts for less."""
-        return replace(self, gap=lambda g: self.gap(g) * share)
+
+        def gap(g: JetGeometry) -> Jet:
+            return self.gap(g) * share
+
+        return replace(self, gap=gap)
 
 
 def _unit(dimension: Dimension) -> str:
@@ -192,7 +196,7 @@ class Placing:
         gap of a loop is spread over all of them: then this is the gap that one would measure."""
         sizes = np.abs(missed.weights * missed.gaps)
         largest = np.flatnonzero(sizes >= (1.0 - _EQUAL) * sizes.max())
-        opened = connection_of(min((missed.equations[k] for k in largest), key=lambda e: e.name))
+        opened = connection_of(missed.equations[min(largest.tolist(), key=lambda k: missed.equations[k].name)])
         loose = [e.loosened(_LOOSE) if connection_of(e) == opened else e for e in missed.equations]
         fit = self.fit(missed.q, loose, 0.0, missed.branches)
         there = None if fit is None else self.fit(fit.q, missed.equations, 0.0, missed.branches, 0)

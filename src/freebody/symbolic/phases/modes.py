@@ -7,7 +7,6 @@ them by the law that it has itself, as the way between two carts on a spring has
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -42,7 +41,7 @@ class ModalMotion(MotionInTime):
     def kind(self) -> str:
         return "laws"
 
-    @cached_property
+    @property
     def units_of_time(self) -> Sequence[Ratio]:
         of_modes = [1 / w for group in self.coupled for w in group.rates]
         return [*units_of([law for _c, law in self.laws]), *of_modes]
