@@ -281,14 +281,19 @@ class QuestionSolver:
             return self._at_the_start_alone(q, event)
         purpose, never = event.comes, NeverHappens(event.never)
         conditions = insisted((Condition(x, relation, purpose) for x, relation in reached.conditions), never)
-        x: Elements = q.counted(smooth_passage(self.setup, reached, self._elements))
+        x: Elements | None = None
+        with suppress(FormulaTooLong):
+            x = q.counted(smooth_passage(self.setup, reached, self._elements))
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
-        if any(part.n_terms > _SWOLLEN for part in (x if isinstance(x, tuple) else (x,))):
-            with suppress(CannotAnswer, ZeroDivisionError):
+        if x is None or any(part.n_terms > _SWOLLEN for part in (x if isinstance(x, tuple) else (x,))):
+            try:
                 staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)
                 x = q.counted(smooth_passage(self.setup, reached, self._elements, staged))
                 there = staged
+            except (CannotAnswer, ZeroDivisionError):
+                if x is None:
+                    raise
         if has_integrals(x):
             conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
         self._check_is_told(x)
