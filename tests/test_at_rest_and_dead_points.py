@@ -155,3 +155,43 @@ def test_a_ratio_that_changes_sign_with_the_sense_is_none_at_rest() -> None:
 )
 def test_it_is_derived(text: str, question: str) -> None:
     is_derived(text, question)
+
+
+HANGING = """
+parameters: {m: 2 kg, L: 1 m, F: 5 N, k: 40 N/m, l: 0.2 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], top: [2 m, 1 m]}}
+bodies: {bob: {particle: {mass: m}}, block: {particle: {mass: m}, at: [2 m, 0]}}
+connections: {rod: {link: [ground.O, bob, L]}, guide: {slider: {body: block, along: up}}}
+loads:
+  weight: {gravity: g}
+  wind: {force: {at: bob, along: right, magnitude: F}}
+  spring: {spring: {first: ground.top, second: block, stiffness: k, length: l}}
+measures: {theta: {angle of line from ground.O to bob from down}, y: y of block}
+start: {theta: 60 deg, y: 0}
+"""
+
+
+def test_forces_and_places_in_equilibrium_are_those_where_nothing_accelerates() -> None:
+    """At rest S = sqrt((m g)^2 + F^2) along the rod, whatever the start; the spring carries the weight: F = m g."""
+    system = System.from_text(HANGING)
+    for question, expected in (
+        ("tension of rod in equilibrium", math.hypot(2 * 9.81, 5.0)),
+        ("Zugkraft in rod im Gleichgewicht", math.hypot(2 * 9.81, 5.0)),
+        ("force in spring at rest", 2 * 9.81),
+        ("y of bob at rest", -2 * 9.81 / math.hypot(2 * 9.81, 5.0)),
+    ):
+        answer = system.solve(question)["q1"]
+        assert answer.expression is not None
+        assert answer.value == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_structure_at_rest_has_the_forces_that_it_always_has() -> None:
+    arch = """
+parameters: {P: 500 N, b: 4 m, c: 1.5 m, h: 2 m}
+ground: {points: {A: [0, 0], B: [b, 0]}}
+bodies: {C: {particle: {}, at: [c, h]}}
+connections: {AC: {link: [ground.A, C]}, BC: {link: [ground.B, C]}}
+loads: {load: {force: {at: C, along: down, magnitude: P}}}
+"""
+    found = System.from_text(arch).solve("tension of AC at rest")["q1"]
+    assert found.value == pytest.approx(-500 * 2.5 / 4 * math.hypot(1.5, 2) / 2, rel=1e-12)

@@ -112,3 +112,25 @@ def test_derivation_of_the_deepest_point_tells_when_the_buffer_is_touched() -> N
     assert "Buffer is touched when its ends are as far apart as it is long without load" in told
     assert "Buffer is compressed: it can only push" in told
     assert "defect" not in told
+
+
+def test_two_free_carts_press_the_buffer_between_them_by_the_speed_at_which_they_meet() -> None:
+    """With the momentum kept, s = x1 - x2 swings by mu s'' = -k s, mu = m1 m2/(m1 + m2): it turns at v0 sqrt(mu/k),
+    and the carts part after half a period as after an elastic impact. Gross et al., TM 3, ch. 2."""
+    system = fb.System.from_text("""
+parameters: {m1: 1 kg, m2: 2 kg, k: 100 N/m, v0: 2 m/s, L: 0.5 m, d: 1 m}
+bodies: {first: {particle: {mass: m1}}, second: {particle: {mass: m2}}}
+connections: {rail: {slider: {body: first, along: right}}, track: {slider: {body: second, along: right}}}
+loads: {buffer: {spring: {first: second, second: first, stiffness: k, length: L, only: compressed}}}
+measures: {x1: x of first, x2: x of second}
+start: {x1: 0, x2: L + d, rate(x1): v0, rate(x2): 0}
+""")
+    asked = ["greatest compression of buffer", "greatest force in buffer", "time when buffer is relaxed"]
+    solved = system.solve([*asked, "rate of x2 when buffer is relaxed", "compressive force in buffer when x1' = x2'"])
+    assert all(answer.expression is not None for answer in solved.answers)
+    pressed, force, parted, faster, hardest = solved.answers
+    mu, v = 1.0 * 2.0 / 3.0, 2.0
+    assert pressed.value == pytest.approx(v * math.sqrt(mu / 100.0), rel=1e-12)
+    assert force.value == hardest.value == pytest.approx(v * math.sqrt(mu * 100.0), rel=1e-12)
+    assert parted.value == pytest.approx(1.0 / v + math.pi * math.sqrt(mu / 100.0), rel=1e-12)
+    assert faster.value == pytest.approx(2 * 1.0 * v / 3.0, rel=1e-12)

@@ -113,7 +113,7 @@ questions: [{find: aceleration of left}, {find: tension of rop}]
         (
             "ground: {points: {A: [0, 0], B: [3 m, 0]}}\nbodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}\n"
             "connections: {a: {pin: [ground.A, rod.start]}, b: {pin: [ground.B, rod.end]}}\n",
-            "a.x is off by 1 m",  # and b.x as much: of equal gaps the first by name
+            "a.x is off by 2 m",  # where b holds; as much there where a does: of equal gaps the first by name
         ),
         (
             "bodies: {a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}}, w: {disk: {radius: 1 m}, fixed: true}}"
@@ -351,3 +351,19 @@ def test_a_parameter_in_a_question_of_the_command_line_is_used(tmp_path: Path) -
     assert "warnings" not in json.loads(done.stdout)
     assert not done.stderr
     assert json.loads(done.stdout)["answers"][1]["value"] == pytest.approx(2.5)  # mu F
+
+
+def test_a_question_of_the_file_that_cannot_be_read_does_not_block_one_on_the_command_line(tmp_path: Path) -> None:
+    model = """
+parameters: {m: 1 kg, F: 2 N}
+bodies: {a: {particle: {mass: m}}}
+connections: {g: {slider: {body: a, along: right}}}
+loads: {f: {force: {at: a, along: right, magnitude: F}}}
+measures: {x: x of a}
+questions: [colour of a, {id: fast, find: velocity of x when x = 1 m}]
+"""
+    assert solved(tmp_path, model).returncode == 2
+    asked = freebody("solve", "model.yaml", "--find", "acceleration of x", cwd=tmp_path)
+    assert asked.returncode == 0
+    assert "2 m/s^2" in asked.stdout
+    assert asked.stderr.startswith("warning: model.yaml:7:13: questions.0.find: 'colour' is nothing")

@@ -93,8 +93,8 @@ def test_links_that_violate_the_triangle_inequality_are_named() -> None:
     found = named(text)
     assert found.names == ("l1", "l2")
     assert found.is_geometric
-    # 3 m - 2 m are missing, half of it in either link
-    assert found.gap == "l1.length is off by 0.5 m"
+    # 3 m - 2 m are missing where the other link keeps its length
+    assert found.gap == "l1.length is off by 1 m"
     assert_irreducible(text)
 
 

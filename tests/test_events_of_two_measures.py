@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
@@ -77,3 +79,35 @@ start: {x1: 0, x2: 0, rate(x1): v0, rate(x2): 0}
 """
     is_formula(plank, "time until rate(x1) = rate(x2)", "v0/(mu*g*(1 + m/M))")
     is_formula(plank, "rate of x2 when rate(x1) = 2*rate(x2)", "m*v0/(2*m + M)")
+
+
+FALLING = """
+parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2}
+bodies: {bar: {rod: {mass: m, length: L}}}
+ground: {points: {O: [0, 0]}}
+connections: {O: {pin: [ground.O, bar.start]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of bar}
+start: {theta: 60 deg, rate(theta): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("condition", "height"),
+    [
+        ("cos(theta) = 1/3", -math.sqrt(8) / 3),
+        ("sin(theta) = 1/2", 0.5),
+        ("2*theta = 90 deg", math.sqrt(0.5)),
+        ("bar is horizontal", 0.0),
+        ("bar is vertical", -1.0),
+    ],
+)
+def test_an_event_may_be_an_equation_of_a_function_of_measures(condition: str, height: float) -> None:
+    """omega^2 = 3 g/L (sin 60 deg - sin theta) of a rod that falls about its end, turning clockwise."""
+    answer = fb.System.from_text(FALLING).solve(f"angular velocity of bar when {condition}")["q1"]
+    assert answer.value == pytest.approx(-math.sqrt(3 * 9.81 * (math.sqrt(0.75) - height)), rel=1e-12)
+
+
+def test_words_about_a_function_are_not_taken_for_words_about_its_argument() -> None:
+    with pytest.raises(fb.ModelError):
+        fb.System.from_text(FALLING).solve("angular velocity of bar when it has cos(theta) = 1/3 rad")

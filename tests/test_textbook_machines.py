@@ -81,6 +81,39 @@ def test_a_pid_controller_that_starts_elsewhere_settles_at_the_set_point() -> No
         assert_same_function(to_python(answer.expression), expected, {})
 
 
+def test_a_pid_controller_tends_to_the_set_point_as_long_as_routh_lets_it() -> None:
+    """m s^3 + k_d s^2 + k_p s + k_i is Hurwitz for k_p k_d > m k_i; then x tends to r, and the integral to -d/k_i."""
+    at_rest = PID + "start: {x: 0, rate(x): 0}\n"
+    solution = fb.System.from_text(at_rest).solve(["x as t grows", "z as t grows", "velocity of x as t grows"])
+    for answer, expected in zip(solution.answers, ("r", "-d/k_i", "0"), strict=True):
+        assert isinstance(answer.expression, Expr)
+        assert_same_function(to_python(answer.expression), expected, {})
+        assert "k_p·k_d > m·k_i" in str(answer.conditions)
+    unstable = fb.System.from_text(at_rest.replace("k_i: 20", "k_i: 2000")).solve("x as t grows")["q1"]
+    assert unstable.value is None
+    assert "k_p·k_d > m·k_i" in str(unstable.reason)
+
+
+# two masses on dampers and springs, the last one pulled: at rest both springs carry F
+CHAIN = """
+parameters: {m1: 2 kg, m2: 3 kg, k: 50 N/m, c: 10 N s/m, F: 4 N, L: 1 m, K: 20 N/m, C: 3 N s/m}
+bodies: {a: {particle: {mass: m1}}, b: {particle: {mass: m2}}}
+connections: {ga: {slider: {body: a, along: right}}, gb: {slider: {body: b, along: right}}}
+measures: {x1: x of a, x2: x of b}
+loads:
+  s1: {law: {measure: x1, force: -k*x1 - c*rate(x1)}}
+  s2: {spring: {first: a, second: b, stiffness: K, length: L}}
+  d2: {damper: {first: a, second: b, damping: C}}
+  f: {force: {at: b, along: right, magnitude: F}}
+start: {x1: 0, x2: L, rate(x1): 0, rate(x2): 0}
+"""
+
+
+def test_coupled_damped_masses_tend_to_their_equilibrium() -> None:
+    assert_same_function(expression(CHAIN, "x2 as t grows"), "L + F/k + F/K", {})
+    assert_same_function(expression(CHAIN, "force in s2 as t grows"), "F", {})
+
+
 # a first-order lag between controller and plant: I T s^3 + (I + c T) s^2 + c s + K, Routh: (I + c T) c > I T K
 LAG = """
 parameters: {I: 0.4 kg m^2, c: 0.2 N m s, K: 3 N m, T: 0.1 s}
@@ -270,3 +303,132 @@ def test_in_exact_resonance_the_value_is_that_of_the_motion() -> None:
     expected = 10 / (2 * 2 * 100) * (math.sin(10) - 10 * math.cos(10))
     assert answer.value == pytest.approx(expected, rel=1e-9)
     assert "the value is that of the simulated motion" in [str(note) for note in answer.notes]
+
+
+# Meriam & Kraige, Statics, 4/6: an A-frame on a roller; moments of one leg about the apex give F a/2 = T (h - e)
+A_FRAME = """
+parameters: {F: 600 N, a: 1.2 m, h: 2 m, e: 0.5 m}
+ground: {points: {A: [-a, 0]}, lines: {floor: {along: right}}}
+bodies:
+  left: {body: {}, points: {foot: [-a, 0], tie: [-a*(1 - e/h), e], top: [0, h]}, at: [0, 0], angle: 0}
+  right: {body: {}, points: {foot: [a, 0], tie: [a*(1 - e/h), e], top: [0, h]}, at: [0, 0], angle: 0}
+connections:
+  A: {pin: [ground.A, left.foot]}
+  C: {pin: [left.top, right.top]}
+  roller: {slot: {pin: right.foot, along: right}}
+  rope: {link: [left.tie, right.tie]}
+loads: {load: {force: {at: left.top, along: down, magnitude: F}}}
+"""
+# Meriam & Kraige, Statics, 6/5: a screw of two pitches moves its jaw by their difference in a turn: 2 pi T = F (p - q)
+DIFFERENTIAL_SCREW = """
+space: {up: z}
+parameters: {p: 4 mm, q: 3 mm, T: 2 N m, F: 1 kN}
+bodies: {screw: {body: {}}, jaw: {body: {}}}
+connections:
+  upper: {screw: {first: ground.O, second: screw, about: z, pitch: p}}
+  lower: {screw: {first: screw, second: jaw, about: z, pitch: q}}
+  guide: {prismatic: {first: ground.O, second: jaw, along: z}}
+loads:
+  hand: {torque: {on: screw, about: z, magnitude: T}}
+  work: {force: {at: jaw, along: down, magnitude: F}}
+measures: {phi: angle of screw about z, z1: z of jaw}
+start: {phi: 0}
+"""
+# Norton, Design of Machinery, 9.9: a stepped planet between a sun r1 and a fixed ring r1 + r2 + r3 (Willis)
+STEPPED_PLANET = """
+parameters: {r1: 30 mm, r2: 50 mm, r3: 20 mm, T: 3 N m}
+bodies:
+  sun: {body: {inertia: 0.01 kg m^2, radius: r1}}
+  ring: {ring: {radius: r1 + r2 + r3}, fixed: true}
+  carrier: {body: {inertia: 0.1 kg m^2}, points: {P: [r1 + r2, 0]}, angle: 0}
+  planet: {body: {mass: 1 kg, inertia: 0.001 kg m^2}, at: [r1 + r2, 0]}
+connections:
+  s: {pin: [ground.O, sun]}
+  c: {pin: [ground.O, carrier]}
+  p: {pin: [carrier.P, planet]}
+  inner: {gear_mesh: {first: sun, second: planet, second_radius: r2}}
+  outer: {gear_mesh: {first: ring, second: planet, internal: true, second_radius: r3}}
+loads: {drive: {torque: {on: sun, magnitude: T}}}
+measures: {theta: angle of sun, phi: angle of carrier}
+start: {theta: 0}
+"""
+# Beer & Johnston, Statics, 6.4: a scissors lift; virtual work with y = L sin and x = L cos gives H = W cot(theta)
+SCISSORS = """
+parameters: {L: 2 m, theta: 35 deg, W: 3 kN, H: 3 kN}
+ground: {points: {A: [0, 0]}, lines: {floor: {along: right}}}
+bodies:
+  p: {rod: {length: L}, at: {start: [0, 0]}, angle: theta}
+  q: {rod: {length: L}, angle: 180 deg - theta}
+  table: {body: {}, points: {end: [L*cos(theta), 0]}, angle: 0}
+connections:
+  A: {pin: [ground.A, p.start]}
+  X: {pin: [p.center, q.center]}
+  roller: {slot: {pin: q.start, along: right, through: ground.A}}
+  T: {pin: [q.end, table]}
+  R: {slot: {pin: p.end, along: x, on: table}}
+loads:
+  load: {force: {at: table.end, along: down, magnitude: W}}
+  ram: {force: {at: q.start, along: left, magnitude: H}}
+"""
+# Meriam & Kraige, Statics, 7/4: two bars and a spring under a load: m g = 2 tan(theta) k (2 L cos(theta) - l0)
+SPRUNG_BARS = """
+parameters: {L: 0.5 m, k: 2 kN/m, l0: 0.3 m, m: 8 kg, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}, lines: {floor: {along: right}}}
+bodies: {p: {rod: {length: L}, at: {start: [0, 0]}}, q: {rod: {length: L}}, load: {particle: {mass: m}}}
+connections:
+  A: {pin: [ground.A, p.start]}
+  B: {pin: [p.end, q.start]}
+  C: {slot: {pin: q.end, along: right, through: ground.A}}
+  D: {pin: [p.end, load]}
+loads: {weight: {gravity: g}, s: {spring: {first: ground.A, second: q.end, stiffness: k, length: l0}}}
+measures: {theta: angle of p}
+start: {theta: 50 deg}
+"""
+# Shigley & Uicker, Theory of Machines, 3: the Geneva slot, tan(psi) = a sin/(a cos - c) for the crank a
+GENEVA = """
+parameters: {a: 0.1 m, w: 5 rad/s, c: 0.15 m}
+ground: {points: {O: [0, 0], Q: [c, 0]}}
+bodies: {driver: {rod: {length: a}}, cross: {body: {inertia: 0.01 kg m^2}, angle: 180 deg}}
+connections:
+  O: {pin: [ground.O, driver.start]}
+  Q: {pin: [ground.Q, cross]}
+  slot: {slot: {pin: driver.end, along: x, on: cross}}
+  motor: {driver: {measure: theta, follows: w*t}}
+measures: {theta: angle of driver, psi: angle of cross}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected", "near"),
+    [
+        (A_FRAME, "tension of rope", "F*a/(2*(h - e))", {"h": 2.0, "e": 0.5}),
+        (A_FRAME, "value of e for which tension of rope = F", "h - a/2", {"h": 2.0, "a": 1.2}),
+        (DIFFERENTIAL_SCREW, "value of F for which it is at rest", "2*pi*T/(p - q)", {"p": 4e-3, "q": 3e-3}),
+        (STEPPED_PLANET, "ratio of rate of phi to rate of theta", "r1*r3/(r1*r3 + r2*(r1 + r2 + r3))", {}),
+        (SCISSORS, "value of H for which it is at rest", "W/tan(theta)", {"theta": 0.6}),
+        (SPRUNG_BARS, "value of m for which equilibrium of theta = 45 deg", "2*k*(sqrt(2)*L - l0)/g", {"l0": 0.3}),
+        (
+            GENEVA,
+            "acceleration of psi when theta = 30 deg",
+            "a*c*w**2*(c**2 - a**2)/2/(a**2 + c**2 - sqrt(3)*a*c)**2",
+            {},
+        ),
+    ],
+)
+def test_machines_have_the_formulas_of_their_textbooks(
+    model: str, question: str, expected: str, near: dict[str, float]
+) -> None:
+    assert_same_function(expression(model, question), expected, near)
+
+
+def test_a_value_that_the_sign_of_a_parameter_forbids_is_told() -> None:
+    """F - 2 P = m a is zero for P = F/2; with 2 P + F it is so for P = -F/2 alone."""
+    model = """
+parameters: {m: 2 kg, F: 5 N, P: 1 N}
+bodies: {block: {particle: {mass: m}}}
+connections: {g: {slider: {body: block, along: right}}}
+loads: {f: {force: {at: block, along: right, magnitude: F + 2*P}}}
+measures: {x: x of block}
+"""
+    reason = str(fb.System.from_text(model).solve("value of P for which acceleration of x = 0")["q1"].reason)
+    assert reason.startswith("that is so for P = -F/2 alone, which is negative")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -52,16 +52,48 @@ Set = Annotated[
 Watch = Annotated[bool, typer.Option("--watch", help="Run again whenever the file is saved, until Ctrl-C.")]
 
 
-def model_of(file: Path, assignments: list[str] | None, language: object = None, asked: tuple[str, ...] = ()) -> System:
+def model_of(
+    file: Path,
+    assignments: list[str] | None,
+    language: object = None,
+    asked: tuple[str, ...] = (),
+    *,
+    is_asked_here: bool = False,
+) -> System:
     """The system of a file, with other values of parameters; what is unlikely in it is told on stderr. asked: what is
-    said of it on the command line."""
-    from freebody.system.system import System
-
-    system = System.load(file)
+    said of it on the command line; is_asked_here: whether its questions are among that."""
+    system = loaded(file, is_asked_here=is_asked_here)
     if assignments:
         system = system.with_parameters(**dict(assignment(text) for text in assignments))
     tell_warnings(system, language, asked)
     return system
+
+
+def loaded(file: Path, *, is_asked_here: bool) -> System:
+    """The system of a file. Where the questions stand on the command line, those of the file that cannot be read are no
+    hindrance: they are told on stderr, and left out."""
+    from freebody.cli.running import say
+    from freebody.errors import ModelError
+    from freebody.language.document import Document
+    from freebody.system.system import System
+
+    document = Document.load(file)
+    try:
+        return System.from_document(document)
+    except ModelError as error:
+        if not is_asked_here or not all(problem.path[:1] == ("questions",) for problem in error.problems):
+            raise
+        bad = {problem.path[1] for problem in error.problems if len(problem.path) > 1}
+        asked = document.data["questions"]
+        if isinstance(asked, dict):
+            by_name = cast("dict[str, Any]", asked)
+            left: Any = {name: one for name, one in by_name.items() if name not in bad}
+        else:
+            left = [one for k, one in enumerate(cast("list[Any]", asked)) if k not in bad]
+        system = System.from_document(document.with_value(("questions",), left))
+        for line in str(error).splitlines():
+            say(f"warning: {line}")
+        return system
 
 
 def tell_warnings(system: System, language: object = None, asked: tuple[str, ...] = ()) -> None:

@@ -73,7 +73,9 @@ def _found(study: Study, file: Any, words: dict[str, Any]) -> tuple[Any, System]
 
     with busy(study.busy):
         given = {option.parameter: option.given(words[option.parameter]) for option in study.options}
-        system = model_of(file, words["set_"], words.get("language"), _said(study, words))
+        finds = [option.parameter for option in study.options if "--find" in option.flags]
+        asks = any(words[name] for name in finds)
+        system = model_of(file, words["set_"], words.get("language"), _said(study, words), is_asked_here=asks)
         return study.function(system, **{name: x for name, x in given.items() if x is not None}), system
 
 

@@ -110,7 +110,7 @@ def sweep(
         from freebody.study.given import ranges_of
 
         run: Callable[..., Sweep] = STUDIES["sweep"].function
-        system = model_of(file, set_, language, asked)
+        system = model_of(file, set_, language, asked, is_asked_here=bool(find))
         if plot is not None:
             check_writable(checked_path(plot))
         options = SimulationOptions(

@@ -36,6 +36,8 @@ ACCEPTED = 1e-11  # up to which it is accepted where rounding stops the improvem
 STATIONARY = 1e-6
 _NEWTON = 1e-6  # by the size of the system: from gaps below this Newton's steps close them
 _EQUAL = 1e-6  # relative: gaps that round-off does not tell apart
+_LOOSE = 1e-3  # the weight of what may stay open
+_SPREAD = 0.02  # of a gap, what is not told beside it
 _RCOND = 1e-13  # of equations that say the same thing
 N_STEPS = 200
 N_NEARER = 100  # steps towards a guess
@@ -75,6 +77,14 @@ class PoseEquation:
             "a direction of motion", "", lambda g: Jet(float(row @ g.frame.difference(g.q, q)) - length / size, row)
         )
 
+    def loosened(self, share: float) -> PoseEquation:
+        """The same with a gap that counts for less."""
+
+        def gap(g: JetGeometry) -> Jet:
+            return self.gap(g) * share
+
+        return replace(self, gap=gap)
+
 
 def _unit(dimension: Dimension) -> str:
     return {LENGTH: "m", DIMENSIONLESS: "rad"}.get(dimension) or str(dimension)
@@ -104,9 +114,21 @@ class Fit:
         largest = np.flatnonzero(sizes >= (1.0 - _EQUAL) * sizes.max())
         k = min(largest.tolist(), key=lambda n: self.equations[n].name)
         equation = self.equations[k]
-        return Message(
-            "{name} is off by {gap:.3g} {unit}", name=equation.name, gap=abs(self.gaps[k]), unit=equation.unit
-        )
+        whole = [n for n in self._beside(k) if sizes[n] > _SPREAD * sizes[k]]
+        is_along = len(whole) == 1  # one axis tells it
+        name = equation.name if is_along else connection_of(equation)
+        gap = float(np.linalg.norm(self.gaps[whole]))
+        return Message("{name} is off by {gap:.3g} {unit}", name=name, gap=gap, unit=equation.unit)
+
+    def _beside(self, k: int) -> list[int]:
+        """The equations of the same connection in the same unit."""
+        one = self.equations[k]
+        alike = (n for n, e in enumerate(self.equations) if connection_of(e) == connection_of(one))
+        return [n for n in alike if self.equations[n].unit == one.unit and (n == k or "." in one.name)]
+
+
+def connection_of(equation: PoseEquation) -> str:
+    return equation.name.partition(".")[0]
 
 
 @dataclass(frozen=True)
@@ -168,6 +190,21 @@ class Placing:
             else:
                 damping *= 10.0
         return replace(here, n_steps=n_tried + 1)
+
+    def with_one_gap(self, missed: Fit) -> Fit:
+        """A pose that fulfils all but what one connection holds, where there is one near to the best pose, in which the
+        gap of a loop is spread over all of them: then this is the gap that one would measure."""
+        sizes = np.abs(missed.weights * missed.gaps)
+        largest = np.flatnonzero(sizes >= (1.0 - _EQUAL) * sizes.max())
+        opened = connection_of(missed.equations[min(largest.tolist(), key=lambda k: missed.equations[k].name)])
+        loose = [e.loosened(_LOOSE) if connection_of(e) == opened else e for e in missed.equations]
+        fit = self.fit(missed.q, loose, 0.0, missed.branches)
+        there = None if fit is None else self.fit(fit.q, missed.equations, 0.0, missed.branches, 0)
+        if there is None:
+            return missed
+        others = [k for k, e in enumerate(missed.equations) if connection_of(e) != opened]
+        beside = float(np.abs((there.weights * there.gaps)[others]).max(initial=0.0))
+        return there if beside <= _SPREAD * float(np.abs(there.weights * there.gaps).max()) else missed
 
     def nearest(self, found: Fit, guess: Array, t: float) -> Fit:
         """Of the poses that fulfil the equations of a fit, as it does, one that no small move brings nearer to a guess.

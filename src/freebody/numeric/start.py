@@ -197,7 +197,7 @@ def _not_found(
     at_best = Message(
         "at best {worst}. Change the start of the model (at, {turned}, start) or the lengths; freebody mobility "
         "says which parts contradict each other",
-        worst=best.worst,
+        worst=reference.placing.with_one_gap(best).worst,
         turned="turned" if reference.system.space else "angle",
     )
     if is_exhausted:

@@ -57,6 +57,14 @@ class Clock(SaidEvent):
     time: Expr | None
     text: str
 
+    @property
+    def comes(self) -> Message:
+        return Message("there is a limit") if self.time is None else super().comes
+
+    @property
+    def never(self) -> Message:
+        return Message("there is no limit as the time grows") if self.time is None else super().never
+
 
 def by_the_clock(phrase: str) -> str:
     """Words for instants of the clock as conditions."""

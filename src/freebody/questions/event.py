@@ -6,12 +6,25 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.language.expression import ZERO, Expr, Symbol
+from freebody.errors import ExpressionError
+from freebody.language.expression import (
+    ZERO,
+    Call,
+    Expr,
+    Symbol,
+    add,
+    differentiate,
+    free_symbols,
+    replace_rates,
+    substitute,
+)
+from freebody.language.notation import to_python
+from freebody.language.parser import parse
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
-from freebody.model.phrases import PHRASES, measure_of
+from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.base import FORMS, NAME, POINT, Path, Quantity
 from freebody.questions.clock import ENDLESS, Clock, SaidEvent, time_asked
 
@@ -114,6 +127,10 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
         return None
     what = found["what"].strip()
+    if (several := _of_several(names, what)) is not None:
+        measure, order, constant = several
+        value = names.formula(found["value"].strip(), measure.dimension / TIME**order, *path)
+        return QuestionEvent(measure, order, value - constant, text)
     order: Literal[0, 1] = 0
     for pattern in (r"rate\((.+)\)", r"(?:rate|velocity|speed) of (.+)", r"(.+)'", r"(.+)_dot"):
         inner = re.fullmatch(pattern, what)
@@ -138,6 +155,36 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         return None if between is None else QuestionEvent(between, order, ZERO, text)
     dimension = measure.dimension / TIME**order
     return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
+
+
+def _of_several(names: Names, text: str) -> tuple[Measure, Literal[0, 1], Expr] | None:
+    """An expression in measures and parameters, as cos(theta), or what is linear in rates, as rate(x2) - rate(x1): the
+    rate of the same in the measures, and a constant. None where a text is none of them."""
+    try:
+        expr = parse(text)
+    except ExpressionError:
+        return None
+    used = free_symbols(expr) & names.measures.keys()
+    is_plain = isinstance(expr, Symbol) or (
+        isinstance(expr, Call) and isinstance(expr.argument, Symbol) and expr.function == "rate"
+    )
+    if is_plain or not used or not free_symbols(expr) <= {*names.measures, *names.parameters}:
+        return None
+    rates = {name: Symbol(f"@rate_{name}") for name in sorted(used)}
+    in_rates = replace_rates(expr, rates)
+    if in_rates == expr:
+        with names.quietly():
+            measure = composed(names, text)
+        return None if measure is None else (measure, 0, ZERO)
+    moving = {rate.name for rate in rates.values()}
+    slopes = {name: differentiate(in_rates, rate.name) for name, rate in rates.items()}
+    constant = substitute(in_rates, dict.fromkeys(moving, ZERO))
+    changing = moving | names.measures.keys()
+    if any(free_symbols(x) & changing for x in (constant, *slopes.values())):
+        return None
+    with names.quietly():
+        measure = composed(names, to_python(add(*(slope * Symbol(name) for name, slope in slopes.items()))))
+    return None if measure is None else (measure, 1, constant)
 
 
 _FACTOR = r"(?:(?P<factor>[^()=]+?)\s*\*\s*)?"

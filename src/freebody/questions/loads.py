@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
@@ -21,10 +21,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class LoadForce(Quantity, kind="load"):
-    """Force or torque of a load; a spring's or damper's is positive when it pulls."""
+    """Force or torque of a load; a spring's or damper's is positive when it pulls. is_thrust: the opposite, a
+    compressive force. only_pushes: whether it never pulls, as a buffer; its greatest force is the greatest thrust."""
 
     load: str
     pushes_with: Dimension
+    is_thrust: bool = False
+    only_pushes: bool = False
 
     example = """
 bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
@@ -41,10 +44,13 @@ questions: {it: force in spring}
         force = system.loads[self.load].pulls_with([state.law(p) for p in applied_loads], state.sqrt)
         if force is None:
             raise CannotAnswer(Message("{load} acts on several bodies; ask for one body's part", load=self.load))
-        return force
+        return -force if self.is_thrust else force
+
+    def sized(self, *, space: bool) -> Quantity:
+        return replace(self, is_thrust=True) if self.only_pushes else self
 
     def sentence(self, system: Described) -> Sentence:
-        return Sentence("what.load", {"load": self.load})
+        return Sentence("what.thrust" if self.is_thrust else "what.load", {"load": self.load})
 
 
 @dataclass(frozen=True)
@@ -143,8 +149,8 @@ questions: {it: work of weight until y = -5 m}
 
 # -- words ------------------------------------------------------------------------------------
 @asked(
-    "force in SPRING | of LOAD [on BODY] [along DIRECTION]",
-    rf"(?P<what>force|torque) (?:in|of) (?P<of>{NAME})",
+    "[compressive] force in SPRING | of LOAD [on BODY] [along DIRECTION]",
+    rf"(?P<thrust>compressive |compression |pushing )?(?P<what>force|torque) (?:in|of) (?:the )?(?P<of>{NAME})",
     rank=45,
 )
 def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
@@ -162,7 +168,14 @@ def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
     if found["what"] == "torque" and names.loads[of] != TORQUE:
         names.problem(Message("{of} exerts a force and no torque; ask for: force in {of}", of=of), *path)
         return None
-    return LoadForce(of, names.loads[of])
+    return replace(load_force(names, of), is_thrust=bool(found["thrust"]))
+
+
+def load_force(names: Names, load: str) -> LoadForce:
+    """The force of a load that is known."""
+    sides = [p.one_sided for p in names.applied_loads if p.load == load]
+    only_pushes = bool(sides) and all(side is not None and not side.pulls for side in sides)
+    return LoadForce(load, names.loads[load], only_pushes=only_pushes)
 
 
 @asked(

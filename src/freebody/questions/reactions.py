@@ -14,7 +14,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
-from freebody.questions.loads import LoadForce
+from freebody.questions.loads import load_force
 from freebody.questions.vectors import (
     IN_BASIS,
     Basis,
@@ -213,7 +213,7 @@ def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
     if of not in names.loads:
         return read_wrench(names, found, path)
     if not any(found[word] for word in ("part", "on", "along", "basis")):
-        return LoadForce(of, names.loads[of])
+        return load_force(names, of)
     if names.loads[of] != FORCE:
         told = Message("{load} is a torque: ask for torque of {load} alone", load=of)
         names.problem(told, *path)

@@ -2,7 +2,7 @@
 
 natural frequencies      period of small oscillations [of MEASURE]      mode shapes      mode 2
 equilibrium of MEASURE      stability of equilibrium      damping ratio      damped frequency      logarithmic decrement
-critical damping of PARAMETER
+critical damping of PARAMETER      QUANTITY in equilibrium
 """
 
 from __future__ import annotations
@@ -18,10 +18,13 @@ from freebody.measures.base import Measure
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import measure_of
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.reading import read_quantity
 from freebody.questions.turned_round import ValueFor
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+RANK_AT_REST = 92  # above that of a force at a body, or of a vector in a basis
 
 
 @dataclass(frozen=True)
@@ -93,6 +96,39 @@ questions: {it: equilibrium of theta}
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.equilibrium", {"of": Symbol(self.name) if self.name in system.measures else self.name})
+
+
+@dataclass(frozen=True)
+class RestValue(Quantity, kind="value at rest"):
+    """A quantity while the system rests in the equilibrium that is meant."""
+
+    of: Quantity
+
+    example = """
+bodies: {bob: {particle: {mass: 1 kg}}}
+connections: {rod: {link: [ground.O, bob, 1 m]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: 60 deg}
+questions: {it: tension of rod in equilibrium}
+"""
+    scope = "small motion"
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+    def sentence(self, system: Described) -> Sentence | None:
+        of = self.of.sentence(system)
+        return None if of is None else Sentence("what.in_equilibrium", {"of": of})
 
 
 class OfSmallMotion(Quantity):
@@ -216,6 +252,23 @@ def _period(names: Names, found: Found, path: Path) -> Quantity | None:
 def _equilibrium(names: Names, found: Found, path: Path) -> Quantity | None:
     measure = measure_of(names, found["of"], *path)
     return None if measure is None else Equilibrium(measure, str(found["of"]))
+
+
+@asked(
+    "QUANTITY in equilibrium | at rest",
+    r"(?!.*\b(?:that|which|whether|does|is|stays?|stay|keeps?|holds?|with|until|when|stability|range|least|largest)\b)"
+    r"(?P<of>.+?) (?:(?:in|at) (?:the |its )?equilibrium(?: position)?|at rest|in (?:the |its )?rest position)",
+    rank=RANK_AT_REST,
+)
+def _in_equilibrium(names: Names, found: Found, path: Path) -> Quantity | None:
+    text = str(found["of"])
+    if text in names.measures:
+        return Equilibrium(names.measures[text], text)
+    of = read_quantity(names, text, path)
+    if of is None or (of.is_of_state and of.scope == "instant"):
+        return of and RestValue(of)
+    names.problem(Message("'{text}' is no property of one instant", text=text), *path)
+    return None
 
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")

@@ -50,6 +50,11 @@ class CoupledMotion:
     projectors: tuple[Matrix, ...]
     begin: tuple[tuple[Ratio, Ratio], ...]  # values and rates at the start
 
+    @property
+    def rates(self) -> list[Ratio]:
+        """With which the modes swing, or grow; those that drift have none."""
+        return [self._rate(square)[0] for square in self.squares if not square.is_zero()]
+
     def at(self, time: Ratio) -> dict[int, Ratio]:
         """Coordinates and their rates at a time, by generator."""
         f = self.model.field
@@ -119,11 +124,15 @@ class CoupledMotion:
         of = functions(f, self.model.samples.is_negative)
         if square.is_zero():
             return f.one, t, t * t / 2
-        known = sign_of(square)
-        falls = known is Sign.NEGATIVE if known.is_strict else self.model.samples.is_negative(square)
-        w = f.sqrt(-square if falls else square, self.model.samples.is_negative)
+        w, falls = self._rate(square)
         c, s = (of[name](w * t) for name in (("cosh", "sinh") if falls else ("cos", "sin")))
         return c, s / w, (1 - c) / square
+
+    def _rate(self, square: Ratio) -> tuple[Ratio, bool]:
+        """w with w^2 = l, or w^2 = -l where it grows, which is said, too."""
+        known = sign_of(square)
+        falls = known is Sign.NEGATIVE if known.is_strict else self.model.samples.is_negative(square)
+        return self.model.field.sqrt(-square if falls else square, self.model.samples.is_negative), falls
 
 
 def coupled_with(

@@ -23,6 +23,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.motion_cycles import MotionCycles
 from freebody.symbolic.reached import HOLDS_ALWAYS, HoldsOnce, Reached
+from freebody.symbolic.settling import settling_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.uniform_passage import passage_at
 from freebody.symbolic.unknowns import Coordinate
@@ -67,6 +68,7 @@ class SmoothMotion(MotionCycles):
         if time is not None:
             return Reached(time, None, time, f.one, conditions=[(time, ">=")])
         found, latest = dict[int, Ratio](), f.zero
+        needs, decays = list[tuple[Ratio, str]](), list[tuple[Ratio, ...]]()
         for c in self.model.coordinates:
             taken = list(self.model.samples.assumed)
             law = None if self.stands_still else self.law_of(c, takes_side=True)
@@ -79,7 +81,13 @@ class SmoothMotion(MotionCycles):
                 latest = latest + limit.time
                 found |= {} if limit.place is None else {c.index: f.lowest_terms(limit.place)}
                 found |= {} if limit.rate is None else {c.speed: f.lowest_terms(limit.rate)}
-        return Reached(None, None, f.zero, f.one, limits=found, settled=f.lowest_terms(latest + 1))
+            elif law is None and not {c.index, c.speed} & found.keys():
+                settling = settling_of(self.model, self.acceleration, c)
+                found |= {} if settling is None else settling.limits
+                needs += [] if settling is None else [(x, ">") for x in settling.needs]
+                decays += [] if settling is None else [settling.polynomial]
+        settled = f.lowest_terms(latest + 1)
+        return Reached(None, None, f.zero, f.one, conditions=needs, limits=found, settled=settled, decays=decays)
 
     def known_at(self, reached: Reached) -> dict[int, Ratio]:
         """The coordinates and speeds at an event, as far as they have closed forms, and the time: a coordinate that

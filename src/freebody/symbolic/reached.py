@@ -38,6 +38,7 @@ class Reached:
     timed: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # what the time needs besides
     bound: dict[int, Ratio] = field(default_factory=dict[int, Ratio])  # angles of closed loops that the event gives
     settled: Ratio | None = None  # by when it is there, but for round-off
+    decays: list[tuple[Ratio, ...]] = field(default_factory=list[tuple[Ratio, ...]])  # by characteristic polynomials
 
     @property
     def values(self) -> dict[int, Ratio]:

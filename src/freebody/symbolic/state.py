@@ -225,3 +225,17 @@ def _is_polynomial(law: Expr) -> bool:
             return n is not None and n >= 0 and _is_polynomial(base)
         case _:
             return False
+
+
+class StagedState(SymbolicState):
+    """An instant at which closed loops are solved first, in general, and `values` put in afterwards: with numbers that
+    have roots in them, as cos(30 deg), powers of a divisor are not seen to have common factors any more."""
+
+    def __init__(self, model: SymbolicModel, loops: Mapping[int, Ratio], values: Mapping[int, Ratio]) -> None:
+        super().__init__(model, values)
+        self._loops = dict(loops)
+
+    def here(self, x: Ratio) -> Ratio:
+        f = self.model.field
+        solved = f.follow(self.model.in_independent_speeds(x), {**self.model.given_constants, **self._loops})
+        return super().here(f.lowest_terms(solved))

@@ -26,11 +26,19 @@ from freebody.narrative.questions.small_telling import SmallTelling
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced, SteadyAmplitude
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Damping, Equilibrium, EquilibriumStability, ModeShapes, SmallOscillations
+from freebody.questions.small_motion import (
+    Damping,
+    Equilibrium,
+    EquilibriumStability,
+    ModeShapes,
+    RestValue,
+    SmallOscillations,
+)
 from freebody.study.answering.answer import Answer
 from freebody.study.small_motion.forced import forced_number
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.forced import forced_oscillation
+from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 
 Shown = Expr | tuple[Expr, ...]
@@ -89,6 +97,28 @@ def _place(q: Equilibrium, telling: SmallTelling) -> None:
         script.add(asked_entry(symbol, telling.question))
         lines = tuple(telling.places)
         expression = _expression(telling)
+        script.line(symbol, shown, expression, why="value.follows", args={"lines": lines}, uses=lines, when="never")
+
+
+@_tell.register(RestValue)
+def _value_at_rest(q: RestValue, telling: SmallTelling) -> None:
+    """What was asked, where everything rests."""
+    script, model = telling.script, telling.model
+    still = SymbolicState(model, {c.speed: model.field.zero for c in (*model.coordinates, *model.dependent)})
+    value = q.of.value(telling.context.system, still)
+    if isinstance(value, tuple):
+        raise CannotAnswer(Message("the derivation has one quantity: ask for a component"))
+
+    def read(world: World) -> float:
+        pose = telling.readers.pose(world.draw)
+        there = world.draw.seen(world.draw.reference.snapshot(pose, 0 * pose))
+        return float(q.of.value(telling.context.system, there))
+
+    with script.stage("stage.value"):
+        symbol = asked_as(telling.context, telling.question, read)
+        script.add(asked_entry(symbol, telling.question))
+        lines = tuple(telling.places)
+        shown, expression = substitute(tidy(value), telling.at_rest), _expression(telling)
         script.line(symbol, shown, expression, why="value.follows", args={"lines": lines}, uses=lines, when="never")
 
 

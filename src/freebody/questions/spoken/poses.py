@@ -151,14 +151,30 @@ def upright(names: Names, body: str) -> list[str]:
 
 
 def level(names: Names, body: str) -> list[str]:
-    """The condition that something is horizontal, on the side to which its angle counts; none for what starts so."""
+    """The condition that something is horizontal: from a start aslant whichever way comes first, else on the side to
+    which its angle counts; none for what starts so."""
     found: list[str] = []
     for going in _going(names, body):
         both = sorted(going.value(pointing) for pointing in (0.0, 180.0))
         if _starts(names, body, 0.0) or _starts(names, body, 180.0):
             continue
+        start = _start_of(names, going.measure)
+        if start is not None and _is_aslant(going.sense * math.degrees(start) + going.offset):
+            if not _is_aslant(going.offset):  # sin(theta) or cos(theta)
+                function = "cos" if _is_upright(going.offset) else "sin"
+                found.append(f"{function}({going.measure}) = 0")
+            continue
         found += [f"{going.measure} = {_told(value)}" for value in both[-1:] if _is_told(value)]
     return found
+
+
+def _is_aslant(pointing: float) -> bool:
+    """Whether a line that points so is neither level nor upright."""
+    return abs(math.remainder(pointing, 90.0)) > _NEAR
+
+
+def _is_upright(pointing: float) -> bool:
+    return abs(math.remainder(pointing - 90.0, 180.0)) < _NEAR
 
 
 def _starts(names: Names, body: str, pointing: float) -> bool:

@@ -10,6 +10,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from freebody.errors import Problem
+from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.braking import limits_of_braking
@@ -45,6 +46,7 @@ class Asked(Protocol):
 AskedT = TypeVar("AskedT", bound=Asked)
 
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
+_CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
@@ -224,6 +226,7 @@ def _nearest(
     """What can be meant by the names that are nearest to those written, by its words; and, where nothing can, what is
     wrong with the first text that has words of the grammar."""
     nearest: dict[str, tuple[AskedT, ...]] = {}
+    calls = set(_CALL.findall(text))  # cos(theta) = 1/2 is not theta = 1/2
     left_open: dict[str, int] = {}  # questions for each of several values, where of which is meant is not said
     distance: int | None = None
     instead: list[Problem] = []
@@ -240,6 +243,7 @@ def _nearest(
             tried = {words: _read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
             here = {words: asked for words, asked in here.items() if is_kept(names, meaning.words, words)}
+            here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
                 distance = meaning.distance
                 nearest |= {words: asked for words, asked in here.items() if asked not in nearest.values()}

@@ -6,23 +6,27 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import n_operations
+from freebody.language.expression import ZERO, n_operations
 from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
+from freebody.questions.base import Wanted
+from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Equilibrium, SmallOscillations
+from freebody.questions.small_motion import Equilibrium, RestValue, SmallOscillations
+from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.finding import Elements, Finding
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.decide import decide
-from freebody.symbolic.equilibrium import ClosedFormRest, StateOfRest, equilibria, lies_in_family
+from freebody.symbolic.equilibrium import ClosedFormRest, StateOfRest, equilibria, find_equilibrium, lies_in_family
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
+from freebody.system.system import System
 
 _MOST_RESTS = 4  # that are named beside the one that is meant
 
@@ -112,6 +116,34 @@ def equilibrium(setup: Setup, question: Question, q: Equilibrium) -> Finding:
     if lies_in_family(model, rest.values, q.measure):
         notes.append(Message("one of a family: free to rest anywhere along {names}", names=q.name))
     return Finding(x, evidence, conditions, notes + _other_rests(setup, q, x, others))
+
+
+def as_balanced(system: System, question: Question, q: Wanted) -> tuple[System, Question] | None:
+    """That a named measure rests at a place that is given, as the same system that starts there at rest and does not
+    accelerate: the place is known then, and the equation is one in the parameter. None where something else is to have
+    a value."""
+    of = q.of
+    if (
+        not isinstance(of, Equilibrium)
+        or q.relation != "="
+        or of.name not in system.measures
+        or not isinstance(q, ValueFor)
+    ):
+        return None
+    there = replace(system, start={of.name: q.target}, start_rates={of.name: ZERO})
+    accelerates = replace(q, of=OfMeasure(of.measure, 2, of.name), target=ZERO)
+    return there, replace(question, quantity=accelerates, at_start=True, options={}, key=None)
+
+
+def value(setup: Setup, question: Question, q: RestValue) -> Finding:
+    """What a quantity is at rest, at the equilibrium that is meant."""
+    from freebody.study.answering import at_equilibrium
+
+    rest = find_equilibrium(setup.model, setup.start)
+    element: Elements = q.of.value(setup.system, StateOfRest(setup.model, rest.values))
+    conditions = needs_of_rest(setup, rest)
+    evidence = at_equilibrium.value_at_rest(setup, question.text, q.of, rest.values, element, conditions)
+    return Finding(element, evidence, conditions, _stability(setup, rest))
 
 
 def _other_rests(setup: Setup, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:

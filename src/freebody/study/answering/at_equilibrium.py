@@ -15,9 +15,10 @@ from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import frequencies
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.questions.base import Quantity
 from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, broken, element_at, holds
+from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, as_parts, broken, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import nearest_equilibrium
@@ -88,6 +89,30 @@ def at_rest(
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
         check.compare(draw, (1.0,), (1.0 + unrest(setup, draw, places_at(setup, equilibrium, draw)),))
+
+    insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
+    return check.evidence()
+
+
+def value_at_rest(
+    setup: Setup,
+    question: str,
+    of: Quantity,
+    equilibrium: dict[int, Ratio],
+    x: Ratio | tuple[Ratio, ...],
+    conditions: Sequence[Condition],
+) -> Evidence:
+    """Compares a quantity with that of the full system at rest there, which must not accelerate."""
+    check = CrossCheck(question, Message("floating-point solve of all bodies and constraints at rest there"), AT_REST)
+
+    def compare(draw: Draw) -> None:
+        if not all(holds(setup, c, draw, draw.start()) for c in conditions):
+            return
+        places = places_at(setup, equilibrium, draw)
+        seen = draw.seen(draw.reference.snapshot(*resting(draw, places)))
+        exact, numeric = element_at(setup, x, draw, draw.start()), as_parts(of.value(setup.system, seen))
+        moves = unrest(setup, draw, places)
+        check.compare(draw, (*map(float, exact), 1.0), (*map(float, numeric), 1.0 + moves))
 
     insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
     return check.evidence()

@@ -8,7 +8,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, singledispatchmethod
-from typing import NoReturn
+from typing import NoReturn, cast
 
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, FormulaTooLong, NeverHappens
@@ -23,7 +23,7 @@ from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import Staying
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
-from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
+from freebody.questions.small_motion import Equilibrium, OfSmallMotion, RestValue, SmallOscillations
 from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
@@ -45,10 +45,12 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_until
 from freebody.symbolic.reached import HoldsOnce, Reached
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.state import StagedState, SymbolicState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
+
+_SWOLLEN = 60  # terms from which on a formula at an event is tried with the loops solved first
 
 
 class QuestionSolver:
@@ -217,12 +219,17 @@ class QuestionSolver:
         try:
             return first_found(self.system, q.parameter, attempt)
         except CannotAnswer:
-            if (reached := as_reached(self.question, q)) is None:
+            reached, balanced = as_reached(self.question, q), None
+            if reached is None:
+                balanced = about_rest.as_balanced(self.system, self.question, q)
+            if reached is None and (balanced is None or len(self.model.coordinates) != 1):
                 raise
-            solver = QuestionSolver(Setup(self.system), reached)
+            system, asked = balanced or (self.system, cast("Question", reached))
+            solver = QuestionSolver(Setup(system), asked)
             found = solver._find()
             self.setup, self.model = solver.setup, solver.model
-            return replace(found, notes=[])
+            told = Message("the forces balance there; whether it is stable is another question")
+            return replace(found, notes=[] if balanced is None else [told])
 
     # -- one instant --------------------------------------------------------------------------
     @singledispatchmethod
@@ -274,12 +281,22 @@ class QuestionSolver:
             return self._at_the_start_alone(q, event)
         purpose, never = event.comes, NeverHappens(event.never)
         conditions = insisted((Condition(x, relation, purpose) for x, relation in reached.conditions), never)
-        x: Elements = q.counted(smooth_passage(self.setup, reached, self._elements))
+        x: Elements | None = None
+        with suppress(FormulaTooLong):
+            x = q.counted(smooth_passage(self.setup, reached, self._elements))
+        # a formula with signs that were taken at the start is compared only where they are so, there and at the event
+        there = SymbolicState(self.model, self.setup.motion.known_at(reached))
+        if x is None or any(part.n_terms > _SWOLLEN for part in (x if isinstance(x, tuple) else (x,))):
+            try:
+                staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)
+                x = q.counted(smooth_passage(self.setup, reached, self._elements, staged))
+                there = staged
+            except (CannotAnswer, ZeroDivisionError):
+                if x is None:
+                    raise
         if has_integrals(x):
             conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
         self._check_is_told(x)
-        # a formula with signs that were taken at the start is compared only where they are so, there and at the event
-        there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
         begins = [c for c in begins if not c.element.is_zero()]  # a distance that starts at zero
         ends = [c for c in ends if not self._is_untold(c.element)]
@@ -300,6 +317,7 @@ class QuestionSolver:
             reached.time if reached.settled is None else reached.settled,
             [*conditions, *real(x)],
             [*begins, *ends],
+            reached.decays,
         )
         named = chain_of(self.setup, q, x, there) if q.is_of_state else None
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says, in_names=named)
@@ -412,6 +430,10 @@ class QuestionSolver:
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:
         return about_rest.equilibrium(self.setup, self.question, q)
+
+    @_found.register(RestValue)
+    def _value_at_rest(self, q: RestValue) -> Finding:
+        return about_rest.value(self.setup, self.question, q)
 
     # -- the answer ---------------------------------------------------------------------------
     def finish(self, found: Finding) -> Answer:

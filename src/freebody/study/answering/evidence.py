@@ -7,6 +7,8 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
 
+import numpy as np
+
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
@@ -32,6 +34,7 @@ from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.laws.base import SETTLED
 
 InNumbers = Callable[[Draw, Snapshot], tuple[float, ...]]
 LONGEST = 100.0  # [s] that a motion without a closed form of its time is followed
@@ -81,9 +84,11 @@ def along_motion(
     time: Ratio | None,
     conditions: Sequence[Condition],
     signs: Sequence[Condition] = (),
+    decays: Sequence[tuple[Ratio, ...]] = (),
 ) -> Evidence:
     """Integrates from the start to the event and compares the time, or the quantity there. conditions: without which
-    the event does not come; signs: what the formula takes to be positive."""
+    the event does not come; signs: what the formula takes to be positive; decays: characteristic polynomials of what
+    dies out until then."""
     check = CrossCheck(question, Message("numerical integration from the start to the event"), MOTION_TOLERANCE)
 
     def compare(draw: Draw) -> None:
@@ -93,6 +98,7 @@ def along_motion(
             return
         late = 1.0 if isinstance(event, Clock) else 1.5
         until = patience(start, LONGEST) if time is None else late * element_at(setup, (time,), draw, start)[0]
+        until = max([until, *(_settled(element_at(setup, c, draw, start)) for c in decays)])
         if until > 0:
             numeric = at_event(setup, quantity, draw, start, until, event)
             check.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(start)))
@@ -117,14 +123,23 @@ def along_motion(
             )
         )
     if is_short and (missed := broken(setup, conditions)):
+        needs = ", ".join(missed)
+        if isinstance(event, Clock) and event.time is None:
+            raise NotHere(Message("there is no limit at the model's own values: that needs {needs}", needs=needs))
         raise NotHere(
             Message(
                 "'{event}' does not come at the model's own values: that needs {needs}",
                 event=event.text,
-                needs=", ".join(missed),
+                needs=needs,
             )
         )
     return check.evidence()
+
+
+def _settled(polynomial: Sequence[float]) -> float:
+    """[s] By when what has a characteristic polynomial, from the constant term up, has died out."""
+    slowest = float(np.max(np.roots(polynomial[::-1]).real))
+    return SETTLED / -slowest if slowest < 0.0 else 0.0
 
 
 def _comes(setup: Setup, event: AskedEvent) -> bool:

@@ -16,7 +16,7 @@ from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.loads import Power
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question
-from freebody.questions.small_motion import Equilibrium, OfSmallMotion, SmallOscillations
+from freebody.questions.small_motion import Equilibrium, OfSmallMotion, RestValue, SmallOscillations
 from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
@@ -127,6 +127,20 @@ def _rest_number(quantity: Equilibrium, setup: Setup, event: AskedEvent | None, 
     q = nearest_equilibrium(setup.system)[0].q
     refuse_out_of_bounds(setup.system, draw.reference, q)
     return draw.reference.snapshot(q, np.zeros_like(q)).value(quantity.measure)
+
+
+@_number.register(RestValue)
+def _number_at_rest(
+    quantity: RestValue, setup: Setup, event: AskedEvent | None, draw: Draw
+) -> float | tuple[float, ...]:
+    from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
+
+    if setup.is_mode:
+        raise CannotAnswer(Message("whether contacts stay as they are at a rest is told by formulas alone"))
+    q = nearest_equilibrium(setup.system)[0].q
+    refuse_out_of_bounds(setup.system, draw.reference, q)
+    values = as_parts(quantity.of.value(setup.system, draw.seen(draw.reference.snapshot(q, np.zeros_like(q)))))
+    return values[0] if len(values) == 1 else values
 
 
 @_number.register(Period)

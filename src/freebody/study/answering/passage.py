@@ -159,10 +159,13 @@ class FormulaPassage:
 
 
 def smooth_passage(
-    setup: Setup, reached: Reached, elements: Callable[[Quantity, SymbolicState], Elements]
+    setup: Setup,
+    reached: Reached,
+    elements: Callable[[Quantity, SymbolicState], Elements],
+    there: SymbolicState | None = None,
 ) -> FormulaPassage:
-    """A motion of one phase."""
-    there = SymbolicState(setup.model, setup.motion.known_at(reached))
+    """A motion of one phase. there: the state at its end, where it is made otherwise."""
+    there = there or SymbolicState(setup.model, setup.motion.known_at(reached))
     phase = FormulaPhase(setup.start_instant, there, lambda x: x, reached.time)
     return FormulaPassage(
         setup.system,

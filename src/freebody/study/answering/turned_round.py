@@ -47,6 +47,7 @@ from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, merged, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import solutions
+from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import TAKEN
 from freebody.symbolic.zeros import zeros_of
@@ -134,9 +135,23 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
         why = Message("the equation {equation} is not solved for {name} in closed form", equation=equation, name=name)
         raise _in_numbers(setup, question, turned, reworded(why, equation))
     possible = [c for c in candidates if c.at]
+    if not possible and (told := _of_other_sign(setup.system.parameters[name], candidates)) is not None:
+        raise NoneFound(told)
     if not possible:
         raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
     return _chosen(possible)
+
+
+def _of_other_sign(parameter: Parameter, candidates: Sequence[_Candidate]) -> Message | None:
+    """That only values solve the equation which the parameter cannot have, by the sign that the file gives it."""
+    if parameter.sign == "any" or not all(sign_of(c.value) is Sign.NEGATIVE for c in candidates):
+        return None
+    return Message(
+        "that is so for {name} = {values} alone, which is negative; write {name}: {{value: ..., sign: any}} where the "
+        "parameter may be that",
+        name=parameter.name,
+        values=", ".join(to_text(tidy(c.value)) for c in candidates),
+    )
 
 
 def _in_numbers(setup: Setup, question: Question, turned: Sequence[_Turned], why: str) -> CannotAnswer:

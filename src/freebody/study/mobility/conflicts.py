@@ -29,7 +29,7 @@ from freebody.numeric.described import axes_of
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array, Jet
 from freebody.numeric.mobility.described import attitude, described
-from freebody.numeric.placing import ACCEPTED, TOLERANCE, Fit, PoseEquation
+from freebody.numeric.placing import ACCEPTED, TOLERANCE, Fit, Placing, PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.start import N_STARTS
 from freebody.system.system import System
@@ -103,12 +103,13 @@ class _Miss:
     """The pose that comes nearest to fulfilling a set of conditions, which none of the starts does."""
 
     fit: Fit | None
+    placing: Placing | None = None
 
     @property
     def gap(self) -> str:
-        if self.fit is None:
+        if self.fit is None or self.placing is None:
             return Message("there is no pose in which all measures have a value")
-        return self.fit.worst
+        return self.placing.with_one_gap(self.fit).worst
 
     def sizes(self) -> dict[int, float]:
         """How large the gap of each equation is, by its identity, in parts of the largest."""
@@ -187,7 +188,7 @@ class _AssemblySearch:
                 best = fit
             if best is not None and best.error <= TOLERANCE:
                 return None
-        return None if best is not None and best.error <= ACCEPTED else _Miss(best)
+        return None if best is not None and best.error <= ACCEPTED else _Miss(best, self.reference.placing)
 
     def among(self, names: Sequence[str], miss: _Miss) -> tuple[_AssemblySearch, _Miss]:
         """The search in a system of the bodies that the conditions speak of alone, which is quicker. The same search if

@@ -24,11 +24,8 @@ from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws.base import MotionLaw
-from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import (
     ClosedFormMotion,
-    LawMotion,
     MotionInTime,
     UniformMotion,
     behind_zeros,
@@ -183,15 +180,9 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
 
 
 def _units_of_time(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets) -> Array:
-    """[s] (n_units, n_sets) in which laws, or the waves that drive the motion, do what they do."""
+    """[s] (n_units, n_sets) in which the laws of a motion, or the waves that drive it, do what they do."""
     if isinstance(course, UniformMotion):
         periods = [period for watch in watches for period in course.periods(watch.element)]
         return np.array([np.abs(sets.evaluate(course.model, period)) for period in periods]).reshape(-1, sets.n)
-    laws = course.laws if isinstance(course, LawMotion) else ()
-    return np.array([_unit_of_time(course.model, law, sets) for law in laws]).reshape(-1, sets.n)
-
-
-def _unit_of_time(model: SymbolicModel, law: MotionLaw, sets: Sets) -> Array:
-    """[s] In which a law does what it does; 0 for constant acceleration."""
-    unit = law.unit_of_time
-    return np.zeros(sets.n) if unit is None else np.abs(sets.evaluate(model, unit))
+    units = [np.abs(sets.evaluate(course.model, unit)) for unit in course.units_of_time]
+    return np.array(units).reshape(-1, sets.n)

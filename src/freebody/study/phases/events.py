@@ -17,7 +17,7 @@ from freebody.study.phases.decide import NOTHING, Cell, cells
 from freebody.study.phases.ends import FirstEvent, PhaseOutcome, PossibleEnds
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, PhaseWatch
-from freebody.symbolic.phases.course import LawMotion, UniformMotion
+from freebody.symbolic.phases.course import MotionInTime, UniformMotion
 from freebody.symbolic.phases.energy_motion import EnergyMotion
 from freebody.tolerances import ROUND_OFF
 
@@ -29,7 +29,7 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
     match phase.course:
         case UniformMotion() as course:
             found = in_time(course, watches, sets, indices)
-        case LawMotion() as course:
+        case MotionInTime() as course:
             found = by_laws(course, watches, sets, indices)
         case EnergyMotion() as course:
             road = EnergyRoad(course, sets, indices)

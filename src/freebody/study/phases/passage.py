@@ -27,8 +27,7 @@ from freebody.study.phases.quantities import (
 )
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import LawMotion
-from freebody.symbolic.phases.energy_motion import EnergyMotion
+from freebody.symbolic.phases.course import UniformMotion
 from freebody.symbolic.state import SymbolicState
 
 _NO_TIME = Message(
@@ -122,7 +121,7 @@ def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str) -
         if ends is None:
             continue
         zero = ends.zero
-        if isinstance(phase.course, (EnergyMotion, LawMotion)):
+        if not isinstance(phase.course, UniformMotion):
             if not of or (len(rubbing) == len(frictions(phase.system)) and only_friction_takes_energy(phase.system)):
                 total = total + _energy_lost(tree, phase, zero.values)
             else:

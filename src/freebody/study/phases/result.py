@@ -32,7 +32,7 @@ from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require, with_purposes
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, UniformMotion
+from freebody.symbolic.phases.course import ClosedFormMotion, MotionInTime, UniformMotion
 from freebody.symbolic.phases.energy_motion import EnergyMotion
 from freebody.symbolic.relations import SolvedRelation, generators_of, readable, simplified
 from freebody.symbolic.state import SymbolicState
@@ -267,7 +267,7 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
             except CannotAnswer:  # it starts where only the assembly says
                 continue
             motion.append((Symbol(c.name), add(readable(q0), readable(u0 * t), readable(a * t * t / 2))))
-    elif isinstance(course, LawMotion):
+    elif isinstance(course, MotionInTime):
         values = course.values(phase.model.field.time)
         for c in model.coordinates:
             with suppress(CannotAnswer):

@@ -6,11 +6,14 @@ from dataclasses import replace
 from fractions import Fraction
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO
 from freebody.language.sentences import Message
 from freebody.questions.base import Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.motion import Staying
+from freebody.questions.reactions_by_component import ReactionComponent
 from freebody.questions.reading import Question
+from freebody.questions.turned_round import RangeFor
 from freebody.study.answering.answer import Answer, Evidence, Value
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.formula import Formula
@@ -34,6 +37,10 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
     if isinstance(quantity.of, Staying):
         told = Message("whether it stays constant where contacts or strings may open or slip is not told in formulas")
         raise CannotAnswer(told)
+    if _is_touching(tree.system, quantity):
+        assert isinstance(quantity, RangeFor)
+        quantity = replace(quantity, relation=">")
+        question = replace(question, quantity=quantity)
     asked = replace(question, quantity=quantity.of, options={}, key=None)
 
     def attempt(system: System) -> Answer:
@@ -43,6 +50,13 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
         return QuestionSolver(there.home, question).finish(found)
 
     return first_found(tree.system, quantity.parameter, attempt)
+
+
+def _is_touching(system: System, quantity: Wanted) -> bool:
+    """Whether the force of a contact is to be not negative: it never is, so that it is to push is meant."""
+    of = quantity.of
+    is_not_negative = quantity.relation == ">=" and quantity.target == ZERO
+    return is_not_negative and isinstance(of, ReactionComponent) and any(b.name == of.row for b in system.bounds)
 
 
 def _of_happening(tree: PhaseTree, question: Question, happening: Happening) -> Answer:

@@ -2,7 +2,7 @@
 
     rest      nothing can move
     uniform   every acceleration is constant:    q(t) = q0 + u0 t + a t^2/2; what is a polynomial in q and u is one in t
-    laws      every coordinate by itself: harmonic, or exponential (`symbolic/laws.py`)
+    laws      every coordinate by itself: harmonic, or exponential (`symbolic/laws`), or several by modes (`modes.py`)
     energy    one coordinate on which all depends, and loads with potentials:    u^2 = (M0 u0^2 + 2 V0 - 2 V(q))/M(q);
               what is even in u is a function of q; speeds of other coordinates follow by their momenta
 
@@ -18,7 +18,7 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws.base import MotionLaw
+from freebody.symbolic.laws.base import Instants, LawInstant, MotionLaw
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
@@ -77,6 +77,11 @@ class MotionInTime(ClosedFormMotion):
     def values(self, time: Ratio) -> dict[int, Ratio]:
         """Coordinates and speeds at a time, by generator, and the time."""
         raise NotImplementedError
+
+    @property
+    def units_of_time(self) -> Sequence[Ratio]:
+        """In which it does what it does, their signs aside."""
+        return ()
 
     def over_time(self, x: Ratio) -> Ratio:
         """A function of the state as one of the time `tau`."""
@@ -190,6 +195,10 @@ class LawMotion(MotionInTime):
     def kind(self) -> str:
         return "laws"
 
+    @property
+    def units_of_time(self) -> Sequence[Ratio]:
+        return units_of(self.laws)
+
     def values(self, time: Ratio) -> dict[int, Ratio]:
         """Coordinates and speeds at a time."""
         f = self.model.field
@@ -243,15 +252,26 @@ class LawMotion(MotionInTime):
         instants = None if value is None else law.places(value) if index == c.index else law.rates(value)
         if instants is None:
             raise CannotAnswer(Message("it has no closed form in the time"))
-        needs = tuple(x for x, _relation in instants[1])
-        for instant in instants[0]:
+        for time, instant, needs in within_a_period(instants):
             own = {c.index: instant.place, c.speed: instant.rate}
-            key = () if instant.key is None else (instant.key,)  # of the sign of the time
-            times: list[tuple[Ratio, tuple[Ratio, ...]]] = [(instant.time, key)]
-            if instant.period is not None:
-                times.append((instant.time + instant.period, tuple(-x for x in key)))
-            for time, after in times:
-                yield CourseZero(time, {**self.values(time), **own}, needs=(*needs, *after))
+            yield CourseZero(time, {**self.values(time), **own}, needs=needs)
+
+
+def within_a_period(instants: Instants) -> Iterator[tuple[Ratio, LawInstant, tuple[Ratio, ...]]]:
+    """The times of instants, with what is positive where each is real and after the start: those of them that come
+    again once more, a period later."""
+    assert instants is not None
+    needs = tuple(x for x, _relation in instants[1])
+    for instant in instants[0]:
+        key = () if instant.key is None else (instant.key,)  # of the sign of the time
+        yield instant.time, instant, (*needs, *key)
+        if instant.period is not None:
+            yield instant.time + instant.period, instant, (*needs, *(-x for x in key))
+
+
+def units_of(laws: Sequence[MotionLaw]) -> list[Ratio]:
+    """The units of time of laws, without those that have none."""
+    return [law.unit_of_time for law in laws if law.unit_of_time is not None]
 
 
 def behind_zeros(c: Sequence[Ratio]) -> Sequence[Ratio]:

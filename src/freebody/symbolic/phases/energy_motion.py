@@ -19,6 +19,7 @@ from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.phases.course import ClosedFormMotion, CourseZero, LawMotion, UniformMotion
+from freebody.symbolic.phases.modes import ModalMotion
 from freebody.symbolic.quadratic import has_no_real_root, roots
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
@@ -205,6 +206,9 @@ def course_of(model: SymbolicModel, start: StartState, slips: Sequence[Ratio] = 
     for c in model.coordinates:
         with suppress(CannotAnswer):
             return EnergyMotion(model, start, c)
+    if free:
+        with suppress(CannotAnswer):
+            return ModalMotion(smooth)
     names = ", ".join(c.name for c in model.coordinates)
     raise CannotAnswer(
         Message(
