@@ -39,6 +39,7 @@ _NO_WORDS = (
     "adjectives",
     "adverbs",
     "values",
+    "measured",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass) "  # words that begin a clause, into which no gap goes
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
@@ -320,6 +321,13 @@ def quantity_words(language: str) -> frozenset[str]:
     """Single words for quantities."""
     said = (text for own in tables(language)["quantity"].values() for phrase in own for text in spelt_out(phrase))
     return frozenset(text for text in said if text and " " not in text and "*" not in text)
+
+
+@cache
+def measured_in(word: Word) -> tuple[str, ...]:
+    """What a quantity, or a question word that stands for one, can be measured in: dimensions by their names."""
+    table = cast("dict[str, dict[str, list[str]]]", _file(ENGLISH)["measured"]).get(word.kind, {})
+    return tuple(dimension for dimension, whats in table.items() if word.what in whats)
 
 
 @cache
