@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, losing, of_forces, of_motion, of_systems, poses, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
-from freebody.questions.spoken.frames import MOTION, framed
+from freebody.questions.spoken.frames import FORCES, MOTION, framed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -30,6 +30,9 @@ def quantities(names: Names, clause: Clause) -> Groups:
         return
     if clause.has("relation") or clause.has("value") or clause.has("turns") or clause.has("other"):
         return
+    if clause.has("quantity", *FORCES) and any(before == "and" for before, _ in clause.names):
+        if not clause.has("preposition", "between") and not clause.has("quantity", "ratio", "difference", "sum"):
+            return  # the forces at A and B are two
     if clause.has("quantity", "ratio", "difference", "sum"):
         yield from _of_two(names, clause)
         return
@@ -51,6 +54,10 @@ def quantities(names: Names, clause: Clause) -> Groups:
     if clause.all("degree") == ["range"] and clause.all("quantity") == ["transmission angle"]:
         if clause.only("degree", "quantity", "pronoun", "preposition"):
             yield [JOINT.join(f"{end} transmission angle" for end in ("least", "greatest"))]
+        return
+    if clause.all("degree") == ["range"] and clause.has("quantity", "normal force", "friction force"):
+        for group in _plain(names, clause.without("degree")) if lookup.rests(names) else ():
+            yield [f"range of {text}" for text in group]
         return
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
     if degrees:
@@ -156,8 +163,8 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     between = {"preposition"}
     cuts = [j for j, w in enumerate(rest) if w.kind in between and (w.what in signs or w.what == "and")]
     operator = {"ratio": "/", "difference": "-", "sum": "+"}[kind]
-    if kind == "difference" and not cuts:
-        yield from _of_sides(names, Clause([*said, *rest]))
+    if not cuts and kind in ("difference", "ratio"):
+        yield from _of_sides(names, Clause([*said, *rest]), kind)
     for cut in cuts:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
         first = Clause([*said, *first.words])
@@ -186,13 +193,13 @@ def _are_geared(names: Names, *sides: Clause) -> bool:
     return is_plain and all(name in turned | arms for side in sides for _, name in side.names)
 
 
-def _of_sides(names: Names, clause: Clause) -> Groups:
-    """The difference of the forces at the two ends of a rope."""
+def _of_sides(names: Names, clause: Clause, kind: str) -> Groups:
+    """The difference of the forces at the two ends of a rope, or their ratio."""
     asked, of = clause.all("quantity"), [name for _, name in clause.names]
     if len(asked) != 1 or len(of) > 1 or not clause.only("quantity", "name", *SILENT):
         return
     belts = {row.connection for row in names.constraint_rows if row.reaction == "belt force"}
-    if asked == ["tension"] and belts and set(of) <= belts:  # of both runs
+    if asked == ["tension"] and belts and set(of) <= belts and kind == "difference":  # of both runs
         yield from composed(names, "belt force", clause.without("quantity"))
         return
     rows = [
@@ -200,7 +207,8 @@ def _of_sides(names: Names, clause: Clause) -> Groups:
     ]
     if rows and all(len(row.ends) == 2 and row.connection == rows[0].connection for row in rows):
         first, second = (f"{asked[0]} of {rows[0].connection} at {end}" for end in (rows[0].ends[0], rows[-1].ends[1]))
-        yield [f"{first} - {second}"]
+        ratios = [f"ratio of {first} to {second}", f"ratio of {second} to {first}"]  # which to which is not said
+        yield [JOINT.join(ratios) if kind == "ratio" else f"{first} - {second}"]
 
 
 def _plain(names: Names, clause: Clause) -> Groups:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
     *("hit", "leave", "stop", "turn_back", "return", "reach", "start", "end", "slack", "taut"),
-    *("vanish", "top", "bottom", "begin_roll", "engage", "run_off"),
+    *("vanish", "top", "bottom", "begin_roll", "engage", "run_off", "bounce", "lock"),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
@@ -208,7 +208,8 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
     """Who does something, and to whom: a body before what stands behind `on`, `from`, or is no body."""
     who, other = "", ""
     if clause.has("pronoun", "it") and len(clause.names) == 1:
-        return "", clause.names[0][1]
+        [(_, name)] = clause.names
+        return (name, "") if lookup.is_all_that_moves(names, name) else ("", name)
     for before, name in clause.names:
         if before == "by" and name in names.connections:
             continue  # what stops it
@@ -226,6 +227,7 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 def _hits(names: Names, who: str, other: str) -> Groups:
     """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
     if other in names.loads:
+        yield [f"{other} is reached"] if other in lookup.catching(names, pulls=False) else []
         return
     if (drawn := _drawn_to(names, who, other)) and not any(
         set(joining.joints(names, body, other, "normal force")) - {*leads_to(names, body, other)} for body in drawn
@@ -241,13 +243,20 @@ def _hits(names: Names, who: str, other: str) -> Groups:
         yield [f"{who or 'it'} hits {other}".strip()]
 
 
+def _bounces(names: Names, who: str, other: str) -> Groups:
+    """It is thrown back by what only pushes, where that lets it go; of what strikes it is said after the impact."""
+    if not joining.strikes(names):
+        yield [f"{load} is relaxed" for load in lookup.catching(names, pulls=False) if other in ("", load)]
+
+
 def _runs_off(names: Names, who: str, other: str) -> Groups:
     yield strings.run_off(names, who) or strings.run_off(names, other)
 
 
 def _leaves(names: Names, who: str, other: str) -> Groups:
-    if other in names.loads:
-        return  # nothing is said of where a spring no longer pushes
+    if other in names.loads:  # nothing is said of where a spring no longer pushes, unless it only pushes
+        yield [f"{other} is relaxed"] if other in lookup.catching(names, pulls=False) else []
+        return
     if off := strings.run_off(names, who):
         yield off
         return
@@ -293,6 +302,12 @@ def _stops(names: Names, who: str, other: str) -> Groups:
         yield poses.turning(names, who)
         return
     yield [f"{who or 'it'} stops"] if not other else []
+
+
+def _locks(names: Names, who: str, other: str) -> Groups:
+    """A wheel no longer turns, whatever becomes of what it carries."""
+    turned = lookup.angles(names, who) if who and not other else []
+    yield [f"rate({angle}) = 0" for angle in turned]
 
 
 def _turns_back(names: Names, who: str, other: str) -> Groups:
@@ -359,6 +374,8 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("hit", _hits),
         ("leave", _leaves),
         ("run_off", _runs_off),
+        ("bounce", _bounces),
+        ("bounce leave", _bounces),
         ("start leave", _leaves),
         ("roll", _rolls),
         ("start roll", _rolls),
@@ -373,6 +390,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("stop slide", _ends_slipping),
         ("stop", _stops),
         ("hold", _stops),
+        ("lock", _locks),
         ("turn_back", _turns_back),
         ("return", _returns),
         ("return move", _returns),

@@ -106,6 +106,8 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
         return lookup.is_all_that_moves(names, body) or any(body in _bodies(names, other) for other in things)
     if {joining.pinned_at(names, thing), joining.joined_at(names, thing)} & things:
         return True
+    if thing in names.connections and any(other in names.connections for other in things):
+        return False  # the forces on the bearings A and B
     own = _bodies(names, thing) - {GROUND}
     return any(own & (_bodies(names, other) - {GROUND}) for other in things)
 

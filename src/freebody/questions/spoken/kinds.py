@@ -1,8 +1,9 @@
 """Whether an answer is of the kind that words ask for: a velocity is no angular velocity, an angle no length.
 
 Each word for a quantity, and each question word that stands for one, says of which dimensions its value can be
-(`measured` in the lexicon); what is understood has one of those that the main clause says. A word that says none (a value, a limit) leaves it open. What is
-measured by an angle alone may be said to have a speed or a way: they are those of the angle.
+(`measured` in the lexicon); what is understood has one of those that the main clause says. A word that says none (a
+value, a limit) leaves it open. What is measured by an angle alone may be said to have a speed or a way: they are those
+of the angle.
 """
 
 from __future__ import annotations

@@ -24,6 +24,7 @@ ENGLISH = "en"
 OPEN, CLOSE = "«", "»"  # marks of names in a text
 MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 GAP = "_"
+_SHORT = 3  # letters of a word that has no plural here
 _NO_WORDS = (
     "spelling",
     "families",
@@ -40,6 +41,8 @@ _NO_WORDS = (
     "adverbs",
     "values",
     "measured",
+    "symbols",
+    "assumptions",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass) "  # words that begin a clause, into which no gap goes
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
@@ -199,7 +202,8 @@ def vocabulary(language: str) -> frozenset[str]:
 def goes_beside(token: str, where: str, language: str) -> bool:
     """Whether a word may stand `before` or `behind` a name, and says no more than the name does."""
     own = (*_file(language)[where]["name"], *_file(ENGLISH)[where]["name"])  # into whose nouns others are put
-    return any(_is_word(word, token) for word in own)
+    alone = token.removesuffix("s")  # the bearings A and B
+    return any(_is_word(word, token) or (_is_word(word, alone) and len(word) > _SHORT) for word in own)
 
 
 @cache
@@ -321,6 +325,23 @@ def quantity_words(language: str) -> frozenset[str]:
     """Single words for quantities."""
     said = (text for own in tables(language)["quantity"].values() for phrase in own for text in spelt_out(phrase))
     return frozenset(text for text in said if text and " " not in text and "*" not in text)
+
+
+@cache
+def symbols(language: str) -> dict[str, tuple[str, ...]]:
+    """Words for the symbols of quantities, those that may stand before them behind the first."""
+    return {symbol: tuple(words) for symbol, words in _file(language)["symbols"].items()}
+
+
+def mass_center(language: str) -> str:
+    """What a mass centre is called."""
+    return next(text for phrase in tables(language)["pronoun"]["mass_center"] for text in spelt_out(phrase))
+
+
+@cache
+def assumptions(language: str) -> dict[str, str]:
+    """Patterns for clauses that assume something, by what it is."""
+    return cast("dict[str, str]", _file(language)["assumptions"])
 
 
 @cache

@@ -28,6 +28,7 @@ from freebody.questions.spoken.lexicon import (
     several,
 )
 from freebody.questions.spoken.naming import linked
+from freebody.questions.spoken.symbols import spelt_out
 from freebody.questions.spoken.words import Unknown, words_of
 
 if TYPE_CHECKING:
@@ -51,10 +52,17 @@ class Part:
 def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     """Ways in which a text can be several questions."""
     for language in languages():
-        for pattern, written in rivals(language):
-            text = pattern.sub(written, text)  # which is larger tell the values of both
-        for pieces in _pieces(text.strip().rstrip(".?! "), language):
+        told = spelt_out(elements, text, language)
+        for pieces in _pieces(told.strip().rstrip(".?! "), language):
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
+
+
+def of_rivals(text: str) -> str:
+    """The text in which both are asked for, where it asks which of them is larger: their values tell."""
+    for language in languages():
+        for pattern, written in rivals(language):
+            text = pattern.sub(written, text)
+    return text
 
 
 def _pieces(text: str, language: str) -> Iterator[list[str]]:
