@@ -4,7 +4,7 @@ Words may stand in any order; what a thing is to the quantity is said by the pre
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, losing, of_forces, of_motion, of_systems, poses, strings
@@ -30,9 +30,8 @@ def quantities(names: Names, clause: Clause) -> Groups:
         return
     if clause.has("relation") or clause.has("value") or clause.has("turns") or clause.has("other"):
         return
-    if clause.has("quantity", *FORCES) and any(before == "and" for before, _ in clause.names):
-        if not clause.has("preposition", "between") and not clause.has("quantity", "ratio", "difference", "sum"):
-            return  # the forces at A and B are two
+    if clause.has("quantity", *FORCES) and _are_two_joints(names, clause):
+        return  # the forces at A and B
     if clause.has("quantity", "ratio", "difference", "sum"):
         yield from _of_two(names, clause)
         return
@@ -64,6 +63,13 @@ def quantities(names: Names, clause: Clause) -> Groups:
         yield from _extreme(names, clause.without("degree"), degrees)
         return
     yield from _plain(names, clause.without("degree"))
+
+
+def _are_two_joints(names: Names, clause: Clause) -> bool:
+    """Whether two connections, or points of some, are named side by side: of each of them a force is asked for."""
+    pairs = [(one, other) for (_, one), (before, other) in pairwise(clause.names) if before == "and"]
+    of_two = clause.has("preposition", "between") or clause.has("quantity", "ratio", "difference", "sum")
+    return not of_two and any(all(name in names.connections or "." in name for name in pair) for pair in pairs)
 
 
 def _is_of_another(clause: Clause) -> bool:

@@ -62,7 +62,7 @@ def _instants(names: Names, clause: Clause) -> Groups:
         elif instant == "at the top of the loop":
             yield poses.uppermost(names, of)
         elif instant == "at the bottom":
-            yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if joining.strikes(names) else [])
+            yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if joining.comes_to_strike(names) else [])
         elif instant == "turning point":
             yield poses.turning(names, of)
         elif instant in ("level", "upright pose"):
@@ -239,7 +239,8 @@ def _hits(names: Names, who: str, other: str) -> Groups:
         yield poses.lowermost(names, who) if not other else []  # it has come down
         return
     meets = [name for name in names.connections if {"contact", "stop", "cam"} & {*names.called.get(name, ())}]
-    if other or not who or any(joining.touches(names, name, who) for name in meets):
+    strikes = joining.comes_to_strike(names) or not joining.strikes(names)
+    if strikes and (other or not who or any(joining.touches(names, name, who) for name in meets)):
         yield [f"{who or 'it'} hits {other}".strip()]
 
 

@@ -307,10 +307,14 @@ def free_end(names: Names, body: str) -> str | None:
 
 
 def strikes(names: Names) -> bool:
-    """Whether there is something that can collide: what rolls on a line all the while is there already."""
-    rolling = {name for name in names.connections if "rolling" in names.called.get(name, ())}
-    rows = (row for row in names.constraint_rows if row.connection not in rolling)
-    return any(row.unilateral and row.reaction != "tension" for row in rows)
+    """Whether there is something that can collide."""
+    return any(row.unilateral and row.reaction != "tension" for row in names.constraint_rows)
+
+
+def comes_to_strike(names: Names) -> bool:
+    """Whether something can collide that does not roll on what it touches all the while."""
+    rows = [row for row in names.constraint_rows if row.unilateral and row.reaction != "tension"]
+    return any("rolling" not in names.called.get(row.connection, ()) for row in rows)
 
 
 def goes_on(names: Names) -> bool:

@@ -106,10 +106,16 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
         return lookup.is_all_that_moves(names, body) or any(body in _bodies(names, other) for other in things)
     if {joining.pinned_at(names, thing), joining.joined_at(names, thing)} & things:
         return True
-    if thing in names.connections and any(other in names.connections for other in things):
+    if thing in names.connections and any(_are_alike(names, thing, other) for other in things):
         return False  # the forces on the bearings A and B
     own = _bodies(names, thing) - {GROUND}
     return any(own & (_bodies(names, other) - {GROUND}) for other in things)
+
+
+def _are_alike(names: Names, one: str, other: str) -> bool:
+    """Whether two connections exert the same kinds of forces."""
+    kinds = [{row.reaction for row in names.constraint_rows if row.connection == name} for name in (one, other)]
+    return one != other and bool(kinds[0] & kinds[1])
 
 
 def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:

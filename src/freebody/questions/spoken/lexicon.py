@@ -43,6 +43,7 @@ _NO_WORDS = (
     "measured",
     "symbols",
     "assumptions",
+    "contexts",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass) "  # words that begin a clause, into which no gap goes
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
@@ -342,6 +343,12 @@ def mass_center(language: str) -> str:
 def assumptions(language: str) -> dict[str, str]:
     """Patterns for clauses that assume something, by what it is."""
     return cast("dict[str, str]", _file(language)["assumptions"])
+
+
+@cache
+def contexts(language: str) -> dict[str, str]:
+    """Patterns for what stands before a question."""
+    return cast("dict[str, str]", _file(language)["contexts"])
 
 
 @cache

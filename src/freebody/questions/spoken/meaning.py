@@ -103,7 +103,8 @@ def _stretched(names: Names, words: list[Word]) -> list[Word]:
     is_measured = any(lookup.deflections(names, name) for name in (*lookup.springs(names), ""))
     meant = dict.fromkeys(lookup.STRETCHED, "deflection")
     if not is_measured:  # the only way in which what pulls, or presses, alone is deflected
-        meant = {"deflection": way for way in [lookup.deflected(names, of)] if way}
+        way = lookup.deflected(names, of)
+        meant = {"deflection": way} if way else {}
     return [Word("quantity", meant.get(word.what, word.what)) if word.kind == "quantity" else word for word in words]
 
 
@@ -145,7 +146,7 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
 
 
 def _at_mass_center(names: Names, words: list[Word]) -> list[Word]:
-    """With the only body whose mass centre is meant where it is not said of what; that of all where there are several."""
+    """With the only body whose mass centre is meant where it is not said of what; or that of all."""
     center = Word("pronoun", "mass_center")
     if center not in words:
         return words

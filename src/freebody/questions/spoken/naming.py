@@ -206,8 +206,8 @@ def _ropes_at(elements: Elements, body: str, word: str) -> list[tuple[str, int]]
 
 
 def _told_by_others(elements: Elements, beside: str, ropes: list[tuple[str, int]]) -> list[tuple[str, int]]:
-    """Of several ropes at the body that tells which is meant, the one that no such word of another body tells alone: the
-    lower rope, where the upper one is at the lower pulley as well."""
+    """Of several ropes at the body that tells which is meant, the one that no other body tells alone: the lower rope,
+    where the upper one is at the lower pulley as well."""
     here = [name for name, _ in ropes]
     others = [body for body in elements.bodies if body != beside and tells_apart(body.lower(), ENGLISH)]
     told = [[name for name in here if body in elements.touching[name]] for body in others]

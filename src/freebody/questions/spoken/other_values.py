@@ -14,13 +14,14 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
-    r"\b(?:if|for|with|when|where|at|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
+    r"\b(?:if|for|with|when|where|at|given|knowing that|let|wenn|falls|für|mit|bei|gegeben) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
     r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
 _STARTED = re.compile(  # a value of the only parameter that has it: if released from 60 deg, with 250 N
     r"[ ,]+(?:(?:if|when|wenn|falls) (?:it |the \w+ |er |sie |es )?(?:is |was |are )?)?"
-    r"(?:(?:released|let go|started|dropped|thrown|launched|losgelassen|gestartet) (?:from|at|bei|aus) |(?:with|mit|for|für) )"
+    r"(?:(?:released|let go|started|dropped|thrown|launched|losgelassen|gestartet) (?:from|at|bei|aus) "
+    r"|(?:with|mit|for|für) )"
     r"(?:an? |the |eine[rmn]? |de[rmn] )?(?:given |gegebene[nrm]? )?(?P<swing>amplitude |ausschlag )?"
     r"(?:force |torque |angle |speed |mass |kraft |drehmoment |winkel )?(?:of |von )?"
     r"(?P<value>\d+(?:\.\d+)? ?[A-Za-z°][A-Za-z0-9/^]*(?: m)?)(?=[ ,.?!]|$)",

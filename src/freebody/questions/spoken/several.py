@@ -20,6 +20,7 @@ from freebody.questions.spoken.lexicon import (
     CLOSE,
     OPEN,
     Word,
+    contexts,
     counted_by,
     languages,
     pairs,
@@ -52,7 +53,7 @@ class Part:
 def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     """Ways in which a text can be several questions."""
     for language in languages():
-        told = spelt_out(elements, text, language)
+        told = several(language, "lead_in").sub("", spelt_out(elements, text, language))
         for pieces in _pieces(told.strip().rstrip(".?! "), language):
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
 
@@ -67,6 +68,8 @@ def of_rivals(text: str) -> str:
 
 def _pieces(text: str, language: str) -> Iterator[list[str]]:
     """A text parted at all of its conjunctions, at the last one, and at the first one."""
+    if any(_states(text, own) for own in languages()):
+        return
     never = several(language, "never")
     cuts = [found for found in several(language, "and").finditer(text) if found.start() > 0]
     cuts = [cut for cut in cuts if not never.search(text[: cut.start()])]
@@ -80,6 +83,13 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
         begins, ends = [0, *(cut.end() for cut in chosen)], [*(cut.start() for cut in chosen), len(text)]
         found = [text[a:b].strip(" ,;.?!") for a, b in zip(begins, ends, strict=True)]
         yield [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
+
+
+def _states(text: str, language: str) -> bool:
+    """Whether a text begins with a sentence that asks for nothing: what it says is no question of several."""
+    stated = re.match(contexts(language)["statement"], text, re.IGNORECASE)
+    kinds = _may_be(stated["said"], language) if stated is not None else set[str]()
+    return "verb" in kinds and not kinds & {"quantity", "ask"}
 
 
 def _is_open(text: str) -> bool:

@@ -16,6 +16,7 @@ from freebody.questions.spoken.assumed import what_does_not_hold, without_what_h
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import is_kept
 from freebody.questions.spoken.kinds import is_of_kind
@@ -94,6 +95,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
+    if (asked := without_context(names, elements_of(names), text)) != text:
+        return understood(names, asked, read)
     nearest, instead = _nearest(names, text, read)
     if len(nearest) != 1 and (parted := _several(names, text, read)):
         return parted
