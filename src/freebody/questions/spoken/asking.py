@@ -35,8 +35,9 @@ def quantities(names: Names, clause: Clause) -> Groups:
     if clause.has("quantity", "ratio", "difference", "sum"):
         yield from _of_two(names, clause)
         return
-    place = clause.has("quantity", "height", "position", "angle") and clause.has("ask", "with", "where")
-    if place and clause.has("degree") and clause.has("verb", "move"):
+    place = clause.has("quantity", "height", "position", "angle", "depth", "distance")
+    place = place and clause.has("ask", "with", "where") and clause.has("degree")
+    if place and (clause.has("verb", "move") or clause.words[-1].kind == "degree"):
         return  # at which height does it move fastest: the place is not what is greatest
     named = next((name for _, name in clause.names), "")
     if clause.has("ask", "where") and clause.all("degree") == ["greatest"] and not clause.has("quantity"):

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from freebody.errors import UnitError
 from freebody.language.units.quantity import parse_quantity
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, poses
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import changes_value, contexts, languages
@@ -37,7 +37,7 @@ def without_context(names: Names, elements: Elements, text: str) -> str:
         text = re.sub(patterns["lead"], "", text, count=1, flags=re.IGNORECASE)
         text = _without_values(names, text, patterns["values"])
         released = re.match(patterns["released"], text, re.IGNORECASE)
-        if released is not None and lookup.rests(names):
+        if released is not None and lookup.rests(names) and _starts_so(names, released["pose"]):
             rest = text[released.end() :].rstrip(" .?!")
             is_timed = re.search(patterns["timed"], rest, re.IGNORECASE) is not None
             text = rest if is_timed else f"{rest} {patterns['at_start']}"
@@ -45,6 +45,14 @@ def without_context(names: Names, elements: Elements, text: str) -> str:
         if parted is not None and _only_describes(names, elements, parted["said"], language):
             text = parted["asked"]
     return text
+
+
+def _starts_so(names: Names, pose: str | None) -> bool:
+    """Whether the file lets something start in the pose that a text says, if it says one."""
+    level = ("horizontal", "waag")
+    return pose is None or (
+        poses.begins_lying(names) if pose.lower().startswith(level) else poses.begins_standing(names)
+    )
 
 
 def _without_values(names: Names, text: str, pattern: str) -> str:

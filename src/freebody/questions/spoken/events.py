@@ -305,6 +305,11 @@ def _stops(names: Names, who: str, other: str) -> Groups:
     yield [f"{who or 'it'} stops"] if not other else []
 
 
+def _rests(names: Names, who: str, other: str) -> Groups:
+    """It is at rest again; what starts at rest is in equilibrium elsewhere, or nowhere."""
+    yield from _stops(names, who, other) if not lookup.rests(names) else ()
+
+
 def _locks(names: Names, who: str, other: str) -> Groups:
     """A wheel no longer turns, whatever becomes of what it carries."""
     turned = lookup.angles(names, who) if who and not other else []
@@ -325,6 +330,8 @@ def _reaches(names: Names, who: str, other: str) -> Groups:
     """A place that is reached is struck, where it can be, and not only led to."""
     if drawn := _drawn_to(names, who, other):
         yield [f"{body} reaches {other}" for body in drawn]
+    elif other in lookup.catching(names, pulls=False):
+        yield [f"{other} is reached"]
     elif other and not any(other in own for own in (names.parameters, names.measures, names.loads)):
         yield [f"{who or 'it'} hits {other}"]
 
@@ -339,7 +346,7 @@ def _at_top(names: Names, who: str, other: str) -> Groups:
 
 
 def _at_bottom(names: Names, who: str, other: str) -> Groups:
-    yield poses.lowermost(names, who)
+    yield poses.lowermost(names, "" if who in names.connections and who not in names.bodies else who)
 
 
 def _passes_zero(names: Names, who: str, other: str) -> Groups:
@@ -390,7 +397,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("end slide", _ends_slipping),
         ("stop slide", _ends_slipping),
         ("stop", _stops),
-        ("hold", _stops),
+        ("hold", _rests),
         ("lock", _locks),
         ("turn_back", _turns_back),
         ("return", _returns),

@@ -106,7 +106,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         yield from farthest.how_high(names, main)
         return
     if main.has("ask", "far") and main.all("degree") == ["greatest"] and not main.has("quantity"):
-        falls = (main.has("updown") or main.has("verb", "fall")) and set(main.all("verb")) <= {*GOES_ON, "reach"}
+        falls = (main.has("updown") and main.has("verb")) or main.has("verb", "fall")
+        falls = falls and set(main.all("verb")) <= {*GOES_ON, "reach"}
         main = main.without("degree") if falls else main  # how deep at most
     is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
     is_far = main.has("ask", "far") and main.only("ask", "verb", "name", "pronoun", "updown", "part")

@@ -70,7 +70,7 @@ def _begin_of_state(names: Names, words: Sequence[Word]) -> int:
 def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
     """Whether words of the grammar that name nothing mean a thing: that it all rests, slips, is struck."""
     body = thing.partition(".")[0]
-    if text.startswith("stability of "):  # of a part is that of all
+    if text.startswith("stability of ") or text.endswith(" is stable"):  # of a part is that of all
         return True
     if _OF_ALL.search(text):
         is_one = "slip" not in text and n_freedoms(names) == 1

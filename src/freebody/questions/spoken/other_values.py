@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
-    r"\b(?:if|for|with|when|where|at|given|knowing that|let|wenn|falls|für|mit|bei|gegeben) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
+    r"\b(?:if|for|with|when|where|at|given|knowing that|let|wenn|falls|für|mit|bei|gegeben) "
+    r"(?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
     r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
@@ -55,7 +56,7 @@ def same_value(names: Names, text: str) -> str | None:
 
 
 def _without(text: str, found: re.Match[str]) -> str:
-    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
+    return re.sub(r" (?=[.?!])", "", " ".join((text[: found.start()] + text[found.end() :]).split())).strip(" ,")
 
 
 def other_value(names: Names, text: str) -> Message | None:

@@ -167,6 +167,16 @@ def begins_hanging(names: Names, body: str) -> bool:
     return _starts(names, body, -90.0) and lookup.rests(names)
 
 
+def begins_lying(names: Names) -> bool:
+    """Whether something that goes round starts level."""
+    return any(_starts(names, "", pointing) for pointing in (0.0, 180.0))
+
+
+def begins_standing(names: Names) -> bool:
+    """Whether something that goes round starts straight above, or below, what it goes round."""
+    return any(_starts(names, "", pointing) for pointing in (90.0, -90.0))
+
+
 def level(names: Names, body: str) -> list[str]:
     """The condition that something is horizontal, on the side to which its angle counts; none for what starts so."""
     found: list[str] = []

@@ -82,7 +82,8 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
     for chosen in dict.fromkeys((tuple(cuts), tuple(cuts[-1:]), tuple(cuts[:1]))):
         begins, ends = [0, *(cut.end() for cut in chosen)], [*(cut.start() for cut in chosen), len(text)]
         found = [text[a:b].strip(" ,;.?!") for a, b in zip(begins, ends, strict=True)]
-        yield [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
+        said = [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
+        yield [piece for piece in said if _may_be(piece, language) != {"filler"}]  # both, respectively
 
 
 def _states(text: str, language: str) -> bool:

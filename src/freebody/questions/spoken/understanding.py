@@ -341,8 +341,12 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
 
 
 def _hangs_on_another(text: str, words: list[Word], language: str) -> bool:
-    """Whether a text is meant of an instant that another question has: how fast is it then."""
-    is_lone = several(language, "lone").search(text.rstrip(".?! ")) is not None
+    """Whether a text is meant of an instant that another question has, or asks whether something is needed: how fast is
+    it then, is friction needed there."""
+    plain = text.rstrip(".?! ")
+    if several(language, "needless").search(plain) is not None:  # whether something is needed at all
+        return True
+    is_lone = several(language, "lone").search(plain) is not None
     return is_lone and not any(word.kind in ("mark", "instant") for word in words)
 
 
