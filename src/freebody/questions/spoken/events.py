@@ -307,7 +307,7 @@ def _stops(names: Names, who: str, other: str) -> Groups:
 
 def _rests(names: Names, who: str, other: str) -> Groups:
     """It is at rest again; what starts at rest is in equilibrium elsewhere, or nowhere."""
-    yield from _stops(names, who, other) if not lookup.rests(names) else ()
+    yield from _stops(names, who, other) if can_change(names) or not lookup.rests(names) else ()
 
 
 def _locks(names: Names, who: str, other: str) -> Groups:

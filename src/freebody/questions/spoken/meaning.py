@@ -101,7 +101,7 @@ def _stretched(names: Names, words: list[Word]) -> list[Word]:
     excursion = Word("quantity", "angle" if swings else "displacement")
     words = [excursion if word == Word("quantity", "excursion") else word for word in words]
     is_measured = any(lookup.deflections(names, name) for name in (*lookup.springs(names), ""))
-    meant = dict.fromkeys(lookup.STRETCHED, "deflection")
+    meant: dict[str, str] = dict.fromkeys(lookup.STRETCHED, "deflection")
     if not is_measured:  # the only way in which what pulls, or presses, alone is deflected
         way = lookup.deflected(names, of)
         meant = {"deflection": way} if way else {}

@@ -83,7 +83,13 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
         begins, ends = [0, *(cut.end() for cut in chosen)], [*(cut.start() for cut in chosen), len(text)]
         found = [text[a:b].strip(" ,;.?!") for a, b in zip(begins, ends, strict=True)]
         said = [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
-        yield [piece for piece in said if _may_be(piece, language) != {"filler"}]  # both, respectively
+        yield [piece for piece in said if not _says_nothing(piece, language)]  # both, respectively
+
+
+def _says_nothing(text: str, language: str) -> bool:
+    """Whether each word of a text is one of those that lead to a question only."""
+    kinds = [{word.kind for word, _ in phrases_at(word, 0, language)} for word in text.lower().split()]
+    return all(kind == {"filler"} for kind in kinds)
 
 
 def _states(text: str, language: str) -> bool:
