@@ -1,6 +1,8 @@
 """Questions as people type them, in the words of the grammar.
 
     in_english_nouns(text, language)    compounds.py    what things are called elsewhere; words that are written as one
+    without_context(names, elements, text)   context.py    what before a question only describes the system
+    spelt_out(elements, text, language)   symbols.py      N_A, v_B, omega_2 in words
     linked(elements, text)          naming.py      words for what the model has: names (elements.py, telling.py)
     words_of(text, language)        words.py       every other word: what it means (lexicon.py, a file a language)
     meanings(names, words)          meaning.py     what the words ask for together, in the words of the grammar
@@ -18,6 +20,6 @@ What a model has for words that name nothing stands in lookup.py, joining.py (co
 stands, lies level), strings.py, losing.py (what takes energy away) and given.py (parameters by what they are of).
 A speed for that of something else is a ratio (geared.py); words put as others put them are told before clauses are
 parted (rewording.py), and where something is meant within a clause in within.py. What is said of other values than the
-file gives is told in other_values.py. Nothing that is said is dropped, but words that lead to a question, adjectives
-that tell no thing from another, and adverbs of manner.
+file gives is told in other_values.py, and what is assumed in assumed.py. Nothing that is said is dropped, but words
+that lead to a question, adjectives that tell no thing from another, and adverbs of manner.
 """

@@ -4,12 +4,12 @@ Words may stand in any order; what a thing is to the quantity is said by the pre
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, losing, of_forces, of_motion, of_systems, poses, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
-from freebody.questions.spoken.frames import MOTION, framed
+from freebody.questions.spoken.frames import FORCES, MOTION, framed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -30,11 +30,14 @@ def quantities(names: Names, clause: Clause) -> Groups:
         return
     if clause.has("relation") or clause.has("value") or clause.has("turns") or clause.has("other"):
         return
+    if clause.has("quantity", *FORCES) and _are_two_joints(names, clause):
+        return  # the forces at A and B
     if clause.has("quantity", "ratio", "difference", "sum"):
         yield from _of_two(names, clause)
         return
-    place = clause.has("quantity", "height", "position", "angle") and clause.has("ask", "with", "where")
-    if place and clause.has("degree") and clause.has("verb", "move"):
+    place = clause.has("quantity", "height", "position", "angle", "depth", "distance")
+    place = place and clause.has("ask", "with", "where") and clause.has("degree")
+    if place and (clause.has("verb", "move") or clause.words[-1].kind == "degree"):
         return  # at which height does it move fastest: the place is not what is greatest
     named = next((name for _, name in clause.names), "")
     if clause.has("ask", "where") and clause.all("degree") == ["greatest"] and not clause.has("quantity"):
@@ -52,11 +55,22 @@ def quantities(names: Names, clause: Clause) -> Groups:
         if clause.only("degree", "quantity", "pronoun", "preposition"):
             yield [JOINT.join(f"{end} transmission angle" for end in ("least", "greatest"))]
         return
+    if clause.all("degree") == ["range"] and clause.has("quantity", "normal force", "friction force"):
+        for group in _plain(names, clause.without("degree")) if lookup.rests(names) else ():
+            yield [f"range of {text}" for text in group]
+        return
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
     if degrees:
         yield from _extreme(names, clause.without("degree"), degrees)
         return
     yield from _plain(names, clause.without("degree"))
+
+
+def _are_two_joints(names: Names, clause: Clause) -> bool:
+    """Whether two connections, or points of some, are named side by side: of each of them a force is asked for."""
+    pairs = [(one, other) for (_, one), (before, other) in pairwise(clause.names) if before == "and"]
+    of_two = clause.has("preposition", "between") or clause.has("quantity", "ratio", "difference", "sum")
+    return not of_two and any(all(name in names.connections or "." in name for name in pair) for pair in pairs)
 
 
 def _is_of_another(clause: Clause) -> bool:
@@ -156,8 +170,8 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     between = {"preposition"}
     cuts = [j for j, w in enumerate(rest) if w.kind in between and (w.what in signs or w.what == "and")]
     operator = {"ratio": "/", "difference": "-", "sum": "+"}[kind]
-    if kind == "difference" and not cuts:
-        yield from _of_sides(names, Clause([*said, *rest]))
+    if not cuts and kind in ("difference", "ratio"):
+        yield from _of_sides(names, Clause([*said, *rest]), kind)
     for cut in cuts:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
         first = Clause([*said, *first.words])
@@ -186,13 +200,13 @@ def _are_geared(names: Names, *sides: Clause) -> bool:
     return is_plain and all(name in turned | arms for side in sides for _, name in side.names)
 
 
-def _of_sides(names: Names, clause: Clause) -> Groups:
-    """The difference of the forces at the two ends of a rope."""
+def _of_sides(names: Names, clause: Clause, kind: str) -> Groups:
+    """The difference of the forces at the two ends of a rope, or their ratio."""
     asked, of = clause.all("quantity"), [name for _, name in clause.names]
     if len(asked) != 1 or len(of) > 1 or not clause.only("quantity", "name", *SILENT):
         return
     belts = {row.connection for row in names.constraint_rows if row.reaction == "belt force"}
-    if asked == ["tension"] and belts and set(of) <= belts:  # of both runs
+    if asked == ["tension"] and belts and set(of) <= belts and kind == "difference":  # of both runs
         yield from composed(names, "belt force", clause.without("quantity"))
         return
     rows = [
@@ -200,7 +214,8 @@ def _of_sides(names: Names, clause: Clause) -> Groups:
     ]
     if rows and all(len(row.ends) == 2 and row.connection == rows[0].connection for row in rows):
         first, second = (f"{asked[0]} of {rows[0].connection} at {end}" for end in (rows[0].ends[0], rows[-1].ends[1]))
-        yield [f"{first} - {second}"]
+        ratios = [f"ratio of {first} to {second}", f"ratio of {second} to {first}"]  # which to which is not said
+        yield [JOINT.join(ratios) if kind == "ratio" else f"{first} - {second}"]
 
 
 def _plain(names: Names, clause: Clause) -> Groups:

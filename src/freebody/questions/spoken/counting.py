@@ -48,6 +48,8 @@ def time(names: Names, sentence: Sentence) -> Groups:
         of = [name for _, name in head.names]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) - {"move"} == {"turn"}:
             yield [f"time when {name} stops" for name in losing.runs_down(names) if name in (of or [name])]
+        if head.only("verb", "name", *SILENT) and set(head.all("verb")) == {"fly"} and not joining.strikes(names):
+            yield [f"time when {cord} goes taut" for cord in lookup.catching(names, pulls=True)]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
         joint = joining.slipping_on(names, head.names)
@@ -200,12 +202,21 @@ def counted(names: Names, sentence: Sentence) -> Groups:
         for condition in conditions(names, main.without("ask")):
             yield [f"{what} of {head} until {text}" for head, text in product(heads, condition)]
         return
-    sentence = _there_and_back(sentence)
+    sentence = _there_and_back(_while_it_turns(sentence))
     for group in _heads_counted(names, sentence):
         if sentence.others == () and main.has("instant", "in the impact"):
             yield group
         for end in ends(names, sentence):
             yield [f"{head} until {condition}" for head, condition in product(group, end)]
+
+
+def _while_it_turns(sentence: Sentence) -> Sentence:
+    """How far something rises when a shaft makes one turn is how far until it has made it."""
+    main = sentence.main
+    if not main.has("ask", "far", "much", "high") or main.has("quantity"):
+        return sentence
+    others = (("until" if mark == "when" and own.has("turns") else mark, own) for mark, own in sentence.others)
+    return Sentence(main, tuple(others))
 
 
 def _there_and_back(sentence: Sentence) -> Sentence:

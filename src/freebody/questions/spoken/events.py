@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
     *("hit", "leave", "stop", "turn_back", "return", "reach", "start", "end", "slack", "taut"),
-    *("vanish", "top", "bottom", "begin_roll", "engage", "run_off"),
+    *("vanish", "top", "bottom", "begin_roll", "engage", "run_off", "bounce", "lock"),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
@@ -62,7 +62,7 @@ def _instants(names: Names, clause: Clause) -> Groups:
         elif instant == "at the top of the loop":
             yield poses.uppermost(names, of)
         elif instant == "at the bottom":
-            yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if joining.strikes(names) else [])
+            yield poses.lowermost(names, of) or ([f"{of or 'it'} hits"] if joining.comes_to_strike(names) else [])
         elif instant == "turning point":
             yield poses.turning(names, of)
         elif instant in ("level", "upright pose"):
@@ -208,7 +208,8 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
     """Who does something, and to whom: a body before what stands behind `on`, `from`, or is no body."""
     who, other = "", ""
     if clause.has("pronoun", "it") and len(clause.names) == 1:
-        return "", clause.names[0][1]
+        [(_, name)] = clause.names
+        return (name, "") if lookup.is_all_that_moves(names, name) else ("", name)
     for before, name in clause.names:
         if before == "by" and name in names.connections:
             continue  # what stops it
@@ -226,6 +227,7 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 def _hits(names: Names, who: str, other: str) -> Groups:
     """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
     if other in names.loads:
+        yield [f"{other} is reached"] if other in lookup.catching(names, pulls=False) else []
         return
     if (drawn := _drawn_to(names, who, other)) and not any(
         set(joining.joints(names, body, other, "normal force")) - {*leads_to(names, body, other)} for body in drawn
@@ -237,8 +239,15 @@ def _hits(names: Names, who: str, other: str) -> Groups:
         yield poses.lowermost(names, who) if not other else []  # it has come down
         return
     meets = [name for name in names.connections if {"contact", "stop", "cam"} & {*names.called.get(name, ())}]
-    if other or not who or any(joining.touches(names, name, who) for name in meets):
+    strikes = joining.comes_to_strike(names) or not joining.strikes(names)
+    if strikes and (other or not who or any(joining.touches(names, name, who) for name in meets)):
         yield [f"{who or 'it'} hits {other}".strip()]
+
+
+def _bounces(names: Names, who: str, other: str) -> Groups:
+    """It is thrown back by what only pushes, where that lets it go; of what strikes it is said after the impact."""
+    if not joining.strikes(names):
+        yield [f"{load} is relaxed" for load in lookup.catching(names, pulls=False) if other in ("", load)]
 
 
 def _runs_off(names: Names, who: str, other: str) -> Groups:
@@ -246,8 +255,9 @@ def _runs_off(names: Names, who: str, other: str) -> Groups:
 
 
 def _leaves(names: Names, who: str, other: str) -> Groups:
-    if other in names.loads:
-        return  # nothing is said of where a spring no longer pushes
+    if other in names.loads:  # nothing is said of where a spring no longer pushes, unless it only pushes
+        yield [f"{other} is relaxed"] if other in lookup.catching(names, pulls=False) else []
+        return
     if off := strings.run_off(names, who):
         yield off
         return
@@ -295,6 +305,17 @@ def _stops(names: Names, who: str, other: str) -> Groups:
     yield [f"{who or 'it'} stops"] if not other else []
 
 
+def _rests(names: Names, who: str, other: str) -> Groups:
+    """It is at rest again; what starts at rest is in equilibrium elsewhere, or nowhere."""
+    yield from _stops(names, who, other) if can_change(names) or not lookup.rests(names) else ()
+
+
+def _locks(names: Names, who: str, other: str) -> Groups:
+    """A wheel no longer turns, whatever becomes of what it carries."""
+    turned = lookup.angles(names, who) if who and not other else []
+    yield [f"rate({angle}) = 0" for angle in turned]
+
+
 def _turns_back(names: Names, who: str, other: str) -> Groups:
     if not other:
         yield [f"rate({name}) = 0" for name in lookup.places(names, who) or lookup.angles(names, who)]
@@ -309,6 +330,8 @@ def _reaches(names: Names, who: str, other: str) -> Groups:
     """A place that is reached is struck, where it can be, and not only led to."""
     if drawn := _drawn_to(names, who, other):
         yield [f"{body} reaches {other}" for body in drawn]
+    elif other in lookup.catching(names, pulls=False):
+        yield [f"{other} is reached"]
     elif other and not any(other in own for own in (names.parameters, names.measures, names.loads)):
         yield [f"{who or 'it'} hits {other}"]
 
@@ -323,7 +346,7 @@ def _at_top(names: Names, who: str, other: str) -> Groups:
 
 
 def _at_bottom(names: Names, who: str, other: str) -> Groups:
-    yield poses.lowermost(names, who)
+    yield poses.lowermost(names, "" if who in names.connections and who not in names.bodies else who)
 
 
 def _passes_zero(names: Names, who: str, other: str) -> Groups:
@@ -359,6 +382,8 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("hit", _hits),
         ("leave", _leaves),
         ("run_off", _runs_off),
+        ("bounce", _bounces),
+        ("bounce leave", _bounces),
         ("start leave", _leaves),
         ("roll", _rolls),
         ("start roll", _rolls),
@@ -372,7 +397,8 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("end slide", _ends_slipping),
         ("stop slide", _ends_slipping),
         ("stop", _stops),
-        ("hold", _stops),
+        ("hold", _rests),
+        ("lock", _locks),
         ("turn_back", _turns_back),
         ("return", _returns),
         ("return move", _returns),

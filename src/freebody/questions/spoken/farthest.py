@@ -51,6 +51,8 @@ def how_far(names: Names, main: Clause) -> Groups:
         if not up and set(main.all("verb")) <= {"fall", "move", "reach", "hang"}:
             yield [f"change of {way} until rate({way}) = 0" for way, sense in lookup.heights(names, who) if sense < 0]
         return
+    if set(main.all("verb")) == {"move"} and not joining.strikes(names) and lookup.flies(names, who):
+        yield [f"{way} when {height} = 0" for way in lookup.level(names, who) for height in lookup.rising(names, who)]
     if up:
         yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
     elif (

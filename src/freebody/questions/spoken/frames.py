@@ -35,10 +35,12 @@ _LIGHT = {
     **dict.fromkeys(("highest place", "lowest place"), _GOING),
     "friction force": _ACTING | {"move", "carry", "hang", "reach", "hold"},
     "terminal velocity": _GOING,
+    "bounce height": frozenset({"move", "fly", "rise", "reach", "bounce"}),
+    **dict.fromkeys(("free amplitude", "steady amplitude"), frozenset({"move", "turn"})),
     "links": frozenset({"move", "become"}),
     "flight time": frozenset({"move", "fly", "hold", "stay_on"}),
     "dead points": frozenset({"move", "reach", "stop"}),
-    "deceleration": frozenset({"move", "stop", "slide", "roll", "rise", "fall"}),
+    "deceleration": frozenset({"move", "stop", "slide", "roll", "rise", "fall", "reach"}),
     "angular deceleration": frozenset({"move", "stop", "turn"}),
 }
 # the quantity to which another one changes, by the time
@@ -94,7 +96,7 @@ def framed(names: Names, clause: Clause) -> Clause:
     if joining.sloping(names) and verbs & {"slide", "roll"}:  # up the slope on which it slides
         ways = {Word("part", "upward"): "uphill", Word("part", "downward"): "downhill"}
         kept = [Word("part", ways[word]) if word in ways else word for word in kept]
-    if asked == ["deflection"] and asks <= {"large", "much"} and asks and _are_strings(names, clause):
+    if asked in (["deflection"], ["extension"]) and asks <= {"large", "much"} and asks and _are_strings(names, clause):
         return _with_quantity(
             names, "tension", [w for w in kept if w.kind != "quantity"]
         )  # how strongly is it stretched
@@ -118,7 +120,12 @@ def framed(names: Names, clause: Clause) -> Clause:
     is_where = "where" in asks and bool({*asked} & {*_WHERE})
     light: frozenset[str] = frozenset[str]().union(*(_LIGHT.get(quantity, frozenset({"move"})) for quantity in asked))
     is_plain = asks <= _PLAIN_ASKS and verbs <= light
-    is_far = asked == ["deflection"] and asks <= {"far", "much", "large"} and not verbs
+    is_far = (
+        asked[0] in ("deflection", *lookup.STRETCHED)
+        and len(asked) == 1
+        and asks <= {"far", "much", "large"}
+        and not verbs
+    )
     is_fast = asked == ["angular velocity"] and asks <= {"fast"}  # how fast does it spin
     is_slowed = asked[0] in ("deceleration", "angular deceleration") and asks <= {"fast", *_PLAIN_ASKS}
     if is_where or is_plain or is_far or (is_fast and verbs <= light) or (is_slowed and verbs <= light):

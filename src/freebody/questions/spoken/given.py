@@ -107,7 +107,8 @@ def parameters(names: Names, kind: str, of: str) -> list[str]:
 
 def stiffness(names: Names, spring: str) -> str | None:
     """The parameter that is the stiffness of a spring whose force is in proportion to its extension."""
-    laws = [load.law for load in names.applied_loads if load.load == spring]
+    own = [load for load in names.applied_loads if load.load == spring]
+    laws = [load.law if load.one_sided is None else load.one_sided.law for load in own]
     found = parameters(names, "stiffness", "")
     return next((k for k in found if laws and all(law == negate(multiply(Symbol(k), VALUE)) for law in laws)), None)
 
@@ -177,6 +178,8 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     if kind is KIND_OF["height"]:  # how high something sits is not how far to the side
         aside = [names.placed_at_start[way] for way in lookup.level(names, "") if way in names.placed_at_start]
         found = [name for name in found if all(name not in free_symbols(place) for place in aside)]
+        laws = frozenset[str]().union(*(free_symbols(load.law) for load in names.applied_loads))
+        found = [name for name in found if name not in laws]  # the radius of a curve, of which only a force knows
     if kind.is_push:
         exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
         loads = [load for load in exerted if load.load in of] or exerted

@@ -24,6 +24,7 @@ _CONTINUOUS = (
         "speed",
         "angular velocity",
         "deflection",
+        *lookup.STRETCHED,
         "spring force",
         "position",
         "displacement",
@@ -55,7 +56,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
-    if main.has("quantity", "deflection") and main.all("verb") == ["hold"]:  # how far is it stretched where it rests
+    if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == [
+        "hold"
+    ]:  # how far is it stretched where it rests
         main = Clause([*main.without("verb").words, Word("instant", "in equilibrium")])
     if main.has("quantity", "deflection") and main.all("instant") == ["in equilibrium"] and not others:
         if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
@@ -63,9 +66,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
             yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
             yield lookup.stretched_at_rest(names, of)
         return
-    if main.has("quantity", "extension") and main.all("instant") == ["in equilibrium"] and not others:
+    if main.has("quantity", *lookup.STRETCHED) and main.all("instant") == ["in equilibrium"] and not others:
         if main.only("ask", "quantity", "instant", "name", "verb", *SILENT) and len(main.names) <= 1:
-            yield lookup.stretched_at_rest(names, next((name for _, name in main.names), ""))
+            longer = lookup.stretched_at_rest(names, next((name for _, name in main.names), ""))
+            yield longer if main.has("quantity", "extension") else [f"-({text})" for text in longer]
         return
     own = [name for _, name in main.names]
     is_alone = main.only("name", "instant", *SILENT) and len(own) == 1 and own[0] in names.measures
@@ -76,7 +80,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         for group in quantities(names, main.without("instant").without("ask")):
             yield [f"equilibrium of {measure}" for measure in group]
         return
-    if main.has("quantity", "deflection", "displacement"):  # how far until something happens is how far when it does
+    if main.has(
+        "quantity", "deflection", "displacement", *lookup.STRETCHED
+    ):  # how far until something happens is how far when it does
         others = [("when" if mark == "until" else mark, clause) for mark, clause in others]
     is_range = main.has("ask", "up_to") and set(main.all("quantity")) <= {"angle", "height"} and not main.has("not")
     asks = ("when", "soon", "long", "for", "from", *(() if is_range and main.has("quantity") else ("up_to",)))
@@ -99,6 +105,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("ask", "high") and not others and main.has("verb") and main.only("ask", "verb", "name", "pronoun"):
         yield from farthest.how_high(names, main)
         return
+    if main.has("ask", "far") and main.all("degree") == ["greatest"] and not main.has("quantity"):
+        falls = (main.has("updown") and main.has("verb")) or main.has("verb", "fall")
+        falls = falls and set(main.all("verb")) <= {*GOES_ON, "reach"}
+        main = main.without("degree") if falls else main  # how deep at most
     is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
     is_far = main.has("ask", "far") and main.only("ask", "verb", "name", "pronoun", "updown", "part")
     if is_far and not is_range and not others:
@@ -112,7 +122,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if (
         others and main.has("quantity") and (is_so_far or not joining.strikes(names))
     ):  # with what speed does it arrive after 3 m
-        main = main.without("verb", "hit", "reach")
+        main = main.without("verb", "hit", "reach", *(["bounce"] if not joining.strikes(names) else []))
     if main.has("instant", "after the impact") and main.has("ask", "fast"):
         main = main.without("verb", "leave")  # how fast does it leave
     begins = {"start"} < set(main.all("verb")) <= {"start", *GOES_ON}
@@ -135,6 +145,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         alike = ("speed", "angular velocity", "velocity")
         common = Word("quantity", "common speed")
         main = Clause([common if w.kind == "quantity" and w.what in alike else w for w in main.words])
+    if not others and not main.has("instant") and main.has("ask", "far", "much", "large"):
+        main = _at_most(names, main)
     tails, main = _tails(names, main)
     if main.has("quantity", "impact speed"):
         main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
@@ -184,6 +196,16 @@ def timed(names: Names, sentence: Sentence) -> Groups:
             yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 
 
+def _at_most(names: Names, main: Clause) -> Clause:
+    """How far a spring is compressed that something comes upon, or that swings, is how far at most."""
+    of = next((name for _, name in main.names), "")
+    is_stretched = main.all("quantity") in (["deflection"], *([way] for way in lookup.STRETCHED))
+    if not is_stretched or main.has("degree") or main.has("verb") or main.has("value") or main.has("relation"):
+        return main
+    comes = bool(lookup.deflected(names, of)) or not lookup.rests(names)
+    return Clause([Word("degree", "greatest"), *main.words]) if comes else main
+
+
 def _is_given(names: Names, clause: Clause) -> bool:
     """Whether a clause says no more than that a body is fixed which the file fixes."""
     of = [name for _, name in clause.names]
@@ -221,6 +243,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in lookup.moving(names) or name in names.measures), "")
             main = _without_owner(names, main, instant)
+            if instant == "upright pose" and poses.begins_hanging(names, of):
+                tails.append([" at start"])
+                continue
             if (instant in ("at the top", "at the top of the loop") and poses.begins_uppermost(names, of)) or (
                 instant == "at the bottom" and not lookup.rests(names) and poses.begins_at(names, of, lowest=True)
             ):

@@ -24,6 +24,7 @@ _LEVEL = 1e-9  # of a direction that is level, or straight up
 def rolls(names: Names) -> bool:
     """Whether what dry friction acts on is round: that it does not slip is not that it is at rest."""
     held = {body for joint in rough(names, "") for body in names.connections[joint].mentions(names)}
+    held = {name for name in held if not names.bodies[name].fixed}
     return any(names.bodies[name].radius is not None or names.bodies[name].round for name in held)
 
 
@@ -44,6 +45,11 @@ def drivers(names: Names, body: str) -> list[str]:
     """Connections that say how the angle of a body against the ground goes with time."""
     rows = [row for row in names.constraint_rows if row.reaction == "driving torque"]
     return [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == {body}]
+
+
+def is_driven(names: Names) -> bool:
+    """Whether something turns, or pushes, all the while: then what goes round is not taken down by its weight alone."""
+    return bool(lookup.driving(names)) or any(drivers(names, body) for body in lookup.moving(names))
 
 
 def joined_by(names: Names, connection: str) -> list[str]:
@@ -255,13 +261,14 @@ def bearings(names: Names) -> list[str]:
     return axles(names) or [name for name in names.connections if not no_bearings & {*names.called.get(name, ())}]
 
 
-def axle_points(names: Names, body: str) -> set[Components]:
-    """The points of a body at which axles of the ground hold it, in its own axes."""
+def axle_points(names: Names, body: str, *, later: bool = False) -> set[Components]:
+    """The points of a body at which axles of the ground hold it, in its own axes. later: or will hold it, once they
+    have caught it."""
     found: set[Components] = set()
     if body not in names.bodies:
         return found
     own = names.bodies[body]
-    for name in axles(names) if not names.closing_later else ():  # what is caught later has no axle before
+    for name in axles(names) if later or not names.closing_later else ():  # what is caught later has no axle before
         described = names.connections[name]
         if _is_of(names, name, body) and GROUND in described.mentions(names):
             ends = ends_of(names, name)
@@ -302,6 +309,12 @@ def free_end(names: Names, body: str) -> str | None:
 def strikes(names: Names) -> bool:
     """Whether there is something that can collide."""
     return any(row.unilateral and row.reaction != "tension" for row in names.constraint_rows)
+
+
+def comes_to_strike(names: Names) -> bool:
+    """Whether something can collide that does not roll on what it touches all the while."""
+    rows = [row for row in names.constraint_rows if row.unilateral and row.reaction != "tension"]
+    return any("rolling" not in names.called.get(row.connection, ()) for row in rows)
 
 
 def goes_on(names: Names) -> bool:

@@ -70,7 +70,7 @@ def _begin_of_state(names: Names, words: Sequence[Word]) -> int:
 def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
     """Whether words of the grammar that name nothing mean a thing: that it all rests, slips, is struck."""
     body = thing.partition(".")[0]
-    if text.startswith("stability of "):  # of a part is that of all
+    if text.startswith("stability of ") or text.endswith(" is stable"):  # of a part is that of all
         return True
     if _OF_ALL.search(text):
         is_one = "slip" not in text and n_freedoms(names) == 1
@@ -106,8 +106,16 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
         return lookup.is_all_that_moves(names, body) or any(body in _bodies(names, other) for other in things)
     if {joining.pinned_at(names, thing), joining.joined_at(names, thing)} & things:
         return True
+    if thing in names.connections and any(_are_alike(names, thing, other) for other in things):
+        return False  # the forces on the bearings A and B
     own = _bodies(names, thing) - {GROUND}
     return any(own & (_bodies(names, other) - {GROUND}) for other in things)
+
+
+def _are_alike(names: Names, one: str, other: str) -> bool:
+    """Whether two connections exert the same kinds of forces."""
+    kinds = [{row.reaction for row in names.constraint_rows if row.connection == name} for name in (one, other)]
+    return one != other and bool(kinds[0] & kinds[1])
 
 
 def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:

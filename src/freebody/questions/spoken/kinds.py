@@ -1,8 +1,9 @@
 """Whether an answer is of the kind that words ask for: a velocity is no angular velocity, an angle no length.
 
-Each word for a quantity, and each question word that stands for one, says of which dimensions its value can be; what is
-understood has one of those that the main clause says. A word that says none (a value, a limit) leaves it open. What is
-measured by an angle alone may be said to have a speed or a way: they are those of the angle.
+Each word for a quantity, and each question word that stands for one, says of which dimensions its value can be
+(`measured` in the lexicon); what is understood has one of those that the main clause says. A word that says none (a
+value, a limit) leaves it open. What is measured by an angle alone may be said to have a speed or a way: they are those
+of the angle.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from freebody.language.units import DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, 
 from freebody.language.units.dimension import ACCELERATION, ANGULAR_MOMENTUM, MOMENTUM, TORQUE, VELOCITY
 from freebody.questions.spoken import joining
 from freebody.questions.spoken.accounting import TURNED_ROUND
-from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.lexicon import Word, measured_in
 from freebody.questions.spoken.sentence import parted
 
 if TYPE_CHECKING:
@@ -22,58 +23,23 @@ if TYPE_CHECKING:
     from freebody.questions.base import Quantity
 
 _RATE, _RATE_2 = DIMENSIONLESS / TIME, DIMENSIONLESS / TIME**2
-_BY_DIMENSION: dict[Dimension, tuple[str, ...]] = {
-    VELOCITY: (
-        *("velocity", "speed", "impact speed", "slip speed", "terminal velocity", "relative velocity"),
-        *("escape velocity", "circular orbit speed"),
-    ),
-    _RATE: (
-        *("angular velocity", "natural frequency", "natural frequencies", "damped frequency", "resonance frequency"),
-        *("cycles per second", "nutation rate", "precession rate", "frequency of nutation"),
-    ),
-    ACCELERATION: ("acceleration", "deceleration", "centripetal acceleration"),
-    _RATE_2: ("angular acceleration", "angular deceleration"),
-    LENGTH: (
-        *("displacement", "distance travelled", "highest place", "lowest place", "height", "distance", "radius"),
-        *("stopping distance", "horizontal range", "length", "bounce height", "farthest place"),
-    ),
-    DIMENSIONLESS: (
-        *("angle", "turns", "degrees of freedom", "damping ratio", "friction coefficient", "gear ratio", "time ratio"),
-        *("transmission angle", "pressure angle", "phase lag", "efficiency", "logarithmic decrement"),
-        "transmissibility",
-    ),
-    TIME: (
-        *("time", "period", "period of small oscillations", "period of the motion", "damped period", "stopping time"),
-        *("flight time", "period of nutation"),
-    ),
-    FORCE: (
-        *("tension", "normal force", "friction force", "contact force", "tooth force", "axial force", "spring force"),
-        *("driving force", "radial tooth force", "tangential tooth force", "axial tooth force", "tight tension"),
-        *("slack tension", "normal tooth force"),
-    ),
-    TORQUE: ("torque", "moment", "driving torque", "friction torque"),
-    ENERGY: (
-        *("energy", "kinetic energy", "potential energy", "total energy", "spring energy", "rotational energy", "work"),
-        *("energy lost", "kinetic energy lost", "work of friction"),
-    ),
-    POWER: ("power",),
-    MOMENTUM: ("linear momentum", "impulse"),
-    ANGULAR_MOMENTUM: ("angular momentum", "angular impulse"),
-    MASS: ("mass",),
-    STIFFNESS: ("stiffness",),
-}
-_MEASURED_IN = {word: dimension for dimension, words in _BY_DIMENSION.items() for word in words}
-# question words that stand for a quantity by themselves
-_ASKED_IN = {
-    **dict.fromkeys(("long", "soon"), (TIME,)),
-    "fast": (VELOCITY, _RATE, ACCELERATION, _RATE_2),
-    **dict.fromkeys(("high", "deep"), (LENGTH,)),
-    "far": (LENGTH, DIMENSIONLESS),
-    "travelled": (LENGTH,),
-    "turned": (DIMENSIONLESS,),
-    "heavy": (MASS, FORCE),
-    **dict.fromkeys(("steep", "flat", "rough"), (DIMENSIONLESS,)),
-}
+_DIMENSIONS: dict[str, Dimension] = {
+    "velocity": VELOCITY,
+    "angular velocity": _RATE,
+    "acceleration": ACCELERATION,
+    "angular acceleration": _RATE_2,
+    "length": LENGTH,
+    "angle": DIMENSIONLESS,
+    "time": TIME,
+    "force": FORCE,
+    "torque": TORQUE,
+    "energy": ENERGY,
+    "power": POWER,
+    "momentum": MOMENTUM,
+    "angular momentum": ANGULAR_MOMENTUM,
+    "mass": MASS,
+    "stiffness": STIFFNESS,
+}  # by what the lexicon calls them
 _VERDICTS = ("does ", "is ", "when ")
 # of what turns: the same of its angle
 _OF_ANGLE = {VELOCITY: _RATE, ACCELERATION: _RATE_2, LENGTH: DIMENSIONLESS, FORCE: TORQUE, MOMENTUM: ANGULAR_MOMENTUM}
@@ -97,7 +63,7 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
         allowed |= {_OF_ANGLE[of] for of in allowed & _OF_ANGLE.keys()}
     if Word("verb", "accelerate") in main:  # at what rate it spins up
         allowed |= {ACCELERATION, _RATE_2}
-    if not allowed or any(word.kind == "quantity" and word.what not in _MEASURED_IN for word in said):
+    if not allowed or any(word.kind == "quantity" and not measured_in(word) for word in said):
         return True
     if _is_about_angles(names, words):
         allowed |= {_OF_ANGLE[of] for of in allowed & _OF_ANGLE.keys()}
@@ -106,9 +72,7 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
 
 def _dimensions(word: Word) -> tuple[Dimension, ...]:
     """What a quantity or a question word can be measured in; nothing where it leaves that open."""
-    if word.kind == "ask":
-        return _ASKED_IN.get(word.what, ())
-    return (_MEASURED_IN[word.what],) if word.what in _MEASURED_IN else ()
+    return tuple(_DIMENSIONS[dimension] for dimension in measured_in(word))
 
 
 def _is_about_angles(names: Names, words: Sequence[Word]) -> bool:

@@ -24,6 +24,7 @@ ENGLISH = "en"
 OPEN, CLOSE = "«", "»"  # marks of names in a text
 MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 GAP = "_"
+_SHORT = 3  # letters of a word that has no plural here
 _NO_WORDS = (
     "spelling",
     "families",
@@ -39,6 +40,10 @@ _NO_WORDS = (
     "adjectives",
     "adverbs",
     "values",
+    "measured",
+    "symbols",
+    "assumptions",
+    "contexts",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass) "  # words that begin a clause, into which no gap goes
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
@@ -198,7 +203,8 @@ def vocabulary(language: str) -> frozenset[str]:
 def goes_beside(token: str, where: str, language: str) -> bool:
     """Whether a word may stand `before` or `behind` a name, and says no more than the name does."""
     own = (*_file(language)[where]["name"], *_file(ENGLISH)[where]["name"])  # into whose nouns others are put
-    return any(_is_word(word, token) for word in own)
+    alone = token.removesuffix("s")  # the bearings A and B
+    return any(_is_word(word, token) or (_is_word(word, alone) and len(word) > _SHORT) for word in own)
 
 
 @cache
@@ -320,6 +326,36 @@ def quantity_words(language: str) -> frozenset[str]:
     """Single words for quantities."""
     said = (text for own in tables(language)["quantity"].values() for phrase in own for text in spelt_out(phrase))
     return frozenset(text for text in said if text and " " not in text and "*" not in text)
+
+
+@cache
+def symbols(language: str) -> dict[str, tuple[str, ...]]:
+    """Words for the symbols of quantities, those that may stand before them behind the first."""
+    return {symbol: tuple(words) for symbol, words in _file(language)["symbols"].items()}
+
+
+def mass_center(language: str) -> str:
+    """What a mass centre is called."""
+    return next(text for phrase in tables(language)["pronoun"]["mass_center"] for text in spelt_out(phrase))
+
+
+@cache
+def assumptions(language: str) -> dict[str, str]:
+    """Patterns for clauses that assume something, by what it is."""
+    return cast("dict[str, str]", _file(language)["assumptions"])
+
+
+@cache
+def contexts(language: str) -> dict[str, str]:
+    """Patterns for what stands before a question."""
+    return cast("dict[str, str]", _file(language)["contexts"])
+
+
+@cache
+def measured_in(word: Word) -> tuple[str, ...]:
+    """What a quantity, or a question word that stands for one, can be measured in: dimensions by their names."""
+    table = cast("dict[str, dict[str, list[str]]]", _file(ENGLISH)["measured"]).get(word.kind, {})
+    return tuple(dimension for dimension, whats in table.items() if word.what in whats)
 
 
 @cache

@@ -155,7 +155,10 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if {"tip", "slide"} <= ends <= _ENDS_REST:  # it neither slips nor tips
         return _REST if is_denied and all(joining.is_all_that_slips(names, body) for body in bodies) else None
     if "tip" in ends:
-        return _NO_TIP if ends <= {"tip", "start", "move"} and len(lookup.massive(names)) == 1 else None
+        alone = len(lookup.massive(names)) == 1 or (
+            bodies != [] and all(joining.is_all_that_slips(names, body) for body in bodies)
+        )
+        return _NO_TIP if ends <= {"tip", "start", "move"} and alone else None
     if "slide" in ends:
         return _NO_SLIP if all(joining.is_all_that_slips(names, body) for body in bodies) else None
     return _REST if not bodies or ("rise" in ends and not is_denied) else None

@@ -17,6 +17,7 @@ from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE
 
+STRETCHED = ("extension", "compression")  # quantities of what is longer, or shorter, than without force
 _LEVEL = 1e-9  # of a direction that is level, or straight up
 
 
@@ -317,6 +318,19 @@ def is_forced(names: Names) -> bool:
     """Whether a load is a function of time."""
     is_driven = any("drive" in names.called.get(name, ()) for name in names.connections)
     return is_driven or any(p.general is not None or "t" in free_symbols(p.law) for p in names.applied_loads)
+
+
+def catching(names: Names, *, pulls: bool) -> list[str]:
+    """Loads that act on one side of a border only: elastic strings, which pull, or buffers, which push."""
+    sides = {p.load: p.one_sided for p in names.applied_loads if p.one_sided is not None}
+    return [name for name, side in sides.items() if side.pulls == pulls]
+
+
+def deflected(names: Names, spring: str) -> str:
+    """Whether springs, or the one that is named, are only stretched or only compressed, as one side of them says."""
+    sides = [p.one_sided for p in names.applied_loads if p.load in springs(names) and spring in ("", p.load)]
+    ways = {"" if side is None else STRETCHED[not side.pulls] for side in sides}
+    return next(iter(ways)) if len(ways) == 1 else ""
 
 
 def deflections(names: Names, spring: str) -> list[str]:

@@ -17,6 +17,7 @@ from freebody.questions.spoken.geared import efficiency_of_planets, geared, per_
 from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
+from freebody.questions.spoken.of_motion import MASS_CENTER
 from freebody.questions.spoken.sentence import Sentence, parted, told_who
 from freebody.questions.spoken.stated import stated
 from freebody.questions.spoken.words import Clause
@@ -100,8 +101,11 @@ def _stretched(names: Names, words: list[Word]) -> list[Word]:
     excursion = Word("quantity", "angle" if swings else "displacement")
     words = [excursion if word == Word("quantity", "excursion") else word for word in words]
     is_measured = any(lookup.deflections(names, name) for name in (*lookup.springs(names), ""))
-    extension = Word("quantity", "extension")
-    return [Word("quantity", "deflection") if is_measured and word == extension else word for word in words]
+    meant: dict[str, str] = dict.fromkeys(lookup.STRETCHED, "deflection")
+    if not is_measured:  # the only way in which what pulls, or presses, alone is deflected
+        way = lookup.deflected(names, of)
+        meant = {"deflection": way} if way else {}
+    return [Word("quantity", meant.get(word.what, word.what)) if word.kind == "quantity" else word for word in words]
 
 
 def _leads_nowhere(words: list[Word], k: int) -> bool:
@@ -126,7 +130,8 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
                 place = Word("instant", "at the bottom" if end == "foot" else "at the top")
                 found = [*(found[:-1] if found[-1:] == [_IN] else found), place]
                 continue
-            joints = joining.leaning(names, body, level=end == "foot")
+            bodies = [body] if body else lookup.moving(names)
+            joints = [joint for own in bodies for joint in joining.leaning(names, own, level=end == "foot")]
             if len(joints) != 1:
                 return []
             word = Word("name", joints[0])
@@ -141,12 +146,15 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
 
 
 def _at_mass_center(names: Names, words: list[Word]) -> list[Word]:
-    """With the only body whose mass centre is meant where it is not said of what; nothing where there are several."""
+    """With the only body whose mass centre is meant where it is not said of what; or that of all."""
     center = Word("pronoun", "mass_center")
     if center not in words:
         return words
     bodies = lookup.massive(names)
-    return [Word("name", bodies[0]) if word == center else word for word in words] if len(bodies) == 1 else []
+    own = bodies[0] if len(bodies) == 1 else MASS_CENTER
+    if len(bodies) > 1:
+        words = [word for word in words if word != Word("pronoun", "system")]
+    return [Word("name", own) if word == center else word for word in words]
 
 
 def _as_long_as(words: list[Word]) -> list[Word]:
@@ -303,6 +311,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if doing == {"tip", "slide"} and not (sentence.others or whole.has("ask")):  # of the only force
         growing = growing or given.growing(names, [])
         doing |= {"grow"}
+    kinds = [given.KIND_OF[what] for what in whole.all("quantity") if given.is_by_unit(what)]
+    if doing == {"tip", "slide", "grow"} and not growing and len(kinds) == 1:  # as the acceleration increases
+        growing = given.chosen(names, kinds[0], [])
+        bodies = []
     fails = doing == {"tip", "slide", "grow"} and not whole.has("value")
     fails = fails and lookup.rests(names)
     if fails and len(growing) == 1 and not whole.has("not") and set(whole.all("degree")) <= {"first"}:
@@ -367,6 +379,11 @@ def _which_way(names: Names, sentence: Sentence) -> Groups:
     if main.has("ask", "way") and set(main.all("quantity")) & {*FORCES}:  # as its components tell
         yield from timed(names, Sentence(main.without("ask", "way").without("verb", "act", "move"), sentence.others))
     of = [name for _, name in main.names if name in lookup.moving(names)]
+    goes = main.has("ask", "way") and verbs <= {*GOES_ON, "hit", "leave"} and not main.has("quantity")
+    if goes and (not lookup.rests(names) or sentence.others) and len(of) <= 1:  # as the components of its velocity tell
+        way = Word("quantity", "velocity")
+        kept = Clause([way, *(w for w in main.words if w != Word("ask", "way") and w.what not in GOES_ON)])
+        yield from timed(names, Sentence(kept, sentence.others))
     plain = main.has("ask", "way") and main.only("ask", "verb", "name", "pronoun") and not sentence.others
     if plain and len(of) == len(main.names) == 1 and verbs <= {"start", *GOES_ON} and verbs and lookup.rests(names):
         is_turned = "turn" in verbs or joining.axle_of(names, of[0]) == "center"

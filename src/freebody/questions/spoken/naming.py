@@ -26,6 +26,7 @@ from freebody.questions.spoken.lexicon import (
     kinds_apart,
     quantity_words,
     stands_for_all,
+    tells_apart,
     things_alike,
 )
 from freebody.questions.spoken.telling import told_apart
@@ -173,10 +174,11 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
         if n > 1 and tokens[k + 2 * n : k + 2 * n + 1] == ["to"] and is_verb(window[-1].lower()):
             continue  # the ladder starts to slide
         named = list(_named(elements, window[::2]))
-        beside = tokens[k - 2] if k > 1 else ""
-        is_rope = n == 1 and tokens[k].lower() in (*_ROPES, *_RODS)
-        if is_rope and sum(beside in elements.touching.get(name, ()) for name, _ in named) > 1:
-            return  # the lower rope, where two of them are at the lower pulley
+        is_rope = n == 2 and tokens[k] in elements.bodies and window[-1].lower() in (*_ROPES, *_RODS)
+        if is_rope and not named and (near := _ropes_at(elements, tokens[k], window[-1])):
+            named = _told_by_others(elements, tokens[k], near)
+            if not named:
+                return  # the lower rope, where two of them are at the lower pulley
         for name, distance in named:
             if name not in seen:
                 seen[name] = distance
@@ -195,6 +197,23 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
     is_word = tokens[k].isalpha() and tokens[k].islower() and (len(tokens[k]) > 1 or is_article)
     if not seen or is_word or tokens[k] not in elements.exact:
         yield tokens[k], 1, WRITTEN if tokens[k] not in elements.exact else ALIKE
+
+
+def _ropes_at(elements: Elements, body: str, word: str) -> list[tuple[str, int]]:
+    """The ropes at a body whose name tells which of several is meant: the lower one."""
+    ropes = [one for one in _named(elements, [word]) if one[0] in elements.touching]
+    return [one for one in ropes if body in elements.touching[one[0]]] if tells_apart(body.lower(), ENGLISH) else []
+
+
+def _told_by_others(elements: Elements, beside: str, ropes: list[tuple[str, int]]) -> list[tuple[str, int]]:
+    """Of several ropes at the body that tells which is meant, the one that no other body tells alone: the lower rope,
+    where the upper one is at the lower pulley as well."""
+    here = [name for name, _ in ropes]
+    others = [body for body in elements.bodies if body != beside and tells_apart(body.lower(), ENGLISH)]
+    told = [[name for name in here if body in elements.touching[name]] for body in others]
+    taken = {found[0] for found in told if len(found) == 1 < len(here)}
+    left = [one for one in ropes if one[0] not in taken]
+    return left if len(left) == 1 else []
 
 
 def _is_noun(tokens: Sequence[str]) -> bool:

@@ -404,9 +404,9 @@ def _in_springs(names: Names, quantity: str, rest: Clause) -> Groups:
     yield [f"(force in {name})^2 / (2*{k})" for name, k in found if k]
 
 
-@said_of("extension")
+@said_of(*lookup.STRETCHED)
 def _extension(names: Names, quantity: str, rest: Clause) -> Groups:
-    """By how much a spring is longer than without force."""
+    """By how much a spring is longer, or shorter, than without force."""
     of = [name for _, name in rest.names]
     if len(of) <= 1 and rest.only("name", *SILENT):
-        yield [f"extension of {spring}" for spring in lookup.springs(names) if spring in (of or [spring])]
+        yield [f"{quantity} of {spring}" for spring in lookup.springs(names) if spring in (of or [spring])]

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+MASS_CENTER = "mass center of system"  # which the grammar knows, and no model names
 _SLOPES = {"uphill": "up", "downhill": "down"}
 
 
@@ -108,7 +109,8 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
     """What a clause names: things, `relative to` which, `along` which direction; None where these contradict."""
     of: list[str] = []
     relative, along = "", ""
-    for before, name in rest.names:
+    is_said = len(rest.names) > 1 or not names.connections.keys() & {name for _, name in rest.names}
+    for before, name in rest.names:  # of the guide alone: of what is guided
         line = joining.direction(names, name)
         is_line = line is not None
         if before == "relative" and not is_line and not relative:
@@ -118,7 +120,7 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
         elif before == "in" and names.space and name in names.bodies and of and not relative:
             relative = f" in {name}"  # by its components there
         elif before in ("along", "up", "down") or (
-            is_line and before in ("on", "in", "of", "from", "over") and not along
+            is_line and before in ("on", "in", "of", "from", "over") and not along and (before != "of" or is_said)
         ):
             if along or (before in ("up", "down") and not joining.points(names, line or name, before)):
                 return None
@@ -189,7 +191,7 @@ def _position(names: Names, quantity: str, rest: Clause) -> Groups:
         return
     of, _, along = found
     name = next(iter(of), "")
-    if along and name:
+    if name == MASS_CENTER or (along and name):
         yield [f"position of {name}{along}"]
     elif name and not lookup.places(names, name) and not lookup.angles(names, name):
         yield [f"position of {name} along {guide}" for guide in joining.guides(names, name)]

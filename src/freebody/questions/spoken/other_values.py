@@ -14,14 +14,17 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
-    r"\b(?:if|for|with|when|where|at|wenn|falls|für|mit|bei) (?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
+    r"\b(?:if|for|with|when|where|at|given|knowing that|let|wenn|falls|für|mit|bei|gegeben) "
+    r"(?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
     r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
 _STARTED = re.compile(  # a value of the only parameter that has it: if released from 60 deg, with 250 N
     r"[ ,]+(?:(?:if|when|wenn|falls) (?:it |the \w+ |er |sie |es )?(?:is |was |are )?)?"
-    r"(?:(?:released|let go|started|dropped|thrown|launched|losgelassen|gestartet) (?:from|at|bei|aus) |(?:with|mit) )"
-    r"(?:a |an |the |einer |einem )?(?:force |torque |angle |speed |mass |kraft |drehmoment |winkel )?(?:of |von )?"
+    r"(?:(?:released|let go|started|dropped|thrown|launched|losgelassen|gestartet) (?:from|at|bei|aus) "
+    r"|(?:with|mit|for|für) )"
+    r"(?:an? |the |eine[rmn]? |de[rmn] )?(?:given |gegebene[nrm]? )?(?P<swing>amplitude |ausschlag )?"
+    r"(?:force |torque |angle |speed |mass |kraft |drehmoment |winkel )?(?:of |von )?"
     r"(?P<value>\d+(?:\.\d+)? ?[A-Za-z°][A-Za-z0-9/^]*(?: m)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
@@ -47,12 +50,13 @@ def same_value(names: Names, text: str) -> str | None:
             said = parse_quantity(found["value"].replace("°", "deg"))
             alike = [p for p in names.parameters.values() if p.value is not None and p.dimension == said.dimension]
             if said.value != 0.0 and [p.value for p in alike].count(said.value) == 1:
-                return _without(text, found)
+                swings = " with a finite amplitude" if found["swing"] else ""  # a period is then none of small ones
+                return _without(text[: found.end()] + swings + text[found.end() :], found)
     return None
 
 
 def _without(text: str, found: re.Match[str]) -> str:
-    return " ".join((text[: found.start()] + text[found.end() :]).split()).strip(" ,")
+    return re.sub(r" (?=[.?!])", "", " ".join((text[: found.start()] + text[found.end() :]).split())).strip(" ,")
 
 
 def other_value(names: Names, text: str) -> Message | None:

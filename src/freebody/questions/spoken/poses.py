@@ -81,7 +81,14 @@ def begins_uppermost(names: Names, body: str) -> bool:
 
 def lowermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight below it, or at the bottom of a curve."""
-    return _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True)
+    return _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True) or _caught(names, body)
+
+
+def _caught(names: Names, body: str) -> list[str]:
+    """The condition that what falls onto a spring, or into an elastic string, is caught there: it turns back."""
+    catches = any(p.one_sided is not None for p in names.applied_loads)
+    falling = [(name, sense) for name, sense in lookup.heights(names, body) if not lookup.rises(names, name, sense)]
+    return [f"rate({name}) = 0" for name, _ in falling] if catches else []
 
 
 def _on_curves(names: Names, body: str, *, lowest: bool) -> list[str]:
@@ -146,8 +153,28 @@ def _is_on(names: Names, joint: str, body: str) -> bool:
 
 
 def upright(names: Names, body: str) -> list[str]:
-    """The condition that something is vertical: it hangs. What starts so is meant at the start or above, who knows."""
-    return [] if _starts(names, body, -90.0) else lowermost(names, body)
+    """The condition that something is vertical: it hangs, where its weight takes it down from rest; else it may be
+    above as well. What starts so is meant at the start or above, who knows."""
+    if _starts(names, body, -90.0):
+        return []
+    weighs = any("gravity" in names.called.get(load, ()) for load in names.loads)
+    both = [] if weighs and not joining.is_driven(names) else _conditions(names, body, 90.0)
+    return [*lowermost(names, body), *both]
+
+
+def begins_hanging(names: Names, body: str) -> bool:
+    """Whether the motion starts, from rest, where something hangs straight down."""
+    return _starts(names, body, -90.0) and lookup.rests(names)
+
+
+def begins_lying(names: Names) -> bool:
+    """Whether something that goes round starts level."""
+    return any(_starts(names, "", pointing) for pointing in (0.0, 180.0))
+
+
+def begins_standing(names: Names) -> bool:
+    """Whether something that goes round starts straight above, or below, what it goes round."""
+    return any(_starts(names, "", pointing) for pointing in (90.0, -90.0))
 
 
 def level(names: Names, body: str) -> list[str]:
@@ -221,7 +248,7 @@ def _about_axles(names: Names, body: str) -> list[_Going]:
         own, sense = _signed(measure)
         if not isinstance(own, Angle) or own.origin != GROUND or body not in ("", name, own.of):
             continue
-        pins, centre = joining.axle_points(names, own.of), names.bodies[own.of].points["mass_center"]
+        pins, centre = joining.axle_points(names, own.of, later=True), names.bodies[own.of].points["mass_center"]
         if len(pins) != 1:
             continue
         arm = [names.numeric(c - p) for c, p in zip(centre, next(iter(pins)), strict=True)]

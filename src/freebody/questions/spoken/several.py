@@ -20,6 +20,7 @@ from freebody.questions.spoken.lexicon import (
     CLOSE,
     OPEN,
     Word,
+    contexts,
     counted_by,
     languages,
     pairs,
@@ -28,6 +29,7 @@ from freebody.questions.spoken.lexicon import (
     several,
 )
 from freebody.questions.spoken.naming import linked
+from freebody.questions.spoken.symbols import spelt_out
 from freebody.questions.spoken.words import Unknown, words_of
 
 if TYPE_CHECKING:
@@ -51,14 +53,23 @@ class Part:
 def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     """Ways in which a text can be several questions."""
     for language in languages():
-        for pattern, written in rivals(language):
-            text = pattern.sub(written, text)  # which is larger tell the values of both
-        for pieces in _pieces(text.strip().rstrip(".?! "), language):
+        told = several(language, "lead_in").sub("", spelt_out(elements, text, language))
+        for pieces in _pieces(told.strip().rstrip(".?! "), language):
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
+
+
+def of_rivals(text: str) -> str:
+    """The text in which both are asked for, where it asks which of them is larger: their values tell."""
+    for language in languages():
+        for pattern, written in rivals(language):
+            text = pattern.sub(written, text)
+    return text
 
 
 def _pieces(text: str, language: str) -> Iterator[list[str]]:
     """A text parted at all of its conjunctions, at the last one, and at the first one."""
+    if any(_states(text, own) for own in languages()):
+        return
     never = several(language, "never")
     cuts = [found for found in several(language, "and").finditer(text) if found.start() > 0]
     cuts = [cut for cut in cuts if not never.search(text[: cut.start()])]
@@ -71,7 +82,21 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
     for chosen in dict.fromkeys((tuple(cuts), tuple(cuts[-1:]), tuple(cuts[:1]))):
         begins, ends = [0, *(cut.end() for cut in chosen)], [*(cut.start() for cut in chosen), len(text)]
         found = [text[a:b].strip(" ,;.?!") for a, b in zip(begins, ends, strict=True)]
-        yield [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
+        said = [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
+        yield [piece for piece in said if not _says_nothing(piece, language)]  # both, respectively
+
+
+def _says_nothing(text: str, language: str) -> bool:
+    """Whether each word of a text is one of those that lead to a question only."""
+    kinds = [{word.kind for word, _ in phrases_at(word, 0, language)} for word in text.lower().split()]
+    return all(kind == {"filler"} for kind in kinds)
+
+
+def _states(text: str, language: str) -> bool:
+    """Whether a text begins with a sentence that asks for nothing: what it says is no question of several."""
+    stated = re.match(contexts(language)["statement"], text, re.IGNORECASE)
+    kinds = _may_be(stated["said"], language) if stated is not None else set[str]()
+    return "verb" in kinds and not kinds & {"quantity", "ask"}
 
 
 def _is_open(text: str) -> bool:

@@ -196,6 +196,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         return
     if verbs == {"stay_on"}:
         verbs, negated = {"leave"}, not negated
+    if verbs == {"fall"} and negated and joining.tracks(names):  # down from its track
+        verbs = {"leave"}
     if verbs in ({"roll", "start"}, {"begin_roll"}) and not negated:
         yield [f"{who} begins to roll" if who else "rolling begins"]
     elif (verbs == {"roll"} and not negated) or (verbs == {"roll", "slide"} and negated):
@@ -228,8 +230,9 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
 
 def _on_track(names: Names, who: str, other: str) -> list[str]:
     """What a link stands for keeps something on as long as it pulls at the top."""
+    body = who if who in names.bodies else ""  # it does not fall off the track
     led = [track for track in joining.tracks(names) if all(joining.touches(names, track, t) for t in (who, other) if t)]
-    return [f"tension of {track} >= 0 when {top}" for track in led for top in poses.uppermost(names, who)]
+    return [f"tension of {track} >= 0 when {top}" for track in led for top in poses.uppermost(names, body)]
 
 
 def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:

@@ -13,9 +13,11 @@ from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken import strings
+from freebody.questions.spoken.assumed import what_does_not_hold, without_what_holds
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import is_kept
 from freebody.questions.spoken.kinds import is_of_kind
@@ -23,8 +25,9 @@ from freebody.questions.spoken.lexicon import Word, languages, several, stands_f
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
-from freebody.questions.spoken.several import each_of, paired, parts
+from freebody.questions.spoken.several import each_of, of_rivals, paired, parts
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
+from freebody.questions.spoken.symbols import spelt_out
 from freebody.questions.spoken.words import Unknown, respelt, words_of
 
 if TYPE_CHECKING:
@@ -94,6 +97,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
+    if (asked := without_context(names, elements_of(names), text)) != text:
+        return understood(names, asked, read)
     nearest, instead = _nearest(names, text, read)
     if len(nearest) != 1 and (parted := _several(names, text, read)):
         return parted
@@ -103,6 +108,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         right = {language: _respelt(names, text, language) for language in languages()}
         for said in dict.fromkeys(other for other in right.values() if other != text):
             nearest = nearest or _nearest(names, said, read)[0]
+            if not nearest and (parted := _several(names, said, read)):
+                return parted
     if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and (_is_plural(text, nearest) or _are_tensions(nearest)):
         return [one for words, asked in nearest.items() for one in zip(asked, words.split(JOINT), strict=True)]
     if len(nearest) == 1:
@@ -113,7 +120,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several_ways, "find")
-    elif (other := other_value(names, text)) is not None:
+    elif (other := other_value(names, text) or what_does_not_hold(names, text)) is not None:
         names.problem(other, "find")
     elif (slips := _told_of_words(names, text)) is not None:
         names.problem(slips, "find")
@@ -150,7 +157,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
 
 def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What a text asks for that is several questions in one, each read by itself; nothing where one cannot be."""
-    elements = elements_of(names)
+    elements, text = elements_of(names), of_rivals(text)
     if each := each_of(names, elements, text):
         found = [_one(names, said, read) for said in each[:ONE_BY_ONE]]
         if all(found):
@@ -320,18 +327,31 @@ def _has_form(problem: Problem) -> bool:
 def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     """Ways to mean a text, the nearest to its words first. guess: a word that nothing knows is taken for a name."""
     text = _APOSTROPHE.sub("’", " ".join(text.split())).strip('"“”„ ')
+    text = without_what_holds(names, text)
     elements = elements_of(names)
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():
-        told = paired(elements, in_english_nouns(text, language, elements.taken), language)
+        told = spelt_out(elements, text, language)
+        told = paired(elements, in_english_nouns(told, language, elements.taken), language)
         for way in linked(elements, told):
             try:
                 words = words_of(way.text, language, guess=guess, parameters=names.parameters.keys())
             except Unknown:
                 continue
-            found.append(Meaning(meanings(names, words), way.distance, tuple(words)))
+            if not _hangs_on_another(text, words, language):
+                found.append(Meaning(meanings(names, words), way.distance, tuple(words)))
     return sorted(found, key=lambda meaning: meaning.distance)
+
+
+def _hangs_on_another(text: str, words: list[Word], language: str) -> bool:
+    """Whether a text is meant of an instant that another question has, or asks whether something is needed: how fast is
+    it then, is friction needed there."""
+    plain = text.rstrip(".?! ")
+    if several(language, "needless").search(plain) is not None:  # whether something is needed at all
+        return True
+    is_lone = several(language, "lone").search(plain) is not None
+    return is_lone and not any(word.kind in ("mark", "instant") for word in words)
 
 
 def _joined(word: str, elements: Elements) -> str:

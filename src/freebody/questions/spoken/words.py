@@ -52,6 +52,7 @@ _NO_UNITS = ("", "in", "a", "as", "at")
 _KEYBOARD = ("qwertyuiop", "qwertzuiopü", "asdfghjklöä", "zxcvbnm", "yxcvbnm")
 _LONG = 9  # letters of a word in which two may be wrong
 _SHORTEST = 5  # letters of a word that may be misspelt
+_UNSLIPPED = 2  # letters of one in which none have changed places
 
 
 class _Said(str):
@@ -290,6 +291,13 @@ def _is_thing(word: str) -> bool:
     return any(word.lower() in translated(own) or in_english_nouns(word, own) != word for own in languages())
 
 
+def _with_letters_in_order(word: str, words: Container[str]) -> str:
+    """A short word of which two letters beside each other have changed places, or the word as it is."""
+    swapped = {f"{word[:k]}{word[k + 1]}{word[k]}{word[k + 2 :]}" for k in range(len(word) - 1)}
+    right = [other for other in sorted(swapped) if other in words]
+    return right[0] if len(right) == 1 else word
+
+
 def respelt(text: str, language: str, taken: Container[str]) -> str:
     """The text with misspelt words of the language put right, where each is like one word alone.
 
@@ -298,8 +306,10 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
 
     def right(found: re.Match[str]) -> str:
         word = found[0].lower()
-        if word in words or word in taken or len(word) < _SHORTEST or _is_thing(found[0]):
+        if word in words or word in taken or _is_thing(found[0]):
             return found[0]
+        if len(word) < _SHORTEST:
+            return _with_letters_in_order(word, words) if len(word) > _UNSLIPPED else found[0]
         if any(tells_apart(word.replace("ß", "ss"), own) for own in languages()):  # the half: no slip of a filler
             return found[0]
         near = difflib.get_close_matches(word, words, n=3, cutoff=_LEAST_LIKE)

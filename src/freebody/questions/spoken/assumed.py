@@ -1,0 +1,56 @@
+"""What a question assumes: that nothing slips, that there is no friction, no drag of the air.
+
+What holds in the model is no condition that changes the answer. What does not hold is refused by name: it would be
+another model.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from freebody.language.sentences import Message
+from freebody.questions.spoken import joining
+from freebody.questions.spoken.lexicon import assumptions, languages
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def without_what_holds(names: Names, text: str) -> str:
+    """The text without clauses that assume what holds in the model."""
+    for clause, what in _assumed(text):
+        if not _against(names, what):
+            text = " ".join(text.replace(clause, " ").split()).strip(" ,")
+    return text
+
+
+def what_does_not_hold(names: Names, text: str) -> Message | None:
+    """What is said of a text that assumes what does not hold in the model."""
+    for clause, what in _assumed(text):
+        if against := _against(names, what):
+            return Message(
+                "'{clause}' does not hold in this model ({against}); ask without it, or change the model",
+                clause=clause.strip(" ,.?!"),
+                against=", ".join(against),
+            )
+    return None
+
+
+def _assumed(text: str) -> Iterator[tuple[str, str]]:
+    """Clauses of a text that assume something, and what that is."""
+    for language in languages():
+        for what, pattern in assumptions(language).items():
+            for found in re.finditer(pattern, text, re.IGNORECASE):
+                yield found[0], what
+
+
+def _against(names: Names, what: str) -> list[str]:
+    """What a model has where something is assumed not to be: contacts that are rough, or may slip, and drag."""
+    if what == "no drag":
+        return [name for name in names.loads if "air" in names.called.get(name, ())]
+    rough = joining.rough(names, "")
+    if what == "no slip":  # what has no coefficient of friction does not slip
+        return [name for name in rough if joining.given_of(names.connections[name]).get("friction") is not None]
+    return rough

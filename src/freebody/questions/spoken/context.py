@@ -1,0 +1,91 @@
+"""What stands before a question and only describes the system: for the system shown, it is released from rest, a disk
+rolls down an incline.
+
+What the file says as well is left out: values that are those of the file, a start from rest where it starts so. A
+sentence before the question is left out where all of its words are known, and none of them is a number, a condition, or
+says more than how things hang together; else it may be another model, and is read as a part of the question.
+"""
+
+from __future__ import annotations
+
+import re
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+from freebody.errors import UnitError
+from freebody.language.units.quantity import parse_quantity
+from freebody.questions.spoken import joining, lookup, poses
+from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.elements import Elements
+from freebody.questions.spoken.lexicon import changes_value, contexts, languages
+from freebody.questions.spoken.naming import linked
+from freebody.questions.spoken.words import Unknown, words_of
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_KNOWN = ("name", "verb", "filler", "preposition", "pronoun", "updown", "quantity", "part")
+_DESCRIBES = {"move", "hang", "exert", "act", "fall", "rise", "turn", "roll", "slide", "fly", "carry"}
+_SLIPS = {"roll", "slide"}
+_EQUAL = re.compile(r"(?P<name>[^\W\d]\w*) ?= ?(?P<value>-?\d[\d.]*(?: ?[A-Za-z°][\w/^*°]*)?)")
+
+
+def without_context(names: Names, elements: Elements, text: str) -> str:
+    """The question in a text, without what describes a system that is as the model has it."""
+    for language in languages():
+        patterns = contexts(language)
+        text = re.sub(patterns["lead"], "", text, count=1, flags=re.IGNORECASE)
+        text = _without_values(names, text, patterns["values"])
+        released = re.match(patterns["released"], text, re.IGNORECASE)
+        if released is not None and lookup.rests(names) and _starts_so(names, released["pose"]):
+            rest = text[released.end() :].rstrip(" .?!")
+            is_timed = re.search(patterns["timed"], rest, re.IGNORECASE) is not None
+            text = rest if is_timed else f"{rest} {patterns['at_start']}"
+        parted = re.match(patterns["statement"], text, re.IGNORECASE)
+        if parted is not None and _only_describes(names, elements, parted["said"], language):
+            text = parted["asked"]
+    return text
+
+
+def _starts_so(names: Names, pose: str | None) -> bool:
+    """Whether the file lets something start in the pose that a text says, if it says one."""
+    level = ("horizontal", "waag")
+    return pose is None or (
+        poses.begins_lying(names) if pose.lower().startswith(level) else poses.begins_standing(names)
+    )
+
+
+def _without_values(names: Names, text: str, pattern: str) -> str:
+    """The text without values of parameters before the question, where all of them are those of the file."""
+    given = re.match(pattern, text, re.IGNORECASE)
+    told = [*_EQUAL.finditer(given["all"])] if given is not None else []
+    if given is None or not told or _EQUAL.sub("", given["all"]).replace("and", "").replace("und", "").strip(" ,"):
+        return text
+    return text[given.end() :] if all(_is_given(names, one["name"], one["value"]) for one in told) else text
+
+
+def _is_given(names: Names, name: str, value: str) -> bool:
+    parameter = names.parameters.get(name)
+    if parameter is None or parameter.value is None:
+        return False
+    with suppress(UnitError, ValueError):
+        return parse_quantity(value.replace("°", "deg")).value == parameter.value
+    return False
+
+
+def _only_describes(names: Names, elements: Elements, said: str, language: str) -> bool:
+    """Whether a sentence has nothing but known words, and says no more than how things hang together, or move."""
+    plain = re.findall(r"[^\W\d_]+", said.lower())
+    if re.search(r"[\d=<>]", said) or any(changes_value(word, language) for word in plain):
+        return False
+    if any(word in ("only", "nur", "not", "nicht", "no", "kein", "keine", "without", "ohne") for word in plain):
+        return False
+    for way in linked(elements, in_english_nouns(said, language, elements.taken))[:1]:
+        with suppress(Unknown):
+            words = words_of(way.text, language)
+            verbs = {word.what for word in words if word.kind == "verb"}
+            slips = verbs & _SLIPS and any(
+                "contact" in names.called.get(joint, ()) for joint in joining.rough(names, "")
+            )
+            return all(word.kind in _KNOWN for word in words) and verbs <= _DESCRIBES and not slips
+    return False
