@@ -9,6 +9,7 @@ import shutil
 import socket
 import subprocess
 import time
+from base64 import b64decode
 from pathlib import Path
 from typing import Any
 
@@ -18,13 +19,15 @@ KEYS = {"Enter": "\ue007", "ArrowRight": "\ue014", "End": "\ue010", "Escape": "\
 
 
 class Firefox:
-    """A window without a screen. profile: an empty folder"""
+    """A window without a screen. profile: an empty folder; ratio: pixels of the screen to one of the page, of which
+    a window that is as narrow as it goes has the fewer"""
 
-    def __init__(self, profile: Path) -> None:
+    def __init__(self, profile: Path, ratio: float = 1.0) -> None:
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
         quiet = {"marionette.port": port, "browser.shell.checkDefaultBrowser": False, "app.update.enabled": False}
+        quiet["layout.css.devPixelsPerPx"] = str(ratio)
         lines = [f"user_pref({json.dumps(name)}, {json.dumps(value)});" for name, value in quiet.items()]
         profile.joinpath("user.js").write_text("\n".join(lines), encoding="utf-8")
         assert FIREFOX is not None
@@ -97,6 +100,10 @@ class Firefox:
 
     def size(self, width: int, height: int) -> None:
         self.send("WebDriver:SetWindowRect", {"width": width, "height": height})
+
+    def picture(self) -> bytes:
+        """What is seen of the page, as PNG."""
+        return b64decode(self.send("WebDriver:TakeScreenshot", {"full": False, "hash": False}))
 
 
 def _reached(port: int) -> socket.socket:

@@ -69,7 +69,7 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
       studio.canRedo = redoDepth(update.state) > 0;
     }),
   ];
-  const all = () => [EditorState.readOnly.of(studio.isShared || !studio.isOpen), ...extensions];
+  const all = () => [EditorState.readOnly.of(studio.isShared || !studio.folder.isOpen), ...extensions];
   const stateOf = (doc: string) => EditorState.create({ doc, extensions: all() });
   const view = new EditorView({ parent, state: stateOf(studio.text) });
   function take(state: EditorState) {

@@ -1,4 +1,4 @@
-// Written by tools/write_studio_types.py from freebody/studio/wire.py: do not edit.
+// Written by tools/write_studio_types.py from freebody/studio/wire: do not edit.
 
 /** Add an element at the end of a section, under its name or the next that is free. value: its YAML in one line */
 export interface AddRequest {

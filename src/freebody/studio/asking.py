@@ -16,7 +16,7 @@ from freebody.present.report.results import Result, finite
 from freebody.studies import STUDIES, Study
 from freebody.studio.meanings import meanings
 from freebody.studio.reading import checked_system
-from freebody.studio.wire import (
+from freebody.studio.wire.studies import (
     ExportRequest,
     File,
     FilesAnswer,

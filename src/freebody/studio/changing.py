@@ -19,7 +19,7 @@ from freebody.messages import Message
 from freebody.progress import busy_with
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
-from freebody.studio.wire import Mark, MarksAnswer, MarksRequest, Range
+from freebody.studio.wire.motions import Mark, MarksAnswer, MarksRequest, Range
 from freebody.study.simulation.simulate import simulate
 from freebody.study.simulation.simulator import has_phases
 from freebody.study.sweeps.answers import AnswerEvaluator

@@ -14,7 +14,7 @@ from freebody.numeric.options import SimulationOptions
 from freebody.present.plots import curves
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
-from freebody.studio.wire import CurvesAnswer, Happening, Line, MotionAnswer, MotionRequest
+from freebody.studio.wire.motions import CurvesAnswer, Happening, Line, MotionAnswer, MotionRequest
 from freebody.study.simulation.recorded import series_units
 from freebody.study.simulation.simulate import Simulation, simulate
 from freebody.system.system import System

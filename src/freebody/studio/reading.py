@@ -11,18 +11,8 @@ from freebody.errors import FreebodyError, ModelError, Problem
 from freebody.language.document import Document, Place
 from freebody.messages import Message
 from freebody.studio.telling import told
-from freebody.studio.wire import (
-    Asked,
-    Element,
-    Fix,
-    Language,
-    Leaf,
-    Parameter,
-    ReadAnswer,
-    ReadRequest,
-    Remark,
-    Span,
-)
+from freebody.studio.wire.said import Language, Span
+from freebody.studio.wire.texts import Asked, Element, Fix, Leaf, Parameter, ReadAnswer, ReadRequest, Remark
 from freebody.system.system import System
 
 # sections whose entries have names, by their path
