@@ -9,6 +9,7 @@ import { notebook } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
+import { ANGLES, LENGTHS, SI, type Units, linesIn, unitIn } from "./units";
 import type { Answers, CurvesAnswer, Element, Kind, MotionAnswer, OverlaysRequest, Parameter, ReadAnswer, Requests, StudyAnswer } from "./wire";
 import { WORDS, type Word, keysIn } from "./words";
 
@@ -67,11 +68,14 @@ export class Studio {
   panel = $state<Panel>("ask");
   pane = $state<Pane>("scene");
   shares = $state.raw(SHARES);
+  units = $state.raw<Units>(SI);
   selected = $state<string | null>(null);
   time = $state(0);
   until = $state(3);
   isMoving = false; // by hand: what is shown is on its way
-  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed" | "share">("");
+  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed" | "share" | "units">("");
+  /** The kind that the next dialog begins with. */
+  adding: Kind | null = null;
   derived = $state<string | null>(null);
   /** The question that is being typed, and the one that is answered. */
   question = $state("");
@@ -100,6 +104,8 @@ export class Studio {
   constructor() {
     const language = notebook?.language ?? kept.get("language") ?? navigator.language.slice(0, 2);
     this.language = language === "de" ? "de" : "en";
+    const [length, angle] = (kept.get("units") ?? "").split(" ");
+    this.units = { length: LENGTHS.find((each) => each === length) ?? "m", angle: ANGLES.find((each) => each === angle) ?? "rad" };
     const shares = (kept.get("shares") ?? "").split(" ").map(Number);
     if (shares[0] && shares[1]) this.shares = { model: shares[0], results: shares[1] };
     this.theme = (kept.get("theme") as Theme | null) ?? (prefersDark.matches ? "dark" : "light");
@@ -113,6 +119,11 @@ export class Studio {
   /** Keys as they are called on a keyboard of the language. */
   keys = (keys: string): string => keysIn(keys, this.language);
 
+  /** A number of SI in words, in the units that are shown. */
+  quantity = (value: number, unit: string): string => {
+    const shown = unitIn(unit, this.units);
+    return `${(value * shown.factor).toLocaleString(this.language, { maximumSignificantDigits: 3 })} ${shown.unit.replace("^2", "²")}`;
+  };
   /** Whether what is shown is that of the text as it stands. */
   get isCurrent(): boolean {
     return this.model !== null && this.modelText === this.text;
@@ -120,6 +131,8 @@ export class Studio {
   get element(): Element | null {
     return this.read?.elements.find((e) => e.path.join(".") === this.selected) ?? null;
   }
+  /** What is measured along the motion, in the units that are shown. */
+  readonly lines = $derived(linesIn(this.curves?.lines ?? [], this.units));
   /** How far the picture reaches [m]. */
   get size(): number {
     const [x0, y0, x1, y1] = (this.motion?.player.bounds ?? [0, 0, 1, 1]) as [number, number, number, number];
@@ -347,6 +360,10 @@ export class Studio {
   setTheme(theme: Theme): void {
     kept.set("theme", theme);
     this.wear(theme);
+  }
+  setUnits(units: Units): void {
+    this.units = units;
+    kept.set("units", `${units.length} ${units.angle}`);
   }
   /** Colours are read from the page by what follows, so they are there first. */
   wear(theme: Theme): void {

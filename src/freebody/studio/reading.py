@@ -10,6 +10,7 @@ from typing import Any, cast
 from freebody.errors import FreebodyError, ModelError, Problem
 from freebody.language.document import Document, Place
 from freebody.messages import Message
+from freebody.studio.meanings import shown
 from freebody.studio.telling import told
 from freebody.studio.wire.said import Language, Span
 from freebody.studio.wire.texts import Asked, Element, Fix, Leaf, Parameter, ReadAnswer, ReadRequest, Remark
@@ -223,7 +224,10 @@ def _number(document: Document, places: Places, section: Any, path: Place, *, is
     span = document.span(path)
     if span is not None and span[0] < span[1]:
         text = places.text[slice(*span)]
-        yield Parameter(name=str(path[1]), section=section, text=text, span=places.span(*span), is_positive=is_positive)
+        name = str(path[1])
+        symbol = shown(name) if name.isidentifier() else ""
+        at = places.span(*span)
+        yield Parameter(name=name, symbol=symbol, section=section, text=text, span=at, is_positive=is_positive)
 
 
 _latest: list[Document] = []  # what was read last: a slider moves one number of it

@@ -100,7 +100,7 @@ WORK: dict[str, Work] = {
     "study": Work(StudyRequest, "asking", "studied", STUDYING),
     "sweep": Work(SweepRequest, "sweeping", "swept", STUDYING),
     "export": Work(ExportRequest, "asking", "exported", STUDYING),
-    "page": Work(PageRequest, "asking", "page_of", STUDYING),
+    "page": Work(PageRequest, "asking", "motion_file", STUDYING),
     "share": Work(ShareRequest, "sharing", "share", STUDYING),
 }
 

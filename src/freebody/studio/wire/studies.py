@@ -60,7 +60,9 @@ class ExportRequest(StudyRequest):
 
 
 class PageRequest(MotionRequest):
-    """The motion as one HTML file that plays without a server."""
+    """The motion as a file: a page that plays without a server, moving pictures, or all that is measured along it."""
+
+    format: Literal["html", "gif", "mp4", "csv", "nc", "parquet"] = "html"
 
 
 class ShareRequest(MotionRequest):
