@@ -11,6 +11,7 @@ from freebody.errors import FreebodyError, ModelError, Problem
 from freebody.language.document import Document, Place
 from freebody.messages import Message
 from freebody.studio.meanings import shown
+from freebody.studio.nudged import nudged
 from freebody.studio.telling import told
 from freebody.studio.wire.said import Language, Span
 from freebody.studio.wire.texts import Asked, Element, Fix, Leaf, Parameter, ReadAnswer, ReadRequest, Remark
@@ -231,6 +232,7 @@ def _number(document: Document, places: Places, section: Any, path: Place, *, is
 
 
 _latest: list[Document] = []  # what was read last: a slider moves one number of it
+_systems: list[System] = []  # the one of it
 _folders: list[Path] = []  # in which the files are that a text names
 
 
@@ -238,6 +240,7 @@ def look_in(folders: Iterable[str]) -> None:
     """Where the files are that models name: set once, when a worker starts."""
     _folders[:] = map(Path, folders)
     _latest.clear()
+    _systems.clear()
 
 
 def document_of(text: str) -> Document:
@@ -248,4 +251,12 @@ def document_of(text: str) -> Document:
 
 def checked_system(text: str) -> System:
     """The system of a text. Raises ModelError."""
-    return System.from_document(document_of(text))
+    _systems[:] = [System.from_document(document_of(text))]
+    return _systems[0]
+
+
+def passing_system(text: str) -> System:
+    """The system of a text for a motion that is soon replaced. Raises ModelError."""
+    document = document_of(text)
+    _systems[:] = [(nudged(_systems[0], document) if _systems else None) or System.from_document(document)]
+    return _systems[0]
