@@ -19,19 +19,25 @@ KEYS = {"Enter": "\ue007", "ArrowRight": "\ue014", "End": "\ue010", "Escape": "\
 
 
 class Firefox:
-    """A window without a screen. profile: an empty folder; ratio: pixels of the screen to one of the page, of which
-    a window that is as narrow as it goes has the fewer"""
+    """A window without a screen. profile: an empty folder"""
 
-    def __init__(self, profile: Path, ratio: float = 1.0) -> None:
+    def __init__(self, profile: Path) -> None:
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
         quiet = {"marionette.port": port, "browser.shell.checkDefaultBrowser": False, "app.update.enabled": False}
-        quiet["layout.css.devPixelsPerPx"] = str(ratio)
         lines = [f"user_pref({json.dumps(name)}, {json.dumps(value)});" for name, value in quiet.items()]
         profile.joinpath("user.js").write_text("\n".join(lines), encoding="utf-8")
         assert FIREFOX is not None
-        command = [FIREFOX, "--headless", "--marionette", "--no-remote", "--profile", str(profile)]
+        command = [
+            FIREFOX,
+            "--headless",
+            "--marionette",
+            "--remote-allow-system-access",
+            "--no-remote",
+            "--profile",
+            str(profile),
+        ]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.number = 0
         self.socket = _reached(port)
@@ -100,6 +106,12 @@ class Firefox:
 
     def size(self, width: int, height: int) -> None:
         self.send("WebDriver:SetWindowRect", {"width": width, "height": height})
+
+    def zoom(self, factor: float) -> None:
+        """Makes all of the page larger: of a window that is as narrow as it goes the page then has fewer pixels."""
+        self.send("Marionette:SetContext", {"value": "chrome"})
+        self.evaluate("gBrowser.selectedBrowser.fullZoom = arguments[0]", factor)
+        self.send("Marionette:SetContext", {"value": "content"})
 
     def picture(self) -> bytes:
         """What is seen of the page, as PNG."""

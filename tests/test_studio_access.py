@@ -101,8 +101,10 @@ def panes_and_menus(visitor: Visitor) -> None:
         visitor.look(menu)
         page.click(f"{menu} > summary")
     page.locator(".view .choice button").nth(1).click()
-    page.wait_for_selector(".view .picture svg", timeout=WAIT)
+    page.wait_for_selector(".view .dimension", timeout=WAIT)
     visitor.look("picture")
+    page.click(".view button.dimension")
+    visitor.look("a dimension that is written anew")
 
 
 def panels(visitor: Visitor) -> None:
@@ -153,6 +155,9 @@ def dialogs(visitor: Visitor) -> None:
         page.keyboard.press("Escape")
     page.get_by_role("button", name=visitor.word("share"), exact=True).click()
     visitor.look("share")
+    page.keyboard.press("Escape")
+    page.click(f"[aria-label^='{visitor.word('units')}: ']")
+    visitor.look("units")
     page.keyboard.press("Escape")
     page.click(".top .name")
     visitor.look("save as")

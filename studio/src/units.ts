@@ -23,8 +23,10 @@ export function unitIn(unit: string, { length, angle }: Units): { unit: string; 
   return { unit: written, factor };
 }
 
+const DIGITS = 7; // as numbers come
+
 export function valuesIn(values: (number | null)[], factor: number): (number | null)[] {
-  return factor === 1 ? values : values.map((value) => (value === null ? null : value * factor));
+  return factor === 1 ? values : values.map((value) => (value === null ? null : Number((value * factor).toPrecision(DIGITS))));
 }
 
 /** Lines as they are shown. */
