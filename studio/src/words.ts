@@ -381,7 +381,7 @@ const de: Record<Word, string> = {
   palette: "Bausteine",
   allKinds: "Alle Arten",
   change: "ändern",
-  ghosts: "Geisterbilder",
+  ghosts: "Zwischenstellungen",
   units: "Einheiten",
   unitsWhat: "In denen Kurven, Parameterstudien, Pfeile und die Szene in Worten Längen und Winkel zeigen. Der Text des Modells und seine Antworten behalten ihre eigenen Einheiten.",
   lengths: "Längen",
