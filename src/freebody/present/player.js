@@ -347,7 +347,9 @@ function measure() {
   draw();
 }
 function fit() {
-  const [x0, y0, x1, y1] = data.bounds, [room, foot] = data.planar ? [8, 82] : [34, 96], head = Math.max(room, shown.head ?? 0);
+  // arrows over the motion stand out of it
+  const more = shown.overlays?.()?.found.arrows.length ? Math.min(0.6 * LONGEST, 0.12 * view.height) : 0, [edge, ground] = data.planar ? [8, 82] : [34, 96];
+  const [x0, y0, x1, y1] = data.bounds, room = edge + more, foot = ground + more, head = Math.max(edge, shown.head ?? 0) + more;
   view.scale = camera.zoom * Math.min((view.width - 2 * room) / (x1 - x0), (view.height - head - foot) / (y1 - y0));
   // the middle of the picture as it is at first
   view.x = view.width / 2 - view.scale * (x0 + x1) / 2 + camera.shift[0];
