@@ -547,6 +547,17 @@ def test_where_a_linkage_cannot_be_assembled_its_slider_is_marked() -> None:
     assert mark.at == pytest.approx(2.0, abs=1e-3 * 2.5)
 
 
+def test_a_slider_is_marked_where_the_model_stops_allowing_its_value() -> None:
+    text = (
+        "ground: {lines: {floor: {along: right}}}\nparameters: {e: 0.8}\n"
+        "bodies: {ball: {particle: {mass: 1 kg}, at: [0, 1 m]}}\n"
+        "connections: {c: {contact: {between: [ball, floor], restitution: e}}}\nloads: {w: {gravity: 9.81 m/s^2}}\n"
+    )
+    [mark] = changes(MarksRequest(text=text, ranges=[Range(name="e", low=0.5, high=1.5, unit="")], until=0.5)).marks
+    assert mark.words == ["the model does not allow the value"]
+    assert mark.at == pytest.approx(1.0, abs=1e-3)
+
+
 # -- the server -------------------------------------------------------------------------------
 @dataclass
 class Server:
