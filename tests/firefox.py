@@ -9,6 +9,7 @@ import shutil
 import socket
 import subprocess
 import time
+from base64 import b64decode
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,15 @@ class Firefox:
         lines = [f"user_pref({json.dumps(name)}, {json.dumps(value)});" for name, value in quiet.items()]
         profile.joinpath("user.js").write_text("\n".join(lines), encoding="utf-8")
         assert FIREFOX is not None
-        command = [FIREFOX, "--headless", "--marionette", "--no-remote", "--profile", str(profile)]
+        command = [
+            FIREFOX,
+            "--headless",
+            "--marionette",
+            "--remote-allow-system-access",
+            "--no-remote",
+            "--profile",
+            str(profile),
+        ]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.number = 0
         self.socket = _reached(port)
@@ -97,6 +106,16 @@ class Firefox:
 
     def size(self, width: int, height: int) -> None:
         self.send("WebDriver:SetWindowRect", {"width": width, "height": height})
+
+    def zoom(self, factor: float) -> None:
+        """Makes all of the page larger: of a window that is as narrow as it goes the page then has fewer pixels."""
+        self.send("Marionette:SetContext", {"value": "chrome"})
+        self.evaluate("gBrowser.selectedBrowser.fullZoom = arguments[0]", factor)
+        self.send("Marionette:SetContext", {"value": "content"})
+
+    def picture(self) -> bytes:
+        """What is seen of the page, as PNG."""
+        return b64decode(self.send("WebDriver:TakeScreenshot", {"full": False, "hash": False}))
 
 
 def _reached(port: int) -> socket.socket:

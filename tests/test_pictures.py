@@ -340,6 +340,12 @@ def test_a_block_on_an_incline_is_drawn_where_its_string_runs_along_the_incline(
     assert height_over(surface, string[0]) > 0
 
 
+def test_round_off_of_a_particle_at_rest_is_no_size_of_its_picture() -> None:
+    scene, poses = example("block_pushed_on_incline")
+    way = np.repeat(poses, 3, axis=0)
+    assert Layout.of(scene, way + 1e-15 * np.arange(3.0)[:, None, None]).symbol == Layout.of(scene, way).symbol
+
+
 def test_bodies_are_moved_by_the_same_amount_at_all_times() -> None:
     scene, poses = example("atwood_machine")
     way = np.repeat(poses, 5, axis=0)

@@ -28,7 +28,6 @@ pytest.importorskip("starlette")
 
 from freebody.errors import InputError
 from freebody.language.document import Document
-from freebody.studio import wire
 from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.changing import changes
 from freebody.studio.editing import add, edit, suggest
@@ -40,6 +39,10 @@ from freebody.studio.marking import marks
 from freebody.studio.moving import curved, motion
 from freebody.studio.reading import read
 from freebody.studio.server import LARGEST
+from freebody.studio.wire.around import Call, Opening, Reply, SaveRequest
+from freebody.studio.wire.motions import MarksRequest, MotionAnswer, MotionRequest, Range, SweepAnswer
+from freebody.studio.wire.studies import ShareRequest
+from freebody.studio.wire.texts import AddRequest, EditRequest, ReadAnswer, ReadRequest, SuggestRequest
 from freebody.studio.work import Lane
 from freebody.studio.work import done as done_by_worker
 from freebody.system.system import System
@@ -73,14 +76,14 @@ questions:
 )
 
 
-def done(kind: str, request: dict[str, Any]) -> wire.Reply:
+def done(kind: str, request: dict[str, Any]) -> Reply:
     """As the page gets it."""
-    return wire.Reply.model_validate_json(done_by_worker(kind, request).model_dump_json())
+    return Reply.model_validate_json(done_by_worker(kind, request).model_dump_json())
 
 
 # -- reading ----------------------------------------------------------------------------------
 def test_everything_that_is_read_stands_where_it_is_said_to_stand() -> None:
-    found = read(wire.ReadRequest(text=PENDULUM))
+    found = read(ReadRequest(text=PENDULUM))
     assert found.is_model
     assert found.moving == ["rod"]
     assert [(q.id, q.text) for q in found.questions] == [("first", "acceleration of theta")]
@@ -97,7 +100,7 @@ def test_everything_that_is_read_stands_where_it_is_said_to_stand() -> None:
 
 def test_places_count_as_a_browser_does() -> None:
     text = PENDULUM.replace("# a pendulum", "# a pendulum \U0001f3a1 ")
-    (rod,) = (e for e in read(wire.ReadRequest(text=text)).elements if e.section == "bodies")
+    (rod,) = (e for e in read(ReadRequest(text=text)).elements if e.section == "bodies")
     units = text.encode("utf-16-le")
     assert units[2 * rod.name_span.start : 2 * rod.name_span.end].decode("utf-16-le") == "rod"
 
@@ -105,7 +108,7 @@ def test_places_count_as_a_browser_does() -> None:
 def test_a_misspelt_word_is_marked_and_its_fix_mends_it() -> None:
     for wrong, right in (("{rod: {mass", "{rodd: {mass"), ("pin: [ground.A, rod.start", "pin: [ground.A, rod.strat")):
         text = PENDULUM.replace(wrong, right)
-        (remark,) = read(wire.ReadRequest(text=text)).remarks
+        (remark,) = read(ReadRequest(text=text)).remarks
         assert remark.severity == "error"
         fix = remark.fixes[0]
         assert remark.span.start <= fix.span.start <= fix.span.end <= remark.span.end
@@ -113,7 +116,7 @@ def test_a_misspelt_word_is_marked_and_its_fix_mends_it() -> None:
 
 
 def test_a_broken_text_is_marked_where_it_breaks() -> None:
-    found = read(wire.ReadRequest(text="bodies: {a: [}\n", language="de"))
+    found = read(ReadRequest(text="bodies: {a: [}\n", language="de"))
     assert not found.is_model
     assert [r.line for r in found.remarks] == [1]
     assert found.remarks[0].span.start == 13
@@ -121,9 +124,9 @@ def test_a_broken_text_is_marked_where_it_breaks() -> None:
 
 # -- changing ---------------------------------------------------------------------------------
 def test_an_edit_keeps_comments_and_order() -> None:
-    text = edit(wire.EditRequest(text=PENDULUM, path=["parameters", "L"], value="2 m")).text
+    text = edit(EditRequest(text=PENDULUM, path=["parameters", "L"], value="2 m")).text
     assert text == PENDULUM.replace("L: 1 m", "L: 2 m")
-    assert edit(wire.EditRequest(text=text, path=["parameters", "L"], value="1 m")).text == PENDULUM
+    assert edit(EditRequest(text=text, path=["parameters", "L"], value="1 m")).text == PENDULUM
 
 
 @pytest.mark.parametrize(
@@ -136,15 +139,15 @@ def test_an_edit_keeps_comments_and_order() -> None:
     ],
 )
 def test_what_is_taken_out_leaves_the_rest_as_it_was(path: list[str | int], gone: str, left: str) -> None:
-    assert edit(wire.EditRequest(text=PENDULUM, path=path, value=None)).text == PENDULUM.replace(gone, left)
+    assert edit(EditRequest(text=PENDULUM, path=path, value=None)).text == PENDULUM.replace(gone, left)
 
 
 @pytest.mark.parametrize("before", ["", "# mine\n", "\n# mine"])
 def test_the_first_element_of_a_model_can_be_added(before: str) -> None:
-    text = add(wire.AddRequest(text=before, section="bodies", name="a", value="{particle: {mass: 1 kg}}")).text
+    text = add(AddRequest(text=before, section="bodies", name="a", value="{particle: {mass: 1 kg}}")).text
     assert text == f"{before.rstrip()}{before and chr(10)}bodies:\n  a: {{particle: {{mass: 1 kg}}}}\n"
-    text = add(wire.AddRequest(text=text, section="loads", name="weight", value="{gravity: 9.81 m/s^2}")).text
-    assert read(wire.ReadRequest(text=text)).is_model
+    text = add(AddRequest(text=text, section="loads", name="weight", value="{gravity: 9.81 m/s^2}")).text
+    assert read(ReadRequest(text=text)).is_model
 
 
 def test_a_document_without_a_key_says_the_rest(tmp_path: Path) -> None:
@@ -183,21 +186,21 @@ def test_what_can_be_added_can_be_added() -> None:
     offered = kinds()
     assert {each.section for each in offered} == {"bodies", "connections", "loads"}
     for each in offered:
-        request = wire.AddRequest(
+        request = AddRequest(
             text=PENDULUM, section=each.section, name="rod" if each.section == "bodies" else "A", value=each.value
         )
         document = Document.read(add(request).text)
         (name,) = set(document.data[each.section]) - set(Document.read(PENDULUM).data[each.section])
         assert each.kind in document.data[each.section][name]
     (pin,) = (each for each in offered if each.kind == "pin")
-    text = add(wire.AddRequest(text=PENDULUM, section="connections", name="A", value=pin.value)).text
+    text = add(AddRequest(text=PENDULUM, section="connections", name="A", value=pin.value)).text
     assert System.from_text(text).connections.keys() == {"A", "A2"}
 
 
 def test_a_question_is_understood_while_it_is_typed() -> None:
-    found = suggest(wire.SuggestRequest(text=PENDULUM, question="how fast does the rod turn?"))
+    found = suggest(SuggestRequest(text=PENDULUM, question="how fast does the rod turn?"))
     assert found.understood == "angular velocity of rod"
-    unclear = suggest(wire.SuggestRequest(text=PENDULUM, question="blah of rod"))
+    unclear = suggest(SuggestRequest(text=PENDULUM, question="blah of rod"))
     assert unclear.message
     assert "acceleration of rod" in unclear.suggestions
 
@@ -206,12 +209,12 @@ def test_a_planet_with_less_than_half_a_tooth_is_read() -> None:
     text = (ROOT / "examples" / "planetary_gear_with_three_planets.yaml").read_text(encoding="utf-8")
     few = re.sub(r"z_P: [\d.]+", "z_P: 0.3", text)
     assert few != text
-    assert read(wire.ReadRequest(text=few)).elements
+    assert read(ReadRequest(text=few)).elements
 
 
 # -- motion and studies -----------------------------------------------------------------------
 def test_a_motion_has_its_curves_and_what_the_player_draws() -> None:
-    request = wire.MotionRequest(text=PENDULUM, until=1.0, frames=51)
+    request = MotionRequest(text=PENDULUM, until=1.0, frames=51)
     found, measured = motion(request), curved(request)
     assert found.is_complete
     assert (found.player["n_frames"], found.start, found.end) == (51, 0.0, 1.0)
@@ -332,7 +335,7 @@ def test_symbols_say_what_they_speak_of() -> None:
 def test_curves_are_those_of_the_motion_that_is_asked_about() -> None:
     """Whatever was followed before them."""
     requests = [
-        wire.MotionRequest(text=PENDULUM.replace("L: 1 m", f"L: {length} m"), until=until, frames=frames)
+        MotionRequest(text=PENDULUM.replace("L: 1 m", f"L: {length} m"), until=until, frames=frames)
         for length, until, frames in ((1, 1.0, 51), (2, 1.0, 51), (2, 0.5, 51), (2, 0.5, 26))
     ]
     alone = [curved(request) for request in requests]
@@ -465,7 +468,7 @@ def test_nothing_outside_the_folder_is_reached(name: str, tmp_path: Path) -> Non
     with pytest.raises(InputError):
         folder.opened(name)
     with pytest.raises(InputError):
-        folder.save(wire.SaveRequest(name=name, text="x", version="", overwrite=True))
+        folder.save(SaveRequest(name=name, text="x", version="", overwrite=True))
     assert (tmp_path / "model.yaml").read_text(encoding="utf-8") == PENDULUM
 
 
@@ -475,7 +478,7 @@ def test_a_file_that_has_changed_meanwhile_is_not_overwritten(tmp_path: Path) ->
     folder = Folder.of(file)
     opened = folder.first_opened()
     file.write_text("a: 2\n", encoding="utf-8")
-    request = wire.SaveRequest(name="model.yaml", text="a: 3\n", version=opened.version)
+    request = SaveRequest(name="model.yaml", text="a: 3\n", version=opened.version)
     assert folder.save(request).is_changed
     assert file.read_text(encoding="utf-8") == "a: 2\n"
     saved = folder.save(request.model_copy(update={"overwrite": True}))
@@ -486,8 +489,8 @@ def test_a_file_that_has_changed_meanwhile_is_not_overwritten(tmp_path: Path) ->
 # -- where something changes along a slider ---------------------------------------------------
 def marked(name: str, ranges: dict[str, tuple[float, float, str]]) -> dict[str, dict[float, list[str]]]:
     text = (ROOT / "examples" / f"{name}.yaml").read_text(encoding="utf-8")
-    asked = [wire.Range(name=each, low=low, high=high, unit=unit) for each, (low, high, unit) in ranges.items()]
-    found = marks(wire.MarksRequest(text=text, ranges=asked)).marks
+    asked = [Range(name=each, low=low, high=high, unit=unit) for each, (low, high, unit) in ranges.items()]
+    found = marks(MarksRequest(text=text, ranges=asked)).marks
     return {each: {mark.at: mark.words for mark in found if mark.name == each} for each in ranges}
 
 
@@ -523,8 +526,8 @@ def test_a_slider_is_marked_where_a_ball_reaches_the_floor_within_the_time_that_
         "connections: {contact: {contact: {between: [ball, floor], restitution: 0}}}\n"
         "loads: {weight: {gravity: 9.81 m/s^2}}\n"
     )
-    ranges = [wire.Range(name="h", low=1.0, high=10.0, unit="m")]
-    found = changes(wire.MarksRequest(text=text, ranges=ranges, until=1.0, language="de")).marks
+    ranges = [Range(name="h", low=1.0, high=10.0, unit="m")]
+    found = changes(MarksRequest(text=text, ranges=ranges, until=1.0, language="de")).marks
     assert {mark.name for mark in found} == {"h"}
     assert found[0].at == pytest.approx(9.81 / 2.0, abs=1e-3 * 9.0)
     assert any("innerhalb von 1 s" in word for word in found[0].words)
@@ -538,10 +541,21 @@ def test_where_a_linkage_cannot_be_assembled_its_slider_is_marked() -> None:
         "connections: {A: {pin: [ground.A, a.start]}, C: {pin: [a.end, b.end]}, B: {pin: [ground.B, b.start]}}\n"
         "loads: {weight: {gravity: 9.81 m/s^2}}\nquestions: [{find: time when angle of a = 10 rad}]\n"
     )
-    ranges = [wire.Range(name="L", low=1.0, high=3.5, unit="m")]
-    found = changes(wire.MarksRequest(text=text, ranges=ranges, until=0.1)).marks
+    ranges = [Range(name="L", low=1.0, high=3.5, unit="m")]
+    found = changes(MarksRequest(text=text, ranges=ranges, until=0.1)).marks
     [mark] = [mark for mark in found if "the motion cannot begin" in mark.words]
     assert mark.at == pytest.approx(2.0, abs=1e-3 * 2.5)
+
+
+def test_a_slider_is_marked_where_the_model_stops_allowing_its_value() -> None:
+    text = (
+        "ground: {lines: {floor: {along: right}}}\nparameters: {e: 0.8}\n"
+        "bodies: {ball: {particle: {mass: 1 kg}, at: [0, 1 m]}}\n"
+        "connections: {c: {contact: {between: [ball, floor], restitution: e}}}\nloads: {w: {gravity: 9.81 m/s^2}}\n"
+    )
+    [mark] = changes(MarksRequest(text=text, ranges=[Range(name="e", low=0.5, high=1.5, unit="")], until=0.5)).marks
+    assert mark.words == ["the model does not allow the value"]
+    assert mark.at == pytest.approx(1.0, abs=1e-3)
 
 
 # -- the server -------------------------------------------------------------------------------
@@ -676,23 +690,23 @@ def test_the_page_comes_with_its_policy_and_nothing_else_is_given_away(server: S
     for name in (
         "server.py",
         "..%2fserver.py",
-        "%2e%2e/wire.py",
+        "%2e%2e/work.py",
         "page",
         "sources.sha256",
         "studio.js/x",
-        "../wire.py",
+        "../work.py",
     ):
         assert server.get(f"/{name}")[0] == 404
     assert server.get("/", Host="evil.example")[0] == 403
 
 
 # -- the workers ------------------------------------------------------------------------------
-def call_of(topic: str, kind: str = "read") -> wire.Call:
-    return wire.Call(kind=kind, topic=topic, request={"text": PENDULUM})
+def call_of(topic: str, kind: str = "read") -> Call:
+    return Call(kind=kind, topic=topic, request={"text": PENDULUM})
 
 
-async def status_of(worker: Worker, call: wire.Call) -> str:
-    return wire.Reply.model_validate_json(await worker.ask(call)).status
+async def status_of(worker: Worker, call: Call) -> str:
+    return Reply.model_validate_json(await worker.ask(call)).status
 
 
 def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
@@ -723,14 +737,14 @@ def test_what_the_page_will_ask_first_is_found_before_it_asks(tmp_path: Path) ->
     file.write_text(PENDULUM, encoding="utf-8")
     foreseen = Folder.of(file).foreseen()
     assert [call.kind for call in foreseen] == ["read", "motion"]
-    assert foreseen[1].request["until"] == wire.Opening.model_fields["until"].default
+    assert foreseen[1].request["until"] == Opening.model_fields["until"].default
 
     async def run() -> None:
         lanes = Lanes()
         done: list[str] = []
 
         class Counted(Worker):
-            async def ask(self, call: wire.Call) -> bytes:
+            async def ask(self, call: Call) -> bytes:
                 done.append(call.kind)
                 return await super().ask(call)
 
@@ -739,13 +753,11 @@ def test_what_the_page_will_ask_first_is_found_before_it_asks(tmp_path: Path) ->
         again = [await lanes.ask(call.model_copy(deep=True)) for call in (*foreseen, *foreseen)]
         assert (again[:2], done) == (again[2:], ["read", "motion"])
         for call, reply in zip(foreseen, again, strict=False):
-            assert wire.Reply.model_validate_json(reply).model_dump() == done_by_worker(
-                call.kind, call.request
-            ).model_dump(mode="json")
+            assert Reply.model_validate_json(reply).model_dump() == done_by_worker(call.kind, call.request).model_dump(
+                mode="json"
+            )
         other = foreseen[1].model_copy(update={"request": {**foreseen[1].request, "until": 0.5}})
-        assert (
-            wire.MotionAnswer.model_validate(wire.Reply.model_validate_json(await lanes.ask(other)).answer).end == 0.5
-        )
+        assert MotionAnswer.model_validate(Reply.model_validate_json(await lanes.ask(other)).answer).end == 0.5
         assert done == ["read", "motion", "motion"]
         await lanes.end()
 
@@ -764,7 +776,7 @@ def test_nothing_waits_for_what_is_cancelled_or_left(
         if is_started:
             assert await status_of(worker, call_of("first")) == "done"
         request = {"text": CHAIN, "name": "explain", "options": {"question": "far"}}
-        slow = asyncio.create_task(status_of(worker, wire.Call(kind="study", topic="slow", request=request)))
+        slow = asyncio.create_task(status_of(worker, Call(kind="study", topic="slow", request=request)))
         await asyncio.sleep(0)
         next_one = asyncio.create_task(status_of(worker, call_of("next")))
         await asyncio.sleep(1 if is_started else 0)
@@ -870,7 +882,7 @@ def test_the_lock_file_names_no_registry() -> None:
 def test_a_sweep_of_a_question_is_its_formula_and_a_case_that_the_model_excludes_is_a_gap() -> None:
     """Of a rod on a pin, theta'' = -3 g/(2 L) cos(theta); lengths are positive."""
     reply = done("sweep", {"text": PENDULUM, "name": "L", "low": "-50 cm", "high": "200 cm", "n": 6, "find": "first"})
-    found = wire.SweepAnswer.model_validate(reply.answer)
+    found = SweepAnswer.model_validate(reply.answer)
     assert (found.unit, found.values) == ("cm", [-50, 0, 50, 100, 150, 200])
     (line,) = found.lines
     assert (found.about, line.name, line.unit) == ("acceleration of theta", "first", "rad/s^2")
@@ -894,11 +906,11 @@ def test_a_sweep_of_a_motion_records_its_greatest_and_least_value(record: str, s
         "record": record,
         "until": 3.0,
     }
-    found = wire.SweepAnswer.model_validate(done("sweep", given).answer)
+    found = SweepAnswer.model_validate(done("sweep", given).answer)
     assert (found.unit, found.values, found.missing) == ("deg", [-60, -45, -30], [])
     expected = [sign * math.sqrt(3 * 9.81 * (1 + math.sin(math.radians(angle)))) for angle in found.values]
     assert found.lines[0].values == pytest.approx(expected, rel=1e-5)
-    assert record.split(" of ")[1] in curved(wire.MotionRequest(text=PENDULUM, until=0.1, frames=3)).recordable
+    assert record.split(" of ")[1] in curved(MotionRequest(text=PENDULUM, until=0.1, frames=3)).recordable
 
 
 def test_a_sweep_tells_which_linkages_cannot_be_assembled() -> None:
@@ -907,7 +919,7 @@ def test_a_sweep_tells_which_linkages_cannot_be_assembled() -> None:
     text = (ROOT / "examples" / "four_bar.yaml").read_text(encoding="utf-8")
     given = {"text": text, "name": "d", "low": "0.3 m", "high": "1.5 m", "n": 5, "until": 0.1, "language": "de"}
     energy, angle = (
-        wire.SweepAnswer.model_validate(done("sweep", {**given, "record": f"final {name}"}).answer)
+        SweepAnswer.model_validate(done("sweep", {**given, "record": f"final {name}"}).answer)
         for name in ("kinetic_energy", "theta")
     )
     turned = [None if x is None else 3.0 * (x - math.pi / 3) for x in angle.lines[0].values]
@@ -936,8 +948,8 @@ def test_a_sweep_that_cannot_be_read_is_refused_in_words(given: dict[str, Any], 
 
 # -- a page to share --------------------------------------------------------------------------
 def test_motions_found_beforehand_are_those_of_the_texts_that_the_sliders_stand_for() -> None:
-    request = wire.ShareRequest(text=PENDULUM, until=1.0, frames=31, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])
-    own = motion(wire.MotionRequest(text=PENDULUM, until=1.0, frames=31)).model_dump(mode="json")
+    request = ShareRequest(text=PENDULUM, until=1.0, frames=31, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])
+    own = motion(MotionRequest(text=PENDULUM, until=1.0, frames=31)).model_dump(mode="json")
     moved = moved_beforehand(System.from_text(PENDULUM), request, own)
     length, angle = moved.sliders
     assert (length.values, length.own) == (["0.5 m", "1 m", "1.25 m", "2 m"], 1)
@@ -947,19 +959,19 @@ def test_motions_found_beforehand_are_those_of_the_texts_that_the_sliders_stand_
     for k, at in enumerate(length.values):
         for n, start in enumerate(angle.values):
             text = PENDULUM.replace("L: 1 m", f"L: {at}").replace("theta: -60 deg", f"theta: {start}")
-            expected = motion(wire.MotionRequest(text=text, until=1.0, frames=31)).model_dump(mode="json")
+            expected = motion(MotionRequest(text=text, until=1.0, frames=31)).model_dump(mode="json")
             found = moved.replies[3 * k + n].answer
             assert {**own["player"], **found["player"]} == expected["player"]
             assert (found["start"], found["end"]) == (expected["start"], expected["end"]) == (0.0, 1.0)
-            curves = curved(wire.MotionRequest(text=text, until=1.0, frames=31)).model_dump(mode="json")
+            curves = curved(MotionRequest(text=text, until=1.0, frames=31)).model_dump(mode="json")
             assert moved.curves[3 * k + n].answer == curves
 
 
 def test_answers_follow_the_sliders_by_the_formula() -> None:
     """Of a rod on a pin, theta'' = -3 g/(2 L) cos(theta)."""
     text = PENDULUM
-    request = wire.ShareRequest(text=text, until=0.2, frames=11, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])
-    own = motion(wire.MotionRequest(text=text, until=0.2, frames=11)).model_dump(mode="json")
+    request = ShareRequest(text=text, until=0.2, frames=11, vary=["L=0.5..2 m:3", "theta=-90, -30 deg"])
+    own = motion(MotionRequest(text=text, until=0.2, frames=11)).model_dump(mode="json")
     (answer,) = moved_beforehand(System.from_text(text), request, own).answers
     lengths, angles = (0.5, 1.0, 1.25, 2.0), (-90, -60, -30)
     expected = [-1.5 * 9.81 / L * math.cos(math.radians(a)) for L in lengths for a in angles]
@@ -984,8 +996,8 @@ def test_sliders_that_make_no_sense_are_refused_in_words(vary: list[str], words:
 
 def test_a_case_without_a_motion_says_why() -> None:
     text = (ROOT / "examples" / "four_bar.yaml").read_text(encoding="utf-8")
-    own = motion(wire.MotionRequest(text=text, until=0.1, frames=3)).model_dump(mode="json")
-    request = wire.ShareRequest(text=text, until=0.1, frames=3, vary=["d=0.5, 5 m"])
+    own = motion(MotionRequest(text=text, until=0.1, frames=3)).model_dump(mode="json")
+    request = ShareRequest(text=text, until=0.1, frames=3, vary=["d=0.5, 5 m"])
     first, second = moved_beforehand(System.from_text(text), request, own).replies
     assert (first.status, second.status) == ("done", "refused")
     assert second.message
@@ -996,21 +1008,21 @@ def test_models_of_the_folder_and_of_the_gallery_find_what_stands_beside_them(tm
     example = (ROOT / "examples" / "car_on_a_surveyed_track.yaml").read_text(encoding="utf-8")
     (tmp_path / "own.csv").write_text("x [m], y [m]\n0, 2\n1, 1\n2, 0\n", encoding="utf-8")
     texts = [example.replace("surveyed_track.csv", "own.csv"), example, example.replace("surveyed_track", "nothing")]
-    calls = [wire.Call(kind="read", topic="abc"[k], request={"text": text}) for k, text in enumerate(texts)]
+    calls = [Call(kind="read", topic="abc"[k], request={"text": text}) for k, text in enumerate(texts)]
 
-    async def run() -> list[wire.ReadAnswer]:
+    async def run() -> list[ReadAnswer]:
         lanes = Lanes(tmp_path, ROOT / "examples")
-        replies = [wire.Reply.model_validate_json(await lanes.ask(call)) for call in calls]
+        replies = [Reply.model_validate_json(await lanes.ask(call)) for call in calls]
         await lanes.end()
-        return [wire.ReadAnswer.model_validate(reply.answer) for reply in replies]
+        return [ReadAnswer.model_validate(reply.answer) for reply in replies]
 
     own, bundled, lacking = asyncio.run(run())
     assert (own.is_model, bundled.is_model, lacking.is_model) == (True, True, False)
     assert "there is no file nothing.csv" in lacking.remarks[0].message
     folder = Folder.of(tmp_path)
-    folder.save(wire.SaveRequest(name="car.yaml", text=example, version=""))
+    folder.save(SaveRequest(name="car.yaml", text=example, version=""))
     table = tmp_path / "surveyed_track.csv"
     assert table.read_bytes() == (ROOT / "examples" / "surveyed_track.csv").read_bytes()
     table.write_text("mine", encoding="utf-8")
-    folder.save(wire.SaveRequest(name="again.yaml", text=example, version=""))
+    folder.save(SaveRequest(name="again.yaml", text=example, version=""))
     assert table.read_text(encoding="utf-8") == "mine"

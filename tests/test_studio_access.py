@@ -101,8 +101,10 @@ def panes_and_menus(visitor: Visitor) -> None:
         visitor.look(menu)
         page.click(f"{menu} > summary")
     page.locator(".view .choice button").nth(1).click()
-    page.wait_for_selector(".view .picture svg", timeout=WAIT)
+    page.wait_for_selector(".view .dimension", timeout=WAIT)
     visitor.look("picture")
+    page.click(".view button.dimension")
+    visitor.look("a dimension that is written anew")
 
 
 def panels(visitor: Visitor) -> None:
@@ -153,6 +155,12 @@ def dialogs(visitor: Visitor) -> None:
         page.keyboard.press("Escape")
     page.get_by_role("button", name=visitor.word("share"), exact=True).click()
     visitor.look("share")
+    page.keyboard.press("Escape")
+    page.keyboard.press("Control+k")
+    page.keyboard.type(visitor.word("units"))
+    page.keyboard.press("Enter")
+    page.wait_for_selector("dialog.units[open] select")
+    visitor.look("units")
     page.keyboard.press("Escape")
     page.click(".top .name")
     visitor.look("save as")

@@ -12,8 +12,8 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.document import Document
 from freebody.numeric.contact.start import assembled_touching
 from freebody.numeric.reference import Reference
-from freebody.studio import wire
 from freebody.studio.dragging import drag
+from freebody.studio.wire.texts import DragRequest
 from freebody.system.system import System
 
 PENDULUM = """# a pendulum
@@ -40,7 +40,7 @@ def end_of(text: str, body: str, length: float) -> tuple[float, float]:
 @pytest.mark.parametrize("target", [(0.8, -0.6), (0.3, -3.0), (0.2, 0.1)])
 def test_the_end_of_a_pendulum_follows_the_pointer_on_its_circle(target: tuple[float, float]) -> None:
     """The nearest point of a circle of radius L to a point P is L P/|P|."""
-    text = drag(wire.DragRequest(text=PENDULUM, body="rod", grabbed=end_of(PENDULUM, "rod", 1.0), to=target)).text
+    text = drag(DragRequest(text=PENDULUM, body="rod", grabbed=end_of(PENDULUM, "rod", 1.0), to=target)).text
     size = math.hypot(*target)
     assert end_of(text, "rod", 1.0) == pytest.approx((target[0] / size, target[1] / size), abs=2e-3)
     assert text.splitlines()[1] == PENDULUM.splitlines()[1]  # only the start has changed
@@ -51,20 +51,20 @@ def test_a_parameter_of_the_start_is_dragged_in_its_own_unit() -> None:
     text = PENDULUM.replace("theta: -60 deg", "theta: phi").replace(
         "{L: 1 m", "{phi: {value: -60 deg, sign: any}, L: 1 m"
     )
-    found = drag(wire.DragRequest(text=text, body="rod", grabbed=end_of(text, "rod", 1.0), to=(0.0, -5.0))).text
+    found = drag(DragRequest(text=text, body="rod", grabbed=end_of(text, "rod", 1.0), to=(0.0, -5.0))).text
     assert Document.read(found).data["parameters"]["phi"]["value"] == "-90 deg"
 
 
 def test_a_free_body_is_dragged_by_its_place() -> None:
     text = "bodies: {ball: {particle: {mass: 1 kg}, at: [0, 1 m]}}\n"
-    found = drag(wire.DragRequest(text=text, body="ball", grabbed=(0, 1), to=(2.5, -0.5))).text
+    found = drag(DragRequest(text=text, body="ball", grabbed=(0, 1), to=(2.5, -0.5))).text
     assert found == "bodies: {ball: {particle: {mass: 1 kg}, at: [2.5, -0.5 m]}}\n"
 
 
 def test_a_start_by_formulas_is_not_dragged() -> None:
     text = PENDULUM.replace("theta: -60 deg", "theta: -2*phi").replace("{L: 1 m", "{phi: 30 deg, L: 1 m")
     with pytest.raises(CannotAnswer, match="formulas"):
-        drag(wire.DragRequest(text=text, body="rod", grabbed=end_of(text, "rod", 1.0), to=(0.0, -5.0)))
+        drag(DragRequest(text=text, body="rod", grabbed=end_of(text, "rod", 1.0), to=(0.0, -5.0)))
 
 
 BALL_PENDULUM = """# on a ball joint
@@ -96,7 +96,7 @@ def test_a_bob_in_space_comes_under_the_pointer_on_its_sphere(across: Any, up: A
     start = center_of(BALL_PENDULUM, "bob")
     picture, move = np.array((across, up)), np.array((0.15, 0.05))
     to = start + picture.T @ move
-    request = wire.DragRequest(text=BALL_PENDULUM, body="bob", grabbed=list(start), to=list(to), across=across, up=up)
+    request = DragRequest(text=BALL_PENDULUM, body="bob", grabbed=list(start), to=list(to), across=across, up=up)
     text = drag(request).text
     found = center_of(text, "bob")
     assert picture @ (found - start) == pytest.approx(move, abs=2e-3)
@@ -111,7 +111,7 @@ def test_out_of_reach_a_bob_comes_to_the_rim_that_its_sphere_shows(across: Any, 
     """Seen along any direction the sphere of radius L is a disk, of which L P/|P| is nearest to P outside of it."""
     start, picture = center_of(BALL_PENDULUM, "bob"), np.array((across, up))
     pointer = np.array((1.6, -1.2))
-    request = wire.DragRequest(
+    request = DragRequest(
         text=BALL_PENDULUM, body="bob", grabbed=list(start), to=list(picture.T @ pointer), across=across, up=up
     )
     found = picture @ center_of(drag(request).text, "bob")
@@ -124,10 +124,10 @@ def test_a_free_body_in_space_keeps_its_depth_and_turns_by_what_stands_there() -
         'turned: [10 deg about z, 0 deg about x, "20 deg about [0, 1, 0]"]}}\n'
     )
     center = center_of(text, "block")
-    request = wire.DragRequest(text=text, body="block", grabbed=list(center), to=[0.5, 3.0, 9.0])
+    request = DragRequest(text=text, body="block", grabbed=list(center), to=[0.5, 3.0, 9.0])
     assert drag(request).text == text.replace("[0, 1 m, 2 m]", "[0.5, 3 m, 2 m]")
     corner = center + axes_of(text, "block") @ np.array((0.5, 1.0, 1.5))
-    request = wire.DragRequest(text=text, body="block", grabbed=list(corner), to=[0.9, 3.1, 2.0])
+    request = DragRequest(text=text, body="block", grabbed=list(corner), to=[0.9, 3.1, 2.0])
     found = drag(request).text
     moved = center_of(found, "block") + axes_of(found, "block") @ np.array((0.5, 1.0, 1.5))
     assert moved[:2] == pytest.approx([0.9, 3.1], abs=5e-3)
@@ -140,11 +140,11 @@ def test_a_body_without_a_word_of_its_start_gets_a_place() -> None:
     )
     start = center_of(text, "bob")
     to = [0.3, -0.2, 0.0]
-    found = drag(wire.DragRequest(text=text, body="bob", grabbed=list(start), to=to)).text
+    found = drag(DragRequest(text=text, body="bob", grabbed=list(start), to=to)).text
     assert center_of(found, "bob")[:2] == pytest.approx(to[:2], abs=2e-3)
 
 
 def test_a_view_without_two_directions_is_refused() -> None:
     across, up = (1.0, 0.0, 0.0), (2.0, 0.0, 0.0)
     with pytest.raises(InputError, match="direction"):
-        drag(wire.DragRequest(text=PENDULUM, body="rod", grabbed=[0, 0], to=[1, 1], across=across, up=up))
+        drag(DragRequest(text=PENDULUM, body="rod", grabbed=[0, 0], to=[1, 1], across=across, up=up))

@@ -1,10 +1,12 @@
-"""The studio in Firefox: it opens, draws, is typed in, moved and asked. The rest is seen in Chromium."""
+"""The studio in Firefox: it opens, draws, is typed in, moved and asked, wide and narrow, light and dark. The rest is
+seen in Chromium."""
 
 from __future__ import annotations
 
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -22,6 +24,17 @@ measures: {theta: {angle of rod}}
 start: {theta: -60 deg}
 questions:
   - {id: first, find: acceleration of theta}
+"""
+IN_SPACE = """title: A top
+space: {up: z}
+bodies:
+  bob:
+    box: {mass: 1 kg, size: [0.3 m, 0.3 m, 0.3 m]}
+    points: {top: [0, 0, 1 m]}
+    turned: [alpha about x, beta about y]
+connections: {A: {spherical: [ground.A, bob.top]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+start: {alpha: 20 deg, beta: 10 deg}
 """
 TEXT = "[...document.querySelectorAll('.cm-line')].map((line) => line.textContent).join('\\n')"
 IS_DRAWN = """((canvas) => {
@@ -46,23 +59,43 @@ def firefox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
 
 @pytest.fixture
 def page(firefox: Firefox, tmp_path: Path) -> Iterator[Firefox]:
-    file = tmp_path / "pendulum.yaml"
-    file.write_text(PENDULUM, encoding="utf-8")
+    firefox.size(1500, 1000)
+    with shown(firefox, tmp_path, PENDULUM):
+        yield firefox
+
+
+@contextmanager
+def shown(firefox: Firefox, folder: Path, text: str) -> Iterator[None]:
+    """The page of a model, in which nothing may go wrong."""
+    file = folder / "model.yaml"
+    file.write_text(text, encoding="utf-8")
     command = [sys.executable, "-m", "freebody", "studio", str(file), "--no-browser"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
-        firefox.size(1500, 1000)
-        firefox.open(process.stdout.readline().strip())
-        firefox.evaluate("window.wrong = []; addEventListener('error', (event) => window.wrong.push(event.message));")
-        firefox.wait_for("document.querySelector('.view canvas')")
-        firefox.wait_for("document.querySelector('.badge.dof:not(.stale)')")
-        yield firefox
-        wrong = firefox.evaluate("return window.wrong")
-        firefox.open("about:blank")
-        process.terminate()
+        try:
+            firefox.open(process.stdout.readline().strip())
+            firefox.evaluate(
+                "window.wrong = []; addEventListener('error', (event) => window.wrong.push(event.message))"
+            )
+            firefox.wait_for("document.querySelector('.badge.dof:not(.stale)')")
+            yield
+            wrong = firefox.evaluate("return window.wrong")
+            firefox.open("about:blank")
+        finally:
+            process.terminate()
     assert wrong == []
 
 
+def pane(page: Firefox, number: int) -> None:
+    """On a narrow screen, where one pane is seen at a time."""
+    page.evaluate("document.querySelectorAll('.switch button')[arguments[0]].click()", number)
+
+
+def assert_it_fits(page: Firefox, where: str) -> None:
+    assert page.evaluate("return document.documentElement.scrollWidth <= innerWidth"), where
+
+
+@pytest.mark.essential
 def test_the_scene_is_drawn_and_plays(page: Firefox) -> None:
     page.wait_for(IS_DRAWN)
     page.click(".play")
@@ -87,6 +120,7 @@ def test_what_is_typed_is_read(page: Firefox) -> None:
     page.press(*["Control+z"] * 8)
 
 
+@pytest.mark.essential
 def test_a_question_is_answered_and_derived(page: Firefox) -> None:
     page.click("#question")
     page.press(*"how fast does the rod turn?", "Enter")
@@ -95,13 +129,62 @@ def test_a_question_is_answered_and_derived(page: Firefox) -> None:
     page.wait_for("document.querySelector('.content .freebody-report .step')")
 
 
-def test_dialogs_and_narrow_screens(page: Firefox) -> None:
-    page.press("Control+i")
-    page.wait_for("document.querySelector('dialog[open] input[type=search]')")
-    page.press("Escape")
-    page.wait_for("!document.querySelector('dialog[open]')")
-    page.size(500, 900)  # the narrowest window there is
-    page.wait_for("innerWidth < 700")
-    for pane in range(3):
-        page.evaluate("document.querySelectorAll('.switch button')[arguments[0]].click()", pane)
-        assert page.evaluate("return document.documentElement.scrollWidth <= innerWidth"), f"pane {pane}"
+def test_dialogs_are_opened_by_keys_and_shut(page: Firefox) -> None:
+    for keys, inside in (
+        ("Control+i", "input[type=search]"),
+        ("Control+k", ".list button"),
+        ("Control+o", ".cards svg"),
+    ):
+        page.press(keys)
+        page.wait_for(f"document.querySelector('dialog[open] {inside}')")
+        page.press("Escape")
+        page.wait_for("!document.querySelector('dialog[open]')")
+
+
+@pytest.mark.essential
+def test_every_panel_is_shown(page: Firefox) -> None:
+    for panel in ("ask", "derivation", "free", "mobility", "conserved", "more"):
+        page.click(f"#tab-{panel}")
+        page.wait_for("document.querySelector('.content :is(.freebody-report, .picture svg)')")
+        page.wait_for("!document.querySelector('.content .working')")
+        assert_it_fits(page, panel)
+    for panel, inside in (("sweep", ".sweep"), ("export", "button"), ("properties", ".soft")):
+        page.click(f"#tab-{panel}")
+        page.wait_for(f"document.querySelector('.content {inside}')")
+    page.click(".view .choice button:nth-child(2)")
+    page.wait_for("document.querySelector('.view .picture svg')")
+
+
+def test_what_the_browser_draws_is_dark_with_the_page(page: Firefox) -> None:
+    """Its bars of scrolling, too."""
+    scheme = "return getComputedStyle(document.querySelector('.cm-scroller')).colorScheme"
+    before = page.evaluate(scheme)
+    page.click("[aria-label='Light or dark']")
+    assert {before, page.evaluate(scheme)} == {"light", "dark"}
+    page.click("[aria-label='Light or dark']")
+
+
+def test_a_model_in_space_is_drawn(firefox: Firefox, tmp_path: Path) -> None:
+    with shown(firefox, tmp_path, IN_SPACE):
+        firefox.wait_for(IS_DRAWN)
+        before = firefox.evaluate("return document.querySelector('.view canvas').toDataURL()")
+        firefox.evaluate("document.querySelector('.view canvas').focus()")
+        firefox.press("ArrowRight")
+        firefox.wait_for("document.querySelector('.view canvas').toDataURL() !== arguments[0]", before)
+
+
+@pytest.mark.essential
+def test_it_fits_on_320_pixels(page: Firefox) -> None:
+    page.size(480, 900)
+    page.zoom(1.5)
+    try:
+        page.wait_for("innerWidth === 320")
+        for k in range(3):
+            pane(page, k)
+            assert_it_fits(page, f"pane {k}")
+        for panel in ("derivation", "free", "mobility", "sweep", "export"):
+            page.evaluate("document.getElementById(arguments[0]).click()", f"tab-{panel}")
+            page.wait_for("!document.querySelector('.content .working')")
+            assert_it_fits(page, panel)
+    finally:
+        page.zoom(1.0)

@@ -10,9 +10,9 @@ pytest.importorskip("starlette")
 
 from freebody.errors import InputError, ModelError
 from freebody.language.document import Document
-from freebody.studio import wire
 from freebody.studio.joining import join, spots
 from freebody.studio.kinds import kinds
+from freebody.studio.wire.texts import End, JoinAnswer, JoinRequest, Request
 from freebody.system.system import System
 
 MODEL = """bodies:
@@ -26,15 +26,15 @@ start: {theta: 30 deg}
 """
 
 
-def joined(kind: str, *names: str, section: str = "connections") -> wire.JoinAnswer:
+def joined(kind: str, *names: str, section: str = "connections") -> JoinAnswer:
     """A name that is empty is the place (1.23456, 2) of the ground."""
-    ends = [wire.End(name=name, at=(1.23456, 2.0)) for name in names]
-    return join(wire.JoinRequest(text=MODEL, section=section, kind=kind, ends=ends))
+    ends = [End(name=name, at=(1.23456, 2.0)) for name in names]
+    return join(JoinRequest(text=MODEL, section=section, kind=kind, ends=ends))
 
 
 def test_spots_are_where_the_start_puts_them() -> None:
     """A rod of length 1 at 30 degrees about the origin."""
-    found = {spot.name: spot.at for spot in spots(wire.Request(text=MODEL)).spots}
+    found = {spot.name: spot.at for spot in spots(Request(text=MODEL)).spots}
     c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
     assert found["rod.start"] == pytest.approx((0.0, 0.0))
     assert found["rod.end"] == pytest.approx((c, s))
@@ -46,13 +46,13 @@ def test_spots_are_where_the_start_puts_them() -> None:
 
 def test_a_place_on_the_ground_is_a_line_where_no_point_will_do() -> None:
     text = "bodies:\n  block: {particle: {mass: 1 kg}}\n"
-    ends = [wire.End(name="block"), wire.End(at=(1.0, -0.5))]
-    found = join(wire.JoinRequest(text=text, section="connections", kind="contact", ends=ends))
+    ends = [End(name="block"), End(at=(1.0, -0.5))]
+    found = join(JoinRequest(text=text, section="connections", kind="contact", ends=ends))
     assert "line: {through: [1 m, -0.5 m], along: right}" in found.text
     assert "between: [block, line]" in found.text
-    ends = [wire.End(name="block"), wire.End(name="block")]
+    ends = [End(name="block"), End(name="block")]
     with pytest.raises(ModelError):
-        join(wire.JoinRequest(text=text, section="connections", kind="contact", ends=ends))
+        join(JoinRequest(text=text, section="connections", kind="contact", ends=ends))
 
 
 def test_what_was_pointed_at_is_joined_and_the_rest_of_the_text_stays() -> None:
@@ -75,11 +75,11 @@ def test_a_place_on_nothing_is_a_new_point_of_the_ground() -> None:
 
 def test_a_point_that_was_the_origin_without_saying_so_stays_there() -> None:
     text = MODEL.replace("ground.origin", "ground.A")
-    ends = [wire.End(name="rod.end"), wire.End(at=(1.0, 0.0))]
-    found = join(wire.JoinRequest(text=text, section="loads", kind="spring", ends=ends))
+    ends = [End(name="rod.end"), End(at=(1.0, 0.0))]
+    found = join(JoinRequest(text=text, section="loads", kind="spring", ends=ends))
     assert Document.read(found.text).data["ground"]["points"] == {"A": [0, 0], "B": ["1 m", "0 m"]}
-    after = {spot.name: spot.at for spot in spots(wire.Request(text=found.text)).spots}
-    for spot in spots(wire.Request(text=text)).spots:
+    after = {spot.name: spot.at for spot in spots(Request(text=found.text)).spots}
+    for spot in spots(Request(text=text)).spots:
         assert after[spot.name] == pytest.approx(spot.at, abs=1e-9)
 
 

@@ -7,8 +7,9 @@ import pytest
 from freebody.errors import InputError
 from freebody.examples_folder import folder, listed_examples
 from freebody.numeric.reference import Reference
-from freebody.studio import reading, wire
+from freebody.studio import reading
 from freebody.studio.renaming import rename
+from freebody.studio.wire.texts import RenameRequest
 from freebody.system.system import System
 
 PENDULUM = """# m and rod are kept here
@@ -26,7 +27,7 @@ questions:
 
 
 def renamed(text: str, path: str, name: str) -> str:
-    return rename(wire.RenameRequest(text=text, path=path.split("."), name=name)).text
+    return rename(RenameRequest(text=text, path=path.split("."), name=name)).text
 
 
 def test_a_body_is_renamed_where_it_is_meant_and_its_kind_is_not() -> None:

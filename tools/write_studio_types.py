@@ -9,18 +9,20 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from freebody.studio import wire
+from freebody.studio.wire import around, motions, said, studies, texts
 from freebody.studio.work import WORK
 
+ROOMS = (said, texts, motions, studies, around)
 TARGET = Path(__file__).parents[1] / "studio" / "src" / "wire.ts"
 _PLAIN = {"string": "string", "integer": "number", "number": "number", "boolean": "boolean", "null": "null"}
 
 
 def written() -> str:
     """The text of the file."""
-    parts = ["// Written by tools/write_studio_types.py from freebody/studio/wire.py: do not edit.\n"]
-    for name, model in inspect.getmembers(wire, inspect.isclass):
-        if issubclass(model, BaseModel) and model not in (wire.Said, BaseModel):
+    parts = ["// Written by tools/write_studio_types.py from freebody/studio/wire: do not edit.\n"]
+    found = {name: each for room in ROOMS for name, each in inspect.getmembers(room, inspect.isclass)}
+    for name, model in sorted(found.items()):
+        if issubclass(model, BaseModel) and model not in (said.Said, BaseModel):
             parts.append(_interface(name, model))
     kinds = "".join(f"  {kind}: {work.request.__name__};\n" for kind, work in WORK.items())
     parts.append(f"export interface Requests {{\n{kinds}}}\n")
@@ -32,7 +34,7 @@ def written() -> str:
 def _interface(name: str, model: type[BaseModel]) -> str:
     schema = model.model_json_schema()
     required = set(schema.get("required", ()))
-    is_answer = not issubclass(model, wire.Request | wire.SaveRequest | wire.Call)
+    is_answer = not issubclass(model, texts.Request | around.SaveRequest | around.Call)
     lines = "".join(
         f"  {key}{'' if key in required or is_answer else '?'}: {_type(value)};\n"
         for key, value in schema["properties"].items()

@@ -69,7 +69,7 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
       studio.canRedo = redoDepth(update.state) > 0;
     }),
   ];
-  const all = () => [EditorState.readOnly.of(studio.isShared || !studio.isOpen), ...extensions];
+  const all = () => [EditorState.readOnly.of(studio.isShared || !studio.folder.isOpen), ...extensions];
   const stateOf = (doc: string) => EditorState.create({ doc, extensions: all() });
   const view = new EditorView({ parent, state: stateOf(studio.text) });
   function take(state: EditorState) {
@@ -105,7 +105,8 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
     writer,
     setLabel: (text: string) => view.dispatch({ effects: name.reconfigure(EditorView.contentAttributes.of({ "aria-label": text })) }),
     show(remarks: Remark[]) {
-      view.dispatch(setDiagnostics(view.state, remarks.map((remark) => diagnostic(remark, view.state.doc))));
+      const told = view.state.doc.toString().trim() ? remarks : []; // an empty page has no mistake
+      view.dispatch(setDiagnostics(view.state, told.map((remark) => diagnostic(remark, view.state.doc))));
     },
   };
 }

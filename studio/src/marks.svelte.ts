@@ -1,18 +1,11 @@
 // Where something changes along the sliders: found once the text rests, first by formulas, then by motions.
 import { Latest, debounced } from "./latest";
+import { together } from "./marking";
 import { leave } from "./server";
 import type { Studio } from "./state.svelte";
 import type { Mark, Range } from "./wire";
 
 const TOPIC = "marks";
-const SAME = 2e-3; // of a slider: what formulas say there needs no motions
-
-/** All marks; of those found by motions the ones where no formula has one. */
-export function together(byFormulas: Mark[], byMotions: Mark[], ranges: Range[]): Mark[] {
-  const size = new Map(ranges.map(({ name, low, high }) => [name, high - low]));
-  const isKnown = (mark: Mark) => byFormulas.some(({ name, at }) => name === mark.name && Math.abs(at - mark.at) <= SAME * (size.get(name) ?? 0));
-  return [...byFormulas, ...byMotions.filter((mark) => !isKnown(mark))];
-}
 
 export class Marks {
   /** For what they were found, and where they are. */

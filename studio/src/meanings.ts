@@ -5,7 +5,8 @@ import type { Meaning } from "./wire";
 export type Lit = Meaning;
 
 const DOTS = /[.\u02d9\u00a8\s]/g; // of rates, which speak of what their symbols do
-const bare = (text: string | null) => (text ?? "").replace(DOTS, "");
+/** The letters of a symbol, without the dots of rates. */
+export const bare = (text: string | null) => (text ?? "").replace(DOTS, "");
 const SYMBOLS = "msub, mi, svg text";
 
 /** What a part of a page has that can light up: symbols, and lines of pictures as these mark them. */

@@ -11,8 +11,8 @@ export function ticks(low: number, high: number): number[] {
 
 /** How far an axis goes at least: what is less than the error that a motion may have is no motion. size: of the picture [m] */
 export function leastSpan(unit: string, size: number): number {
-  if (/^rad\b/.test(unit)) return 1e-8;
-  return /^m(\/s(\^2)?)?$/.test(unit) ? 1e-8 * size : 0;
+  if (/^(rad|deg)\b/.test(unit)) return 1e-8;
+  return /^[cm]?m(\/s(\^2)?)?$/.test(unit) ? 1e-8 * size : 0;
 }
 
 /** From the least to the greatest of some values, with some room; round one that stays. */

@@ -11,7 +11,8 @@ declare module "virtual:player" {
     head: number;
     axes(length: number): string;
     overlays(): { found: OverlaysAnswer; isStale: boolean } | null;
-    number(value: number): string;
+    quantity(value: number, unit: string): string;
+    hasGhosts(): boolean;
     lit(arrow: { of: string; owner: string }): boolean;
     drawn(frame: number, time: number): void;
   }

@@ -1,15 +1,16 @@
 // The state of the page. The text is the only truth: everything else here follows from it, or is a matter of view.
-import * as drafts from "./drafts";
-import { kept, keptByWindow } from "./kept";
+import { kept } from "./kept";
 import { Latest, debounced } from "./latest";
 import type { Lit } from "./meanings";
+import { Folder } from "./folder.svelte";
 import { FEWER, Hand } from "./hand.svelte";
 import { Marks } from "./marks.svelte";
-import { hearText, notebook, tellText } from "./notebook";
+import { notebook } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
 import { type Change, changeBetween } from "./text";
-import type { Answers, CurvesAnswer, Element, Kind, MotionAnswer, OpenedFile, OverlaysRequest, Parameter, ReadAnswer, Requests, StudyAnswer } from "./wire";
+import { ANGLES, LENGTHS, SI, type Units, linesIn, unitIn } from "./units";
+import type { Answers, CurvesAnswer, Element, Kind, MotionAnswer, OverlaysRequest, Parameter, ReadAnswer, Requests, StudyAnswer } from "./wire";
 import { WORDS, type Word, keysIn } from "./words";
 
 export type Language = "en" | "de";
@@ -38,22 +39,11 @@ const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 export class Studio {
   // -- the text, and what it says
   text = $state("");
-  file = $state("model.yaml");
-  isOpen = false; // until the first file is there nothing can be typed
-  files = $state<string[]>([]);
-  version = $state("");
-  savedText = $state("");
-  draft = $state.raw<drafts.Draft | null>(null);
-  /** The file as another program, or another window, has written it meanwhile. */
-  other = $state.raw<OpenedFile | null>(null);
-  /** What has happened by itself. */
-  told = $state<Word | "">("");
   read = $state.raw<ReadAnswer | null>(null);
   model = $state.raw<ReadAnswer | null>(null);
   modelText = $state("");
   parameters = $state.raw<Parameter[]>([]);
   kinds = $state.raw<Kind[]>([]);
-  release = $state("");
   canUndo = $state(false);
   canRedo = $state(false);
 
@@ -78,12 +68,14 @@ export class Studio {
   panel = $state<Panel>("ask");
   pane = $state<Pane>("scene");
   shares = $state.raw(SHARES);
+  units = $state.raw<Units>(SI);
   selected = $state<string | null>(null);
   time = $state(0);
   until = $state(3);
-  private usual = 3; // as the server says
   isMoving = false; // by hand: what is shown is on its way
-  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed" | "share">("");
+  dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed" | "share" | "units">("");
+  /** The kind that the next dialog begins with. */
+  adding: Kind | null = null;
   derived = $state<string | null>(null);
   /** The question that is being typed, and the one that is answered. */
   question = $state("");
@@ -96,25 +88,24 @@ export class Studio {
   /** Where the sliders of a shared page stand. */
   places = $state.raw<number[]>(server.sliders.map((slider) => slider.own));
 
+  /** The file whose text it is, and what becomes of it. */
+  readonly folder = new Folder(this);
   readonly isShared = server.isShared;
   readonly isNotebook = notebook !== null;
   writer: Writer | null = null;
   private reading = new Latest();
   private moving = new Latest();
   private curving = new Latest();
-  private opening = server.open(); // on its way while the page is made
   private counting = new Latest();
-  private nOpened = 0;
-  private nAsked = 0;
-  private saving: Promise<void> = Promise.resolve();
   private learning: Promise<void> | null = null;
   /** Of what the reader takes. */
   schema: Record<string, unknown> | null = null;
 
   constructor() {
-    this.opening.catch(() => undefined); // `begin` says it
     const language = notebook?.language ?? kept.get("language") ?? navigator.language.slice(0, 2);
     this.language = language === "de" ? "de" : "en";
+    const [length, angle] = (kept.get("units") ?? "").split(" ");
+    this.units = { length: LENGTHS.find((each) => each === length) ?? "m", angle: ANGLES.find((each) => each === angle) ?? "rad" };
     const shares = (kept.get("shares") ?? "").split(" ").map(Number);
     if (shares[0] && shares[1]) this.shares = { model: shares[0], results: shares[1] };
     this.theme = (kept.get("theme") as Theme | null) ?? (prefersDark.matches ? "dark" : "light");
@@ -128,9 +119,11 @@ export class Studio {
   /** Keys as they are called on a keyboard of the language. */
   keys = (keys: string): string => keysIn(keys, this.language);
 
-  get isSaved(): boolean {
-    return this.text === this.savedText;
-  }
+  /** A number of SI in words, in the units that are shown. */
+  quantity = (value: number, unit: string): string => {
+    const shown = unitIn(unit, this.units);
+    return `${(value * shown.factor).toLocaleString(this.language, { maximumSignificantDigits: 3 })} ${shown.unit.replace("^2", "²")}`;
+  };
   /** Whether what is shown is that of the text as it stands. */
   get isCurrent(): boolean {
     return this.model !== null && this.modelText === this.text;
@@ -138,6 +131,8 @@ export class Studio {
   get element(): Element | null {
     return this.read?.elements.find((e) => e.path.join(".") === this.selected) ?? null;
   }
+  /** What is measured along the motion, in the units that are shown. */
+  readonly lines = $derived(linesIn(this.curves?.lines ?? [], this.units));
   /** How far the picture reaches [m]. */
   get size(): number {
     const [x0, y0, x1, y1] = (this.motion?.player.bounds ?? [0, 0, 1, 1]) as [number, number, number, number];
@@ -149,26 +144,7 @@ export class Studio {
     return element?.section === "bodies" && this.model?.moving.includes(element.name) ? element.name : null;
   }
 
-  // -- files
-  async begin(): Promise<void> {
-    try {
-      const opening = await this.opening, before = this.viewBefore();
-      this.files = opening.files;
-      this.release = opening.version;
-      this.usual = opening.until;
-      const file = before && before.file !== opening.file.name ? await server.openFile(before.file) : opening.file;
-      this.take(file.name, file.text, file.version);
-      if (before) this.restore(before);
-      else if (!file.text) {
-        if (opening.is_file) this.load("");
-        else this.dialog = "gallery";
-      }
-      if (this.isNotebook) hearText((text) => this.rewrite(text, "input.kernel"));
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-
+  // -- the text
   /** What can be added and written: after the first picture, which does not wait for it. */
   async learn(): Promise<void> {
     if (this.isShared || this.isNotebook) return; // nothing is added there
@@ -177,28 +153,6 @@ export class Studio {
       else this.learning = null;
     });
     await this.learning;
-  }
-
-  /** Shows a file, as this window has left it; what another one has left is offered. What was typed into the one
-   * before is kept. */
-  take(name: string, text: string, version: string): void {
-    if (this.isOpen) this.keepDraftNow();
-    this.isOpen = true;
-    this.nOpened += 1;
-    [this.file, this.version, this.savedText] = [name, version, text];
-    [this.draft, this.other, this.told, this.asking, this.question, this.derived] = [null, null, "", null, "", null];
-    this.until = notebook?.until ?? (Number(kept.get(`until.${name}`)) || this.usual);
-    this.selected = null;
-    const own = this.hasDrafts ? drafts.ownOf(name) : null;
-    this.load(text);
-    if (own !== null && own !== text) {
-      this.rewrite(own, "input.draft");
-      this.told = "restored";
-    }
-    void this.offer();
-  }
-  private get hasDrafts(): boolean {
-    return !this.isShared && !this.isNotebook;
   }
 
   load(text: string): void {
@@ -213,150 +167,17 @@ export class Studio {
     this.writer?.load(text);
   }
 
-  /** The latest of what windows that are gone have left of this file. */
-  private async offer(): Promise<void> {
-    if (!this.hasDrafts) return;
-    const n = this.nOpened, [latest] = await drafts.left(this.file, this.text);
-    if (n === this.nOpened) this.draft = latest ?? null;
-  }
-  takeDraft(): void {
-    if (this.draft) this.rewrite(this.draft.text, "input.draft");
-    this.dropDraft();
-  }
-  dropDraft(): void {
-    if (this.draft) drafts.drop(this.draft);
-    this.draft = null;
-    void this.offer();
-  }
-
-  // -- what this window shows, when its page is loaded anew
-  private viewBefore() {
-    if (!drafts.isReloaded || !this.hasDrafts) return null;
-    try {
-      return JSON.parse(keptByWindow.get("view") ?? "null") as ReturnType<Studio["view"]> | null;
-    } catch {
-      return null;
-    }
-  }
-  private view() {
-    const { file, version, savedText, panel, pane, selected, time, derived, asking, shows } = this;
-    return { file, version, savedText, panel, pane, selected, time, derived, asking, shows: [...shows], editor: this.writer?.kept() };
-  }
-  private restore(view: ReturnType<Studio["view"]>): void {
-    // what the text was made of: if the file is another one now, that is told
-    [this.version, this.savedText] = [view.version, view.savedText];
-    if (view.editor) this.writer?.restore(view.editor);
-    this.told = "";
-    const { panel, pane, selected, time, derived, asking } = view;
-    this.shows = view.shows ?? [];
-    [this.panel, this.pane, this.selected, this.time, this.derived] = [panel, pane, selected, time, derived];
-    [this.asking, this.question] = [asking, asking ?? ""];
-    void this.lookAtFile();
-  }
-  /** When the page may be gone soon. */
-  keepAll(): void {
-    if (!this.isOpen || !this.hasDrafts) return;
-    this.keepDraftNow();
-    keptByWindow.set("view", JSON.stringify(this.view()));
-  }
-
-  /** The dialog stays until the file is there: what is typed meanwhile would go into the one before. Of two that are
-   * opened the later one is shown. */
-  async openFile(name: string): Promise<void> {
-    const n = (this.nAsked += 1), before = this.nOpened;
-    try {
-      const file = await server.openFile(name);
-      if (n !== this.nAsked || before !== this.nOpened) return;
-      this.dialog = "";
-      this.take(file.name, file.text, file.version);
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-
-  /** One after the other: the next one is about what the one before has written. */
-  save(overwrite = false, name = this.file): Promise<void> {
-    this.saving = this.saving.then(() => this.saveNow(overwrite, name));
-    return this.saving;
-  }
-  private async saveNow(overwrite: boolean, name: string): Promise<void> {
-    const { text, file } = this, n = this.nOpened;
-    try {
-      const version = name === file ? this.version : "";
-      const done = await server.save({ name, text, version, overwrite, language: this.language });
-      const isShown = n === this.nOpened; // else another file was opened meanwhile
-      if (done.is_changed) {
-        if (isShown) this.dialog = "changed";
-        return this.lookAtFile();
-      }
-      if (done.message) {
-        this.failure = done.message;
-        return;
-      }
-      for (const each of [file, name]) drafts.keep(each, null);
-      if (!this.files.includes(name)) this.files = [...this.files, name].sort();
-      if (!isShown) return;
-      if (["save", "changed"].includes(this.dialog)) this.dialog = "";
-      [this.file, this.version, this.savedText, this.failure] = [name, done.version, text, ""];
-      [this.other, this.told] = [null, ""];
-      kept.set("saved", `${name} ${done.version}`); // which other windows hear
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-
-  /** Whether the file is still what it was. Where nothing is lost by it, the page follows; else it asks. */
-  async lookAtFile(): Promise<void> {
-    if (!this.isOpen || !this.hasDrafts) return;
-    const n = this.nOpened, { file, version } = this;
-    try {
-      const found = await server.openFile(file);
-      this.answered();
-      if (n !== this.nOpened || version !== this.version || !found.version) return;
-      if (found.version === version) this.other = null;
-      else if (found.text === this.text) [this.version, this.savedText, this.other] = [found.version, found.text, null];
-      else if (version && this.isSaved) this.takeOther(found);
-      else if (this.other?.version !== found.version) this.other = found;
-    } catch (error) {
-      if (error instanceof server.Unreachable && error.status !== 409) this.fail(error);
-    }
-  }
-  /** The text becomes that of the file, which can be undone. */
-  takeOther(other: OpenedFile): void {
-    [this.version, this.savedText, this.other, this.dialog] = [other.version, other.text, null, ""];
-    this.rewrite(other.text, "input.file");
-    this.told = "followed";
-  }
-  /** The text stays: saved, it takes the place of what the other one has written. */
-  keepOwn(): void {
-    if (this.other) this.version = this.other.version;
-    this.other = null;
-  }
-
-  // -- the text
   /** The editor has another text. */
   changed(text: string): void {
     this.text = text;
-    if (this.told) this.told = "";
     this.hand.stop();
     this.marks.changed();
     this.isStale = true;
-    if (this.isNotebook) this.keepInKernel();
-    else this.keepDraft();
+    this.folder.changed();
     if (this.read) this.readSoon();
     else this.readNow(); // nothing of it is shown yet
   }
 
-  /** In a notebook the kernel has the text: there is nothing to save. */
-  private keepInKernel(): void {
-    if (this.text !== this.savedText) tellText(this.text);
-    this.savedText = this.text;
-  }
-
-  private keepDraft = debounced(500, () => this.keepDraftNow());
-  private keepDraftNow(): void {
-    if (this.hasDrafts && this.isOpen) drafts.keep(this.file, this.isSaved ? null : this.text);
-  }
   private readSoon = debounced(60, () => this.readNow());
 
   readNow(): void {
@@ -438,7 +259,7 @@ export class Studio {
   setUntil(seconds: number): void {
     if (!(seconds > 0 && seconds <= 1e4)) return;
     this.until = seconds;
-    kept.set(`until.${this.file}`, String(seconds));
+    kept.set(`until.${this.folder.file}`, String(seconds));
     this.follow();
   }
 
@@ -467,7 +288,7 @@ export class Studio {
 
   /** Changes the text as an answer to it says; where it has changed meanwhile, by what is answered to the new one. */
   async changeBy<K extends "edit" | "rename" | "add" | "join">(kind: K, request: Omit<Requests[K], "text" | "language">, userEvent: string): Promise<Answers[K] | null> {
-    for (const file = this.file; file === this.file; ) {
+    for (const file = this.folder.file; file === this.folder.file; ) {
       const text = this.text;
       const told = await this.asked(kind, { ...request, text, language: this.language } as Requests[K]);
       if (told?.answer && text !== this.text) continue;
@@ -506,7 +327,7 @@ export class Studio {
 
   /** The page of the model as one file. vary: what its sliders move */
   sharedPage(vary: string[], topic?: string): Promise<Told<"share"> | null> {
-    return this.asked("share", { text: this.modelText, language: this.language, until: this.until, name: this.file, vary }, topic);
+    return this.asked("share", { text: this.modelText, language: this.language, until: this.until, name: this.folder.file, vary }, topic);
   }
 
   /** Why there is no answer, in words. */
@@ -523,7 +344,7 @@ export class Studio {
     else this.failure = error.status === 401 ? this.word("otherStart") : error.message;
   }
   /** The server is there: after it was not, all that is shown is asked for again. */
-  private answered(): void {
+  answered(): void {
     if (!this.isLost) return;
     this.isLost = false;
     this.nReturns += 1;
@@ -539,6 +360,10 @@ export class Studio {
   setTheme(theme: Theme): void {
     kept.set("theme", theme);
     this.wear(theme);
+  }
+  setUnits(units: Units): void {
+    this.units = units;
+    kept.set("units", `${units.length} ${units.angle}`);
   }
   /** Colours are read from the page by what follows, so they are there first. */
   wear(theme: Theme): void {

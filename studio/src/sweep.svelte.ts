@@ -57,7 +57,7 @@ class Sweeping {
   }
   /** Another name, or file, has another range; what is typed stays. */
   range(): void {
-    const parameter = this.parameter, now = `${studio.file} ${parameter?.name}`;
+    const parameter = this.parameter, now = `${studio.folder.file} ${parameter?.name}`;
     if (!parameter || now === this.hasRange) return;
     this.hasRange = now;
     [this.low, this.high] = sweepRange(parameter.text, parameter.is_positive);
@@ -69,7 +69,7 @@ class Sweeping {
     return { language: studio.language, name, low: this.low, high: this.high, n: Math.round(this.n), ...of };
   }
   get wanted(): string {
-    return JSON.stringify([studio.file, this.request, studio.modelText, studio.nReturns]);
+    return JSON.stringify([studio.folder.file, this.request, studio.modelText, studio.nReturns]);
   }
   get canAsk(): boolean {
     return this.request !== null && studio.model !== null;

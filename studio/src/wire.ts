@@ -1,4 +1,4 @@
-// Written by tools/write_studio_types.py from freebody/studio/wire.py: do not edit.
+// Written by tools/write_studio_types.py from freebody/studio/wire: do not edit.
 
 /** Add an element at the end of a section, under its name or the next that is free. value: its YAML in one line */
 export interface AddRequest {
@@ -323,18 +323,20 @@ export interface OverlaysRequest {
   show: ("velocity" | "acceleration" | "reaction" | "load" | "friction-cones" | "mass-centres" | "instant-centres")[];
 }
 
-/** The motion as one HTML file that plays without a server. */
+/** The motion as a file: a page that plays without a server, moving pictures, or all that is measured along it. */
 export interface PageRequest {
   text: string;
   language?: "en" | "de";
   until: number;
   frames?: number;
   is_passing?: boolean;
+  format?: "html" | "gif" | "mp4" | "csv" | "nc" | "parquet";
 }
 
-/** A number that can be moved: a parameter, or a value of the start. text: as it stands in the file, with its unit */
+/** A number that can be moved: a parameter, or a value of the start. symbol: as pictures have it; text: as it stands in the file, with its unit */
 export interface Parameter {
   name: string;
+  symbol: string;
   section: "parameters" | "start";
   text: string;
   span: Span;

@@ -183,6 +183,14 @@ const en = {
   copied: "The text is on the clipboard.",
   notCopied: "The browser does not let the page write to the clipboard: select the text in the editor and copy it there.",
   otherExports: "Reports, pictures, sliders for the page …",
+  palette: "Palette",
+  allKinds: "All kinds",
+  change: "change",
+  ghosts: "ghost frames",
+  units: "Units",
+  unitsWhat: "In which curves, sweeps, arrows and the scene in words show lengths and angles. The text of the model and its answers keep their own units.",
+  lengths: "Lengths",
+  angles: "Angles",
 };
 
 export type Word = keyof typeof en;
@@ -370,6 +378,14 @@ const de: Record<Word, string> = {
   copied: "Der Text ist in der Zwischenablage.",
   notCopied: "Der Browser lässt die Seite nicht in die Zwischenablage schreiben: den Text im Editor auswählen und dort kopieren.",
   otherExports: "Berichte, Bilder, Schieberegler für die Seite …",
+  palette: "Bausteine",
+  allKinds: "Alle Arten",
+  change: "ändern",
+  ghosts: "Zwischenstellungen",
+  units: "Einheiten",
+  unitsWhat: "In denen Kurven, Parameterstudien, Pfeile und die Szene in Worten Längen und Winkel zeigen. Der Text des Modells und seine Antworten behalten ihre eigenen Einheiten.",
+  lengths: "Längen",
+  angles: "Winkel",
 };
 
 export const WORDS: Record<"en" | "de", Record<Word, string>> = { en, de };

@@ -1,6 +1,6 @@
 // Marks of sliders, found by formulas and by motions.
 import { expect, test } from "vitest";
-import { together } from "../src/marks.svelte";
+import { together } from "../src/marking";
 
 const ranges = [{ name: "mu", low: 0, high: 1, unit: "" }];
 const at = (place: number, word: string, name = "mu") => ({ name, at: place, words: [word] });

@@ -31,6 +31,7 @@ from freebody.present.figures import (
 from freebody.present.scene import Scene
 
 _TO_SYMBOL = 0.02  # size of symbols by that of the picture
+_SMALLEST, _ROUND_OFF = 1e-12, 1e-9  # size of a picture [m], and beside how far it is from the origin
 _APART = 14.0  # bodies on one rail, in sizes of symbols
 _SHORTEST = 5.0  # a lead, in sizes of symbols
 _FARTHEST = 5.0  # a surface is in the picture that comes this near to what may touch it, in sizes of what moves
@@ -212,7 +213,9 @@ def _belts(scene: Scene) -> Iterator[Rope]:
 
 def _symbol(scene: Scene, poses: Array) -> float:
     low, high = bounds(scene, poses)
-    return _TO_SYMBOL * (float((high - low).max()) or 1.0)
+    size, far = float((high - low).max()), float(np.abs([low, high]).max())
+    # what is left where a particle rests is round-off, and no size
+    return _TO_SYMBOL * (size if size > _SMALLEST + _ROUND_OFF * far else 1.0)
 
 
 def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:

@@ -1,6 +1,7 @@
 // A motion on a canvas. data: as `page.py` writes it; shown: what the page around it decides, read at every drawing:
 // isDark(), hasNames(), isPlaying(), isHeld() if anything can be, head of what lies over the top [px], axes(length) in words, traced (a set of points by number), selected (a set of labels), overlays() if
-// anything is drawn over the motion, with number(value) in words and lit(arrow), drawn(frame, time)
+// anything is drawn over the motion, with quantity(value, unit) in words and lit(arrow), hasGhosts() where bodies are
+// shown at other times as well, drawn(frame, time)
 function playerOn(canvas, data, shown) {
 const pen = canvas.getContext("2d");
 let last = data.n_frames - 1, at = 0, view = null, taken = [];
@@ -248,9 +249,10 @@ function way(points, isClosed) {
   for (const p of points) pen.lineTo(...onPaper(p));
   if (isClosed) pen.closePath();
 }
+let veil = 1; // of what is drawn at other times than the one that is shown
 function fill(points, paint, alpha) {
   way(points, true);
-  pen.globalAlpha = alpha;
+  pen.globalAlpha = veil * alpha;
   pen.fillStyle = paint;
   pen.fill();
   pen.globalAlpha = 1;
@@ -258,7 +260,7 @@ function fill(points, paint, alpha) {
 function rule(paint, width, alpha, dashes = []) {
   pen.strokeStyle = paint;
   pen.lineWidth = 1.25 * width;
-  pen.globalAlpha = alpha;
+  pen.globalAlpha = veil * alpha;
   pen.setLineDash(dashes.map((d) => 1.25 * d));
   pen.stroke();
   pen.globalAlpha = 1;
@@ -345,7 +347,9 @@ function measure() {
   draw();
 }
 function fit() {
-  const [x0, y0, x1, y1] = data.bounds, [room, foot] = data.planar ? [8, 82] : [34, 96], head = Math.max(room, shown.head ?? 0);
+  // arrows over the motion stand out of it
+  const more = shown.overlays?.()?.found.arrows.length ? Math.min(0.6 * LONGEST, 0.12 * view.height) : 0, [edge, ground] = data.planar ? [8, 82] : [34, 96];
+  const [x0, y0, x1, y1] = data.bounds, room = edge + more, foot = ground + more, head = Math.max(edge, shown.head ?? 0) + more;
   view.scale = camera.zoom * Math.min((view.width - 2 * room) / (x1 - x0), (view.height - head - foot) / (y1 - y0));
   // the middle of the picture as it is at first
   view.x = view.width / 2 - view.scale * (x0 + x1) / 2 + camera.shift[0];
@@ -364,6 +368,7 @@ function draw() {
   const strokes = [...data.strokes, ...data.marks.filter(isOn)].map((stroke) => flat(stroke, at));
   flats.filter((s) => s.normals[0][2] > 0).forEach(paint);
   for (const k of shown.traced) if (data.points[k]) traceOf(data.points[k]);
+  if (shown.hasGhosts?.()) ghosts();
   strokes.forEach(paintFlat);
   solids.forEach(paint);
   flats.filter((s) => s.normals[0][2] <= 0).forEach(paint);
@@ -379,6 +384,22 @@ function draw() {
   corner();
   shown.drawn(at, data.t0 + at * data.dt);
 }
+const N_GHOSTS = 8, VEIL = 0.22;
+function ghosts() {
+  // the moving bodies at times that are equally far from each other, faintly
+  const moves = (owner) => owner >= 0 && owner < n_moving, before = known;
+  const strokes = data.strokes.filter((stroke) => stroke.shape === "path" && moves(stroke.place[0])), pieces = data.pieces.filter((piece) => moves(piece.turn));
+  veil = VEIL;
+  for (let k = 0; k <= N_GHOSTS; k++) {
+    const frame = k * last / N_GHOSTS;
+    known = { frame, poses: [] };
+    const poses = Array.from({ length: n_moving + data.fixed.length }, (_, body) => pose(body, frame));
+    strokes.map((stroke) => flat(stroke, frame)).forEach(paintFlat);
+    backToFront(pieces.map((piece) => shot(piece, poses))).forEach(paint);
+  }
+  veil = 1;
+  known = before;
+}
 function outlined({ outline, isArea, points }) {
   way(isArea ? outline : points, isArea);
   rule(theme().measure, 2.4, 1);
@@ -393,7 +414,7 @@ function traceOf(point) {
 
 // -- over the motion: arrows, centres and friction cones, as long over all of it as the largest says
 let valued = []; // what is written there, which names keep clear of
-const LONGEST = 90, LEAST = 5, CONE = 80, UNITS = { velocity: "m/s", acceleration: "m/s²", force: "N", couple: "N m" };
+const LONGEST = 90, LEAST = 5, CONE = 80, UNITS = { velocity: "m/s", acceleration: "m/s^2", force: "N", couple: "N m" };
 function overlaid({ found, isStale }) {
   const time = data.t0 + at * data.dt, inks = { velocity: "velocity", acceleration: "acceleration", reaction: "reaction", load: "force" };
   pen.globalAlpha = isStale ? 0.3 : 1;
@@ -416,7 +437,7 @@ function overlaid({ found, isStale }) {
     if (!turns) arrow(p, way, paint);
     if (!turns && each.is_couple) arrow(p, way.map((c) => c * Math.max(0, 1 - 8 / l)), paint); // a moment has two heads
     if (!shown.hasNames() || (!turns && l < LEAST)) continue;
-    const letter = { velocity: "v", acceleration: "a" }[each.kind] ?? each.label, text = letter + " = " + shown.number(size) + " " + UNITS[scale];
+    const letter = { velocity: "v", acceleration: "a" }[each.kind] ?? each.label, text = letter + " = " + shown.quantity(size, UNITS[scale]);
     pen.textAlign = way[0] < -0.3 * l ? "right" : way[0] > 0.3 * l ? "left" : "center";
     const spot = [tip[0] + 6 * way[0] / (l || 1), tip[1] + 11 * way[1] / (l || 1)]; // within the picture
     const w = pen.measureText(text).width, before = { left: 0, right: w, center: w / 2 }[pen.textAlign];

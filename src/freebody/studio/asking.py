@@ -16,7 +16,7 @@ from freebody.present.report.results import Result, finite
 from freebody.studies import STUDIES, Study
 from freebody.studio.meanings import meanings
 from freebody.studio.reading import checked_system
-from freebody.studio.wire import (
+from freebody.studio.wire.studies import (
     ExportRequest,
     File,
     FilesAnswer,
@@ -27,6 +27,7 @@ from freebody.studio.wire import (
     StudyRequest,
 )
 from freebody.study.pictures.picture import free_body, picture
+from freebody.study.simulation.files import SUFFIXES, write
 from freebody.study.simulation.simulate import simulate
 
 
@@ -71,11 +72,17 @@ def exported(request: ExportRequest) -> FilesAnswer:
         return FilesAnswer(files=[File(name=path.name, content=_coded(path.read_bytes())) for path in written])
 
 
-def page_of(request: PageRequest) -> FilesAnswer:
-    """The motion as a page that plays without a server."""
+def motion_file(request: PageRequest) -> FilesAnswer:
+    """The motion as a file. Raises CannotAnswer where it cannot begin, InputError where an extra is not installed."""
     system = checked_system(request.text)
     found = simulate(system, request.until, every=request.until / (request.frames - 1))
-    return FilesAnswer(files=[File(name="motion.html", content=_coded(found.film().text()))])
+    with tempfile.TemporaryDirectory(prefix="freebody-") as folder:
+        path = Path(folder) / f"motion.{request.format}"
+        if path.suffix in SUFFIXES:
+            write(found.recording, path)
+        else:
+            found.animate(path)
+        return FilesAnswer(files=[File(name=path.name, content=_coded(path.read_bytes()))])
 
 
 def _found(request: StudyRequest) -> Result:

@@ -18,7 +18,8 @@ from freebody.numeric.jets import Array
 from freebody.studio.moving import curves_of, followed, motion_of
 from freebody.studio.reading import Places, document_of, parameters_of
 from freebody.studio.telling import told
-from freebody.studio.wire import Moved, Reply, ShareRequest, Slider, Valued
+from freebody.studio.wire.around import Reply
+from freebody.studio.wire.studies import Moved, ShareRequest, Slider, Valued
 from freebody.study.given import ranges_of
 from freebody.study.sweeps.answers import AnswerEvaluator
 from freebody.study.sweeps.plan import plan

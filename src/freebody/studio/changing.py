@@ -19,10 +19,11 @@ from freebody.messages import Message
 from freebody.progress import busy_with
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
-from freebody.studio.wire import Mark, MarksAnswer, MarksRequest, Range
+from freebody.studio.wire.motions import Mark, MarksAnswer, MarksRequest, Range
 from freebody.study.simulation.simulate import simulate
 from freebody.study.simulation.simulator import has_phases
 from freebody.study.sweeps.answers import AnswerEvaluator
+from freebody.study.sweeps.evaluators import not_admissible, refused_by_reader
 from freebody.study.sweeps.statuses import NUMBERS
 from freebody.study.sweeps.varied import varied, with_values
 from freebody.system.system import System
@@ -32,6 +33,7 @@ _ROWS = 12_000  # of the constraints and bounds in all of them
 _FEWEST, _MOST = 5, 17  # values along a slider
 _HALVED = 12  # times, which leaves less than a slider can be set to
 _TOLERANCE = 1e-6  # of these motions
+_REFUSED, _NONE = Message("the model does not allow the value"), Message("the motion cannot begin")
 _ALWAYS = frozenset(("start", "zero"))  # kinds of events that say how a motion begins
 
 
@@ -86,10 +88,13 @@ class _Along:
         return self._known[at]
 
     def _happens(self, values: dict[str, float]) -> Iterator[str]:
+        if not_admissible(self.system, values) or refused_by_reader(self.system, values):
+            yield _REFUSED
+            return
         try:
             found = simulate(with_values(self.system, values), self.until, tolerance=_TOLERANCE)
         except (FreebodyError, ArithmeticError):
-            yield Message("the motion cannot begin")
+            yield _NONE
             return
         for name in {event.name for event in found.events if event.kind not in _ALWAYS}:
             yield Message("{event}, within {until:g} s", event=name, until=self.until)
@@ -102,7 +107,8 @@ class _Along:
         n = max(_FEWEST, min(_MOST, self.most // 2))
         values = np.linspace(self.range.low, self.range.high, n).tolist()
         for low, high in pairwise(values):
-            for said in sorted(self.happens(low) ^ self.happens(high)):
+            differs = self.happens(low) ^ self.happens(high)
+            for said in sorted(differs & {_REFUSED, _NONE} or differs):  # without a motion nothing happens in it
                 yield self._between(low, high, said), said
 
     def _between(self, low: float, high: float, said: str) -> float:

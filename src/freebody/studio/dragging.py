@@ -31,7 +31,7 @@ from freebody.numeric.rotation import matrix
 from freebody.numeric.spatial import skew
 from freebody.studio.reading import checked_system
 from freebody.studio.said_start import Posed, documents
-from freebody.studio.wire import DragRequest, TextAnswer
+from freebody.studio.wire.texts import DragRequest, TextAnswer
 from freebody.system.system import System
 
 _STEPS = 24

@@ -11,7 +11,7 @@ from freebody.language.document.writer import flow_text
 from freebody.messages import Message
 from freebody.studio.reading import checked_system, document_of
 from freebody.studio.telling import told
-from freebody.studio.wire import AddRequest, EditRequest, SuggestAnswer, SuggestRequest, TextAnswer
+from freebody.studio.wire.texts import AddRequest, EditRequest, SuggestAnswer, SuggestRequest, TextAnswer
 
 
 def edit(request: EditRequest) -> TextAnswer:

@@ -13,7 +13,8 @@ from freebody.examples_folder import write_beside
 from freebody.language.document.file import text_of
 from freebody.messages import Message
 from freebody.present.files import write_whole
-from freebody.studio.wire import UNTIL, Call, OpenedFile, SaveAnswer, SaveRequest
+from freebody.studio.wire.around import Call, OpenedFile, SaveAnswer, SaveRequest
+from freebody.studio.wire.said import UNTIL
 
 # a name without folders: no separator, no drive, no leading dot
 _NAME = re.compile(r"[^\W_][\w .()+-]{0,150}\.ya?ml", re.ASCII | re.IGNORECASE)

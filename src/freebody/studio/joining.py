@@ -25,7 +25,7 @@ from freebody.present.places import Places
 from freebody.studio.editing import with_element
 from freebody.studio.kinds import kinds
 from freebody.studio.reading import checked_system, mapping_of
-from freebody.studio.wire import End, JoinAnswer, JoinRequest, Request, Spot, SpotsAnswer
+from freebody.studio.wire.texts import End, JoinAnswer, JoinRequest, Request, Spot, SpotsAnswer
 from freebody.system.system import System
 
 _DIGITS = 4

@@ -14,7 +14,7 @@ from freebody.measures.geometry import GROUND
 from freebody.model.names import Names
 from freebody.model.shapes.base import Shape
 from freebody.studio.reading import entries_of
-from freebody.studio.wire import Kind, LearnAnswer, LearnRequest
+from freebody.studio.wire.texts import Kind, LearnAnswer, LearnRequest
 from freebody.system.schema import json_schema
 from freebody.system.system import System
 

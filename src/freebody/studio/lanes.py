@@ -17,7 +17,7 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 from freebody.studio import nursery
-from freebody.studio.wire import Call, Reply
+from freebody.studio.wire.around import Call, Reply
 from freebody.studio.work import MOVING, READING, WORK, Lane
 from freebody.studio.worker import work
 

@@ -82,7 +82,7 @@ def export(file: Path, to: Path, until: float, language: str, vary: list[str]) -
     from freebody.language.document.file import text_of
     from freebody.present.files import write_whole
     from freebody.studio.sharing import shared_page
-    from freebody.studio.wire import ShareRequest
+    from freebody.studio.wire.studies import ShareRequest
 
     given: Any = {"text": text_of(file), "language": language, "until": until, "name": file.name, "vary": vary}
     write_whole(to, shared_page(ShareRequest(**given)))

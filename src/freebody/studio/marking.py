@@ -13,7 +13,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.vectorised import VectorStatement
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
-from freebody.studio.wire import Mark, MarksAnswer, MarksRequest, Range
+from freebody.studio.wire.motions import Mark, MarksAnswer, MarksRequest, Range
 from freebody.study.sweeps.answers import AnswerEvaluator
 
 _N = 401  # values along a slider

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_mathml
 from freebody.measures.geometry import GROUND
-from freebody.studio.wire import Meaning
+from freebody.studio.wire.studies import Meaning
 from freebody.study.senses import drawn_symbols
 from freebody.system.system import System
 

@@ -12,9 +12,9 @@ import numpy as np
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
 from freebody.present.plots import curves
-from freebody.studio.reading import checked_system
+from freebody.studio.reading import checked_system, passing_system
 from freebody.studio.telling import told
-from freebody.studio.wire import CurvesAnswer, Happening, Line, MotionAnswer, MotionRequest
+from freebody.studio.wire.motions import CurvesAnswer, Happening, Line, MotionAnswer, MotionRequest
 from freebody.study.simulation.recorded import series_units
 from freebody.study.simulation.simulate import Simulation, simulate
 from freebody.system.system import System
@@ -45,7 +45,8 @@ def followed_last(request: MotionRequest) -> Simulation:
     asked = (request.text, request.until, request.frames, request.is_passing)
     if not _latest or _latest[0][0] != asked:
         _latest.clear()  # two need not be kept at once
-        _latest.append((asked, followed(checked_system(request.text), request)))
+        system = passing_system(request.text) if request.is_passing else checked_system(request.text)
+        _latest.append((asked, followed(system, request)))
     return _latest[0][1]
 
 

@@ -15,7 +15,7 @@ import traitlets
 
 from freebody.language.plain_text import plain
 from freebody.studio.sharing import opening_of, whole_page
-from freebody.studio.wire import Call, Reply
+from freebody.studio.wire.around import Call, Reply
 from freebody.studio.work import WORK, done
 from freebody.system.system import System
 

@@ -7,7 +7,7 @@ from typing import Any
 from freebody.numeric.jets import Array
 from freebody.studio.moving import followed_last, rounded
 from freebody.studio.telling import told
-from freebody.studio.wire import Arrow, Cone, Drawn, OverlaysAnswer, OverlaysRequest, Scale
+from freebody.studio.wire.motions import Arrow, Cone, Drawn, OverlaysAnswer, OverlaysRequest, Scale
 from freebody.study.pictures.along import MotionShown, scales
 
 

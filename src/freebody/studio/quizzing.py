@@ -10,7 +10,7 @@ from freebody.narrative.marking.quiz import FREE, QuizQuestion, quiz
 from freebody.present.report.formats.html import html_content
 from freebody.present.report.results import finite
 from freebody.studio.reading import checked_system
-from freebody.studio.wire import HintsAnswer, HintsRequest, JudgeAnswer, JudgeRequest, PosedAnswer, PosedRequest
+from freebody.studio.wire.studies import HintsAnswer, HintsRequest, JudgeAnswer, JudgeRequest, PosedAnswer, PosedRequest
 
 
 def judged(request: JudgeRequest) -> JudgeAnswer:

@@ -10,19 +10,11 @@ from typing import Any, cast
 from freebody.errors import FreebodyError, ModelError, Problem
 from freebody.language.document import Document, Place
 from freebody.messages import Message
+from freebody.studio.meanings import shown
+from freebody.studio.nudged import nudged
 from freebody.studio.telling import told
-from freebody.studio.wire import (
-    Asked,
-    Element,
-    Fix,
-    Language,
-    Leaf,
-    Parameter,
-    ReadAnswer,
-    ReadRequest,
-    Remark,
-    Span,
-)
+from freebody.studio.wire.said import Language, Span
+from freebody.studio.wire.texts import Asked, Element, Fix, Leaf, Parameter, ReadAnswer, ReadRequest, Remark
 from freebody.system.system import System
 
 # sections whose entries have names, by their path
@@ -233,10 +225,14 @@ def _number(document: Document, places: Places, section: Any, path: Place, *, is
     span = document.span(path)
     if span is not None and span[0] < span[1]:
         text = places.text[slice(*span)]
-        yield Parameter(name=str(path[1]), section=section, text=text, span=places.span(*span), is_positive=is_positive)
+        name = str(path[1])
+        symbol = shown(name) if name.isidentifier() else ""
+        at = places.span(*span)
+        yield Parameter(name=name, symbol=symbol, section=section, text=text, span=at, is_positive=is_positive)
 
 
 _latest: list[Document] = []  # what was read last: a slider moves one number of it
+_systems: list[System] = []  # the one of it
 _folders: list[Path] = []  # in which the files are that a text names
 
 
@@ -244,6 +240,7 @@ def look_in(folders: Iterable[str]) -> None:
     """Where the files are that models name: set once, when a worker starts."""
     _folders[:] = map(Path, folders)
     _latest.clear()
+    _systems.clear()
 
 
 def document_of(text: str) -> Document:
@@ -254,4 +251,12 @@ def document_of(text: str) -> Document:
 
 def checked_system(text: str) -> System:
     """The system of a text. Raises ModelError."""
-    return System.from_document(document_of(text))
+    _systems[:] = [System.from_document(document_of(text))]
+    return _systems[0]
+
+
+def passing_system(text: str) -> System:
+    """The system of a text for a motion that is soon replaced. Raises ModelError."""
+    document = document_of(text)
+    _systems[:] = [(nudged(_systems[0], document) if _systems else None) or System.from_document(document)]
+    return _systems[0]

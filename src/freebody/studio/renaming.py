@@ -19,7 +19,7 @@ from freebody.measures.geometry import GROUND
 from freebody.messages import Message
 from freebody.questions.reserved import reserved_words
 from freebody.studio.reading import checked_system, entries_of
-from freebody.studio.wire import RenameRequest, TextAnswer
+from freebody.studio.wire.texts import RenameRequest, TextAnswer
 
 _TOLD = ("title", "about", "source", "freebody")  # of a model, in its reader's words
 _NOTES = ("id", "text")  # of a question, the same

@@ -30,7 +30,7 @@ from freebody.studio.folder import Folder
 from freebody.studio.lanes import Lanes
 from freebody.studio.look import style_sheet
 from freebody.studio.telling import told
-from freebody.studio.wire import Call, Example, Opening, SaveAnswer, SaveRequest
+from freebody.studio.wire.around import Call, Example, Opening, SaveAnswer, SaveRequest
 from freebody.studio.work import WORK
 
 LARGEST = 3_000_000  # [bytes] of a request

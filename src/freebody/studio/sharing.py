@@ -17,7 +17,8 @@ from freebody.language.plain_text import plain
 from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.look import style_sheet
 from freebody.studio.reading import checked_system
-from freebody.studio.wire import File, FilesAnswer, OpenedFile, Opening, Reply, ShareRequest
+from freebody.studio.wire.around import OpenedFile, Opening, Reply
+from freebody.studio.wire.studies import File, FilesAnswer, ShareRequest
 
 _POLICY = (
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: blob:; font-src data:"

@@ -14,7 +14,7 @@ from freebody.progress import busy_with
 from freebody.studio.moving import rounded
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
-from freebody.studio.wire import Line, Missing, SweepAnswer, SweepRequest
+from freebody.studio.wire.motions import Line, Missing, SweepAnswer, SweepRequest
 from freebody.study.sweeps.result import Sweep
 from freebody.study.sweeps.statuses import GOOD, NO_VALUE
 from freebody.study.sweeps.sweep import sweep

@@ -12,8 +12,30 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from freebody.errors import BrokenInstallation, FreebodyError
-from freebody.studio import wire
 from freebody.studio.telling import told
+from freebody.studio.wire.around import Reply
+from freebody.studio.wire.motions import MarksRequest, MotionRequest, OverlaysRequest, SweepRequest
+from freebody.studio.wire.studies import (
+    ExportRequest,
+    HintsRequest,
+    JudgeRequest,
+    PageRequest,
+    PictureRequest,
+    PosedRequest,
+    ShareRequest,
+    StudyRequest,
+)
+from freebody.studio.wire.texts import (
+    AddRequest,
+    DragRequest,
+    EditRequest,
+    JoinRequest,
+    LearnRequest,
+    ReadRequest,
+    RenameRequest,
+    Request,
+    SuggestRequest,
+)
 
 
 @dataclass(frozen=True)
@@ -39,7 +61,7 @@ READING, MOVING, COUNTING, MARKING, STUDYING = (
 class Work:
     """One kind of request. home: of its function"""
 
-    request: type[wire.Request]
+    request: type[Request]
     home: str
     function: str
     lane: Lane
@@ -50,36 +72,36 @@ class Work:
         function = getattr(import_module(f"freebody.studio.{self.home}"), self.function)
         return str(function.__annotations__["return"])
 
-    def run(self, request: wire.Request) -> BaseModel:
+    def run(self, request: Request) -> BaseModel:
         function: Callable[[Any], BaseModel] = getattr(import_module(f"freebody.studio.{self.home}"), self.function)
         return function(request)
 
 
 WORK: dict[str, Work] = {
-    "read": Work(wire.ReadRequest, "reading", "read", READING),
-    "edit": Work(wire.EditRequest, "editing", "edit", READING),
-    "rename": Work(wire.RenameRequest, "renaming", "rename", READING),
-    "add": Work(wire.AddRequest, "editing", "add", READING),
-    "drag": Work(wire.DragRequest, "dragging", "drag", READING),
-    "spots": Work(wire.Request, "joining", "spots", READING),
-    "join": Work(wire.JoinRequest, "joining", "join", READING),
-    "suggest": Work(wire.SuggestRequest, "editing", "suggest", READING),
-    "motion": Work(wire.MotionRequest, "moving", "motion", MOVING),
-    "curves": Work(wire.MotionRequest, "moving", "curved", MOVING),
-    "overlays": Work(wire.OverlaysRequest, "overlays", "overlaid", COUNTING),  # no motion waits for forces
-    "learn": Work(wire.LearnRequest, "kinds", "learned", COUNTING),
-    "marks": Work(wire.MarksRequest, "marking", "marks", MARKING),
-    "changes": Work(wire.MarksRequest, "changing", "changes", MARKING),
-    "picture": Work(wire.PictureRequest, "asking", "drawn", COUNTING),
-    "judge": Work(wire.JudgeRequest, "quizzing", "judged", STUDYING),
-    "posed": Work(wire.PosedRequest, "quizzing", "posed", COUNTING),
-    "hints": Work(wire.HintsRequest, "quizzing", "hints", STUDYING),
-    "count": Work(wire.StudyRequest, "asking", "studied", COUNTING),
-    "study": Work(wire.StudyRequest, "asking", "studied", STUDYING),
-    "sweep": Work(wire.SweepRequest, "sweeping", "swept", STUDYING),
-    "export": Work(wire.ExportRequest, "asking", "exported", STUDYING),
-    "page": Work(wire.PageRequest, "asking", "page_of", STUDYING),
-    "share": Work(wire.ShareRequest, "sharing", "share", STUDYING),
+    "read": Work(ReadRequest, "reading", "read", READING),
+    "edit": Work(EditRequest, "editing", "edit", READING),
+    "rename": Work(RenameRequest, "renaming", "rename", READING),
+    "add": Work(AddRequest, "editing", "add", READING),
+    "drag": Work(DragRequest, "dragging", "drag", READING),
+    "spots": Work(Request, "joining", "spots", READING),
+    "join": Work(JoinRequest, "joining", "join", READING),
+    "suggest": Work(SuggestRequest, "editing", "suggest", READING),
+    "motion": Work(MotionRequest, "moving", "motion", MOVING),
+    "curves": Work(MotionRequest, "moving", "curved", MOVING),
+    "overlays": Work(OverlaysRequest, "overlays", "overlaid", COUNTING),  # no motion waits for forces
+    "learn": Work(LearnRequest, "kinds", "learned", COUNTING),
+    "marks": Work(MarksRequest, "marking", "marks", MARKING),
+    "changes": Work(MarksRequest, "changing", "changes", MARKING),
+    "picture": Work(PictureRequest, "asking", "drawn", COUNTING),
+    "judge": Work(JudgeRequest, "quizzing", "judged", STUDYING),
+    "posed": Work(PosedRequest, "quizzing", "posed", COUNTING),
+    "hints": Work(HintsRequest, "quizzing", "hints", STUDYING),
+    "count": Work(StudyRequest, "asking", "studied", COUNTING),
+    "study": Work(StudyRequest, "asking", "studied", STUDYING),
+    "sweep": Work(SweepRequest, "sweeping", "swept", STUDYING),
+    "export": Work(ExportRequest, "asking", "exported", STUDYING),
+    "page": Work(PageRequest, "asking", "motion_file", STUDYING),
+    "share": Work(ShareRequest, "sharing", "share", STUDYING),
 }
 
 
@@ -90,16 +112,16 @@ def prepare(lane: str) -> None:
             import_module(f"freebody.studio.{work.home}")
 
 
-def done(kind: str, body: dict[str, Any]) -> wire.Reply:
+def done(kind: str, body: dict[str, Any]) -> Reply:
     """The reply to a request: what the user can mend is refused in words; anything else is raised."""
     try:
         request = WORK[kind].request.model_validate(body)
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
-        return wire.Reply(status="refused", message=f"{'.'.join(map(str, first['loc']))}: {first['msg']}")
+        return Reply(status="refused", message=f"{'.'.join(map(str, first['loc']))}: {first['msg']}")
     try:
-        return wire.Reply(status="done", answer=WORK[kind].run(request))
+        return Reply(status="done", answer=WORK[kind].run(request))
     except (FreebodyError, BrokenInstallation) as error:
-        return wire.Reply(status="refused", message=told(str(error), request.language))
+        return Reply(status="refused", message=told(str(error), request.language))
     except MemoryError:
-        return wire.Reply(status="crashed", message=told("there is not enough memory for this", request.language))
+        return Reply(status="crashed", message=told("there is not enough memory for this", request.language))

@@ -158,7 +158,9 @@ class _Writer(BlockWriter[str]):
         return "\n".join(self.block(block) for block in blocks)
 
     def paragraph(self, text: Text) -> str:
-        return f"<p>{self.text(text)}</p>"
+        """A formula that stands alone is as large as one of a derivation."""
+        alone = ' class="alone"' if len(text) == 1 and isinstance(text[0], Formula) else ""
+        return f"<p{alone}>{self.text(text)}</p>"
 
     def equations(self, lines: Sequence[Equation]) -> str:
         widest = max((row.width for line in lines for row in rows(line.formula, _ROW_WIDTH)), default=0)
