@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.measures.distance import Distance
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Path, Quantity
 from freebody.questions.course import Transition, connections_of, read_transition
@@ -193,8 +194,8 @@ def _stated(
         return Lasting("rolls", _of(names, rolls.groupdict(), path), text), True
     if (tips := _TIPS.match(text)) is not None:
         return Lasting("stands", _of(names, tips.groupdict(), path), text), False
-    if (escapes := _ESCAPES.match(text)) is not None and escapes["of"] in names.measures:
-        event = read_event(names, f"{escapes['of']} turns back", path)
+    if (escapes := _ESCAPES.match(text)) is not None and (away := _outward(names, escapes["of"])) is not None:
+        event = read_event(names, f"{away} turns back", path)
         return None if event is None else (event, False)
     never = _NEVER.match(text)
     if never is not None:
@@ -209,6 +210,15 @@ def _stated(
         event = read_event(names, reached, path)
         return None if event is None else (event, True)
     return None
+
+
+def _outward(names: Names, who: str) -> str | None:
+    """The measure that tells how far away something is: itself, or of what a centre attracts the one distance."""
+    if who in names.measures:
+        return who
+    is_attracted = any("attraction" in names.called.get(load, ()) for load in names.loads)
+    far = [name for name, measure in names.measures.items() if isinstance(measure, Distance)]
+    return far[0] if is_attracted and len(far) == 1 and (who == "it" or who in names.bodies) else None
 
 
 def _of(names: Names, found: dict[str, str | None], path: Path) -> tuple[str, ...]:

@@ -44,6 +44,13 @@ from freebody.symbolic.tidy import tidy
 MOST_ROOTS = 3  # of a factor that has a closed form
 
 
+def place_of_mode(n_modes: int, number: int) -> int:
+    """Where a mode stands among all of them, the slowest first. Raises CannotAnswer where there are not so many."""
+    if number > n_modes:
+        raise CannotAnswer(Message("there are {n} modes only", n=n_modes))
+    return number - 1 if number > 0 else n_modes + number
+
+
 @dataclass(frozen=True)
 class ModeFactor:
     """An irreducible factor of det(K - s M): its coefficients from the constant term up, and how often it occurs."""
