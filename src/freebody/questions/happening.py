@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Path, Quantity
@@ -41,13 +42,14 @@ class Lasting:
 @dataclass(frozen=True)
 class Happening(Quantity):
     """Whether something happens in a motion, or lasts. before: what must not come first; at_once: whether the start
-    alone is meant; is_so: False where it is not to happen."""
+    alone is meant; is_so: False where it is not to happen; away: a distance that is to grow, as of what escapes."""
 
     what: Transition | Lasting | AskedEvent | None
     text: str
     before: Transition | AskedEvent | None = None
     at_once: bool = False
     is_so: bool = True
+    away: Measure | None = None
 
     scope = "course"
     measured_in = DIMENSIONLESS
@@ -160,7 +162,9 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
         if before is None:
             return None
     is_of_start = at_once is not None or (isinstance(what, Lasting) and what.kind == "stands")
-    return Happening(what, whole, before, is_of_start, is_so)
+    gone = _ESCAPES.match(head)
+    away = None if gone is None else names.measures.get(_outward(names, gone["of"]) or "")
+    return Happening(what, whole, before, is_of_start, is_so, away if isinstance(away, Distance) else None)
 
 
 def _fails_first(names: Names, text: str, found: re.Match[str], path: Path) -> Happening | None:
@@ -213,10 +217,11 @@ def _stated(
 
 
 def _outward(names: Names, who: str) -> str | None:
-    """The measure that tells how far away something is: itself, or of what a centre attracts the one distance."""
+    """The measure that tells how far away something is: itself, or of what a centre attracts, or nothing holds, the one
+    distance."""
     if who in names.measures:
         return who
-    is_attracted = any("attraction" in names.called.get(load, ()) for load in names.loads)
+    is_attracted = any("attraction" in names.called.get(load, ()) for load in names.loads) or not names.connections
     far = [name for name, measure in names.measures.items() if isinstance(measure, Distance)]
     return far[0] if is_attracted and len(far) == 1 and (who == "it" or who in names.bodies) else None
 

@@ -24,10 +24,10 @@ from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import Described, Quantity
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
-from freebody.study.answering.draws import Draw
-from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.damped_extremes import damped_of
 from freebody.study.answering.damped_extremes import find as find_damped
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.linear_extremes import find as find_linear
 from freebody.study.answering.linear_extremes import measure_followed
 from freebody.study.answering.modal_extremes import find as find_modal
