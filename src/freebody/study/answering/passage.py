@@ -225,12 +225,24 @@ class NumericPassage:
         return self.now.value(measure) - self.begin.value(measure)
 
     def work(self, load: str) -> float:
-        is_driver = self.work_done is not None and load in drivers(self.system)
+        is_driver = load in drivers(self.system)
         if load not in self.system.loads and not is_driver:
             raise CannotAnswer(_no_load(load))
         if self.work_done is not None:
             return self.work_done(load)
+        if is_driver:
+            return self._work_of_only_driver(load)
         return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.applied_loads if p.load == load)
+
+    def _work_of_only_driver(self, name: str) -> float:
+        """What T + V gains, and what friction and impacts take on the way."""
+        if drivers(self.system) != {name}:
+            raise CannotAnswer(_no_load(name))
+        for push in self.system.applied_loads:
+            law_polynomial(push)  # has a potential
+        moving = self.there(Energy("kinetic")) - self.started(Energy("kinetic"))
+        stored = sum(self.now.potential(p) - self.begin.potential(p) for p in self.system.applied_loads)
+        return float(moving + stored + self.lost(""))
 
     def heat(self, of: str) -> float:
         return self.lost(of)
