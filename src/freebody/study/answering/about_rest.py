@@ -89,10 +89,10 @@ def _insist_that_it_swings(found: FreeOscillations, measure: Measure, name: str)
     """Raises CannotAnswer unless a measure oscillates to first order, and by nothing but what has the one period."""
     f, linear = found.model.field, found.linear
     value = found.model.value_of(measure)
-    slopes = (f.follow(f.derivative(value, c.index), linear.still | linear.at) for c in found.model.coordinates)
+    slopes = [f.follow(f.derivative(value, c.index), linear.still | linear.at) for c in found.model.coordinates]
     if all(slope.is_zero() for slope in slopes):
         raise CannotAnswer(Message("to first order {x} does not move in small oscillations", x=name))
-    if len(found.swinging) < len(found.squares):
+    if len(found.swinging) < len(found.squares) and not found.is_without_neutral(slopes):
         raise CannotAnswer(
             Message(
                 "beside what oscillates there is a motion that nothing drives back to first order, which {x} may have "
