@@ -29,6 +29,7 @@ from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.witness import states_at
 from freebody.study.setup import Setup
+from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 _SPANS = (0.0625, 0.25, 1.0, 4.0, 16.0, 60.0)  # [s] of a motion in which the event is looked for, one after the other
@@ -113,15 +114,26 @@ def _place(system: System, part: System, event: QuantityEvent, solve: Solver) ->
 
 
 def _coordinate(setup: Setup) -> tuple[str, Measure]:
-    """The named measure that tells the place of the one coordinate."""
+    """The named measure that tells the place of the one coordinate, or of the one whose speed energy and conserved
+    momenta tell."""
     coordinates = setup.model.coordinates
-    if len(coordinates) != 1:
+    alone = coordinates if len(coordinates) == 1 else [c for c in coordinates if _is_told(setup, c)]
+    if len(alone) != 1:
         raise CannotAnswer(Message("an event of a force or a speed is found where one coordinate tells the motion"))
-    c = coordinates[0]
+    c = alone[0]
     for name, measure in setup.system.measures.items():
         if setup.model.value_of(measure) == setup.model.field.variable(c.index):
             return name, measure
     raise CannotAnswer(Message("give {x} a name among the measures, so that the event has a place", x=c.name))
+
+
+def _is_told(setup: Setup, c: Coordinate) -> bool:
+    """Whether the speed of a coordinate follows from its place."""
+    try:
+        setup.motion.way_of(c)
+    except CannotAnswer:
+        return False
+    return True
 
 
 def _asked_for_place(
