@@ -25,6 +25,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.parts import part_for
+from freebody.study.answering.repeated import cycle_at_all
 from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.witness import states_at
@@ -34,7 +35,8 @@ from freebody.system.system import System
 
 _SPANS = (0.0625, 0.25, 1.0, 4.0, 16.0, 60.0)  # [s] of a motion in which the event is looked for, one after the other
 _N_STEPS = 192
-_ROUNDS = 4
+_N_CLOSER, _ROUNDS = 32, 6  # steps in which a part is looked at, again and again
+_MORE = 1.1  # periods after which all of a motion has been seen
 _SAME = 1e-5  # relative: a place found in numbers, and a formula
 _ZERO = 1e-9  # by the largest value: a gap that counts as none
 _N_DRAWS = 4  # other than the model's own values, at which the first place is compared
@@ -180,8 +182,10 @@ def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Meas
         values = [float(event.quantity.value(system, s)) - target for s in seen]
         return _Gaps(times, values, [s.value(measure) for s in seen], max(abs(target), *map(abs, values)))
 
-    begin = start.t
+    begin, whole = start.t, _period(draw, measure)
     for end in _SPANS:
+        if begin - start.t > _MORE * whole:
+            raise CannotAnswer(Message("'{event}' does not come in a whole period of the motion", event=event.text))
         gaps = along(np.linspace(begin, start.t + end, _N_STEPS + 1))
         for part in gaps.candidates(is_start=begin == start.t):
             place = _refined(along, part, gaps.size)
@@ -189,6 +193,15 @@ def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Meas
                 return place
         begin = start.t + end
     raise CannotAnswer(Message("'{event}' is not seen within {t:g} s", event=event.text, t=_SPANS[-1]))
+
+
+def _period(draw: Draw, measure: Measure) -> float:
+    """[s] After which the whole state is taken up again; inf where it is not, as far as that is looked at."""
+    try:
+        begin, end = cycle_at_all(draw, measure, is_exact=True)
+    except CannotAnswer:
+        return math.inf
+    return end - begin
 
 
 @dataclass(frozen=True)
@@ -225,7 +238,7 @@ def _refined(along: Callable[[Array], _Gaps], part: tuple[float, float], size: f
     low, high = part
     place = None
     for _ in range(_ROUNDS):
-        gaps = along(np.linspace(low, high, _N_STEPS + 1))
+        gaps = along(np.linspace(low, high, _N_CLOSER + 1))
         k = gaps.crossing
         if k is not None:
             share = gaps.values[k - 1] / (gaps.values[k - 1] - gaps.values[k])
@@ -234,5 +247,5 @@ def _refined(along: Callable[[Array], _Gaps], part: tuple[float, float], size: f
             continue
         k = min(range(len(gaps.values)), key=lambda n: abs(gaps.values[n]))
         place = gaps.places[k] if abs(gaps.values[k]) <= _ZERO * size else None
-        low, high = float(gaps.times[max(k - 1, 0)]), float(gaps.times[min(k + 1, _N_STEPS)])
+        low, high = float(gaps.times[max(k - 1, 0)]), float(gaps.times[min(k + 1, _N_CLOSER)])
     return place
