@@ -119,14 +119,21 @@ def _coordinate(setup: Setup) -> tuple[str, Measure]:
     """The named measure that tells the place of the one coordinate, or of the one whose speed energy and conserved
     momenta tell."""
     coordinates = setup.model.coordinates
-    alone = coordinates if len(coordinates) == 1 else [c for c in coordinates if _is_told(setup, c)]
+    if len(coordinates) == 1:
+        if (found := _named(setup, coordinates[0])) is not None:
+            return found
+        told = Message("give {x} a name among the measures, so that the event has a place", x=coordinates[0].name)
+        raise CannotAnswer(told)
+    alone = [named for c in coordinates if (named := _named(setup, c)) is not None and _is_told(setup, c)]
     if len(alone) != 1:
         raise CannotAnswer(Message("an event of a force or a speed is found where one coordinate tells the motion"))
-    c = alone[0]
-    for name, measure in setup.system.measures.items():
-        if setup.model.value_of(measure) == setup.model.field.variable(c.index):
-            return name, measure
-    raise CannotAnswer(Message("give {x} a name among the measures, so that the event has a place", x=c.name))
+    return alone[0]
+
+
+def _named(setup: Setup, c: Coordinate) -> tuple[str, Measure] | None:
+    """The measure of a name that a coordinate is."""
+    place = setup.model.field.variable(c.index)
+    return next(((name, m) for name, m in setup.system.measures.items() if setup.model.value_of(m) == place), None)
 
 
 def _is_told(setup: Setup, c: Coordinate) -> bool:
