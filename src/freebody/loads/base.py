@@ -28,6 +28,8 @@ class Load(Spec):
     pulling_sign: ClassVar[int] = 1
     # True if its work is kept as potential energy
     stores_energy: ClassVar[bool] = False
+    # True if it resists motion and only takes energy
+    resists: ClassVar[bool] = False
 
     @property
     def strikes_when(self) -> str:

@@ -42,6 +42,7 @@ class Drag(Load, kind="drag"):
     along: Heading | None = None
 
     pulling_sign = -1
+    resists = True
     example = """
 bodies: {ball: {particle: {mass: 1 kg}, velocity: [3 m/s, 4 m/s]}}
 loads: {it: {drag: {body: ball, linear: 0.2 kg/s, quadratic: 0.1 kg/m}}}

@@ -117,6 +117,7 @@ class Damper(Load, kind="damper"):
     length: Formula | None = None
     only: Literal["compressed", "stretched"] | None = None
 
+    resists = True
     pulling_sign = -1
     example = """
 bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
@@ -202,6 +203,7 @@ class TorsionalDamper(Load, kind="torsional_damper"):
     on: str = "ground"
     about: Heading | None = None
 
+    resists = True
     example = """
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torsional_damper: {body: wheel, damping: 5 N m s}}}

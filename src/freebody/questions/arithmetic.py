@@ -178,7 +178,7 @@ class CalculatedOnTheWay(Calculated):
     scope = "course"
 
 
-_OF_MOTIONS = ("whole motion", "repeated motion", "small motion")
+OF_MOTIONS = ("whole motion", "repeated motion", "small motion")
 
 
 class CalculatedOfMotion(Calculated):
@@ -308,7 +308,7 @@ def read_calculated(
     used = free_symbols(form)
     operands_left = tuple((name, q) for name, q in inside if name in used)
     scopes = {q.scope for _name, q in operands_left}
-    of_answers = not scopes.isdisjoint(_OF_MOTIONS)
+    of_answers = not scopes.isdisjoint(OF_MOTIONS)
     kind = CalculatedOfMotion if of_answers else CalculatedOnTheWay if "course" in scopes else Calculated
     return kind(form, operands_left, measured, text)
 

@@ -45,6 +45,7 @@ class Loaded(Protocol):
     """A load, as far as quantities read it."""
 
     stores_energy: ClassVar[bool]
+    resists: ClassVar[bool]
 
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
         """The force or torque that people ask for; None where there is no single one."""

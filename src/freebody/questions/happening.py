@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.measures.base import Measure
+from freebody.measures.distance import Distance
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Path, Quantity
 from freebody.questions.course import Transition, connections_of, read_transition
@@ -40,13 +42,14 @@ class Lasting:
 @dataclass(frozen=True)
 class Happening(Quantity):
     """Whether something happens in a motion, or lasts. before: what must not come first; at_once: whether the start
-    alone is meant; is_so: False where it is not to happen."""
+    alone is meant; is_so: False where it is not to happen; away: a distance that is to grow, as of what escapes."""
 
     what: Transition | Lasting | AskedEvent | None
     text: str
     before: Transition | AskedEvent | None = None
     at_once: bool = False
     is_so: bool = True
+    away: Measure | None = None
 
     scope = "course"
     measured_in = DIMENSIONLESS
@@ -159,7 +162,9 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
         if before is None:
             return None
     is_of_start = at_once is not None or (isinstance(what, Lasting) and what.kind == "stands")
-    return Happening(what, whole, before, is_of_start, is_so)
+    gone = _ESCAPES.match(head)
+    away = None if gone is None else names.measures.get(_outward(names, gone["of"]) or "")
+    return Happening(what, whole, before, is_of_start, is_so, away if isinstance(away, Distance) else None)
 
 
 def _fails_first(names: Names, text: str, found: re.Match[str], path: Path) -> Happening | None:
@@ -193,8 +198,8 @@ def _stated(
         return Lasting("rolls", _of(names, rolls.groupdict(), path), text), True
     if (tips := _TIPS.match(text)) is not None:
         return Lasting("stands", _of(names, tips.groupdict(), path), text), False
-    if (escapes := _ESCAPES.match(text)) is not None and escapes["of"] in names.measures:
-        event = read_event(names, f"{escapes['of']} turns back", path)
+    if (escapes := _ESCAPES.match(text)) is not None and (away := _outward(names, escapes["of"])) is not None:
+        event = read_event(names, f"{away} turns back", path)
         return None if event is None else (event, False)
     never = _NEVER.match(text)
     if never is not None:
@@ -209,6 +214,16 @@ def _stated(
         event = read_event(names, reached, path)
         return None if event is None else (event, True)
     return None
+
+
+def _outward(names: Names, who: str) -> str | None:
+    """The measure that tells how far away something is: itself, or of what a centre attracts, or nothing holds, the one
+    distance."""
+    if who in names.measures:
+        return who
+    is_attracted = any("attraction" in names.called.get(load, ()) for load in names.loads) or not names.connections
+    far = [name for name, measure in names.measures.items() if isinstance(measure, Distance)]
+    return far[0] if is_attracted and len(far) == 1 and (who == "it" or who in names.bodies) else None
 
 
 def _of(names: Names, found: dict[str, str | None], path: Path) -> tuple[str, ...]:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from freebody.language.expression import Symbol, divide
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.names import did_you_mean
 from freebody.model.state import State
-from freebody.questions.arithmetic import Functions, Joined, quotient
+from freebody.questions.arithmetic import OF_MOTIONS, CalculatedOfMotion, Functions, Joined, quotient
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.loads import LoadForce, Power
 from freebody.questions.reading import read_quantity
@@ -119,4 +120,10 @@ def _advantage(names: Names, found: Found, path: Path) -> Quantity | None:
 @asked("ratio of QUANTITY to QUANTITY", r"ratio of (?P<top>.+) to (?P<bottom>.+)", rank=65)
 def _ratio(names: Names, found: Found, path: Path) -> Quantity | None:
     top, bottom = (read_quantity(names, str(found[k]), path) for k in ("top", "bottom"))
-    return None if top is None or bottom is None else RatioOf(top, bottom)
+    if top is None or bottom is None:
+        return None
+    if {top.scope, bottom.scope}.isdisjoint(OF_MOTIONS):
+        return RatioOf(top, bottom)
+    operands = (("top", top), ("bottom", bottom))
+    text = f"({found['top']})/({found['bottom']})"
+    return CalculatedOfMotion(divide(Symbol("top"), Symbol("bottom")), operands, top.dimension / bottom.dimension, text)

@@ -31,11 +31,13 @@ RANK_AT_REST = 92  # above that of a force at a body, or of a vector in a basis
 class SmallOscillations(Quantity, kind="small oscillations"):
     """Natural frequencies or period of small oscillations about the equilibrium.
 
-    measure: whose oscillations are meant; None: those of the whole system."""
+    measure: whose oscillations are meant; None: those of the whole system. number: of which mode, counted from the
+    slowest, or with -1 the fastest; None: of all that oscillate."""
 
     what: Literal["frequencies", "frequency", "period"]
     measure: Measure | None = None
     name: str = ""
+    number: int | None = None
 
     example = """
 bodies: {bob: {particle: {mass: 1 kg}}}
@@ -61,6 +63,8 @@ questions: {it: period of small oscillations}
         return True
 
     def sentence(self, system: Described) -> Sentence:
+        if self.number is not None:
+            return Sentence(f"what.{self.what}_of_mode", {"k": self.number})
         if self.measure is None:
             return Sentence(f"what.{self.what}")
         return Sentence(
@@ -220,6 +224,9 @@ questions: {it: damping ratio}
         return Sentence(f"what.damping_{self.what}")
 
 
+ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
+
+
 # -- words ------------------------------------------------------------------------------------
 @asked(
     "natural frequencies | period of small oscillations",
@@ -248,6 +255,28 @@ def _period(names: Names, found: Found, path: Path) -> Quantity | None:
     return None if measure is None else SmallOscillations("period", measure, str(found["of"]))
 
 
+@asked(
+    "natural frequency of mode K | period of mode K",
+    r"(?P<what>(?:natural )?frequency|period) of mode (?P<k>[1-9]\d?)"
+    rf"|(?P<th>{'|'.join(ORDINALS)}|lowest|highest) (?P<of>natural frequency)",
+    rank=75,
+    example="""
+parameters: {m: 1 kg, k: 100 N/m}
+bodies: {A: {particle: {mass: m}}, B: {particle: {mass: m}}}
+connections: {a: {slider: {body: A, along: right}}, b: {slider: {body: B, along: right}}}
+measures: {x1: x of A, x2: x of B}
+loads: {l: {law: {measure: x1, force: -k*x1}}, m: {law: {measure: {expression: x2 - x1}, force: -k*(x2 - x1)}}}
+start: {x1: 0, x2: 0}
+questions: {it: natural frequency of mode 2}
+""",
+)
+def _of_mode(names: Names, found: Found, path: Path) -> Quantity | None:
+    if found["k"]:
+        return SmallOscillations("period" if found["what"] == "period" else "frequency", number=int(found["k"]))
+    ends = {"lowest": 1, "highest": -1}
+    return SmallOscillations("frequency", number=ends.get(found["th"]) or ORDINALS.index(found["th"]) + 1)
+
+
 @asked("equilibrium of MEASURE", r"equilibrium(?: value)? of (?P<of>.+)", rank=25)
 def _equilibrium(names: Names, found: Found, path: Path) -> Quantity | None:
     measure = measure_of(names, found["of"], *path)
@@ -269,9 +298,6 @@ def _in_equilibrium(names: Names, found: Found, path: Path) -> Quantity | None:
         return of and RestValue(of)
     names.problem(Message("'{text}' is no property of one instant", text=text), *path)
     return None
-
-
-ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
 @asked(

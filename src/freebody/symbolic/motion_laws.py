@@ -136,6 +136,10 @@ class MotionLaws:
         finally:
             self._on_one_side = False
 
+    def is_told_as(self, other: MotionLaws) -> None:
+        """Tells ways by energy on one side if the motion of another model is told so."""
+        self._on_one_side = other._on_one_side
+
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
         """u^2 at q = at."""
         return self.integrals.speed_squared(c, at)

@@ -23,6 +23,7 @@ Mechanics 27, 1960; Merkin, Introduction to the Theory of Stability, 1997, ch. 3
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -42,6 +43,13 @@ from freebody.symbolic.start import StartState
 from freebody.symbolic.tidy import tidy
 
 MOST_ROOTS = 3  # of a factor that has a closed form
+
+
+def place_of_mode(n_modes: int, number: int) -> int:
+    """Where a mode stands among all of them, the slowest first. Raises CannotAnswer where there are not so many."""
+    if number > n_modes:
+        raise CannotAnswer(Message("there are {n} modes only", n=n_modes))
+    return number - 1 if number > 0 else n_modes + number
 
 
 @dataclass(frozen=True)
@@ -152,6 +160,17 @@ class FreeOscillations:
         u = f.lowest_terms((9 * p * q - 27 * r - 2 * p * p * p) / (54 * w * w * w))
         arc = fn["acos"](u) / 3
         return [-p / 3 + 2 * w * fn["cos"](arc + 2 * k * f.pi / 3) for k in (1, 2, 0)]
+
+    def is_without_neutral(self, slopes: Sequence[Ratio]) -> bool:
+        """Whether a motion that nothing drives back to first order leaves a sum of the coordinates as it is. slopes:
+        of that sum. False where several of them go on together."""
+        for mode in {mode.factor: mode for mode in self.modes if mode.square.is_zero()}.values():
+            if mode.factor.times > 1:
+                return False
+            parts = [mode.residues.at(x, mode.square) for x in self.shape(mode)]
+            if not self.linear.vanishes(sum((a * b for a, b in zip(slopes, parts, strict=True)), mode.square)):
+                return False
+        return True
 
     # -- shapes -------------------------------------------------------------------------------
     def shape(self, mode: Mode) -> list[Coefficients]:

@@ -25,7 +25,7 @@ from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
-from freebody.symbolic.small_motion import free_oscillations
+from freebody.symbolic.small_motion import free_oscillations, place_of_mode
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
@@ -150,6 +150,8 @@ class Marked:
         model = self.model
         found = free_oscillations(model, start)
         squares = found.squares if q.what == "frequencies" else [found.squares[k] for k in found.swinging]
+        if q.number is not None:
+            squares = [found.squares[place_of_mode(len(found.squares), q.number)]]
         roots = [model.field.sqrt(s, model.samples.is_negative) for s in squares]
         if q.what == "period":
             return (self._plain(2 * model.field.pi / roots[0]),)

@@ -38,6 +38,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.small_motion.forced import forced_number
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.forced import forced_oscillation
+from freebody.symbolic.small_motion import place_of_mode
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 
@@ -129,6 +130,8 @@ def _frequencies(q: SmallOscillations, telling: SmallTelling) -> None:
     script = telling.script
     expression = _expression(telling)
     k = next(iter(telling.free.swinging), 0)
+    if q.number is not None:
+        k = place_of_mode(len(telling.free.squares), q.number)
     if q.what != "frequencies":  # the one that is not zero
         symbols, roots = [symbols[k]], roots if len(roots) == 1 else (roots[k],)
     args: dict[str, Argument] = {"lines": roots}

@@ -17,12 +17,12 @@ from freebody.questions.small_motion import Equilibrium, RestValue, SmallOscilla
 from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.finding import Elements, Finding
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import Condition, insisted
+from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.decide import decide
 from freebody.symbolic.equilibrium import ClosedFormRest, StateOfRest, equilibria, find_equilibrium, lies_in_family
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.small_motion import FreeOscillations, free_oscillations
+from freebody.symbolic.small_motion import FreeOscillations, free_oscillations, place_of_mode
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
@@ -40,13 +40,19 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
     f = model.field
     resting = needs_of_rest(setup, found.rest, ">")
     squares, notes = [found.squares[k] for k in found.swinging], list(found.notes)
-    wanted = [x for k in found.swinging for x in found.positive(found.modes[k])]
+    meant = found.swinging if q.number is None else [place_of_mode(len(found.squares), q.number)]
+    wanted = [x for k in meant if not found.squares[k].is_zero() for x in found.positive(found.modes[k])]
     unstable = CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
     swings = insisted((Condition(x, ">", Message("oscillates")) for x in dict.fromkeys(wanted)), unstable)
     if q.measure is not None:
         _insist_that_it_swings(found, q.measure, q.name)
     if q.what == "frequencies":
         squares = list(found.squares)
+    elif q.number is not None:
+        squares = [found.squares[meant[0]]]
+        resting += _in_order(found, meant[0])
+        if q.what == "period" and squares[0].is_zero():
+            raise CannotAnswer(at_equilibrium.NOTHING_DRIVES_BACK)
     elif not squares:
         raise CannotAnswer(further(*found.notes, at_equilibrium.NOTHING_DRIVES_BACK))
     elif not all((x - squares[0]).is_zero() for x in squares):
@@ -72,14 +78,25 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
     return Finding(element, evidence, [*resting, *swings], notes, may_be_complex=found.are_real_by_symmetry)
 
 
+def _in_order(found: FreeOscillations, place: int) -> list[Condition]:
+    """That no slower mode of another factor comes behind one, and no faster one before: which is the first may depend
+    on the parameters. Roots of one factor keep their order."""
+    meant, needs = found.modes[place], list[Condition | None]()
+    for k, other in enumerate(found.modes):
+        if other.factor != meant.factor:
+            x = found.model.field.lowest_terms((meant.square - other.square) * (1 if k < place else -1))
+            needs.append(require(x, ">=", Message("the modes are in this order"))[0])
+    return [c for c in needs if c is not None]
+
+
 def _insist_that_it_swings(found: FreeOscillations, measure: Measure, name: str) -> None:
     """Raises CannotAnswer unless a measure oscillates to first order, and by nothing but what has the one period."""
     f, linear = found.model.field, found.linear
     value = found.model.value_of(measure)
-    slopes = (f.follow(f.derivative(value, c.index), linear.still | linear.at) for c in found.model.coordinates)
+    slopes = [f.follow(f.derivative(value, c.index), linear.still | linear.at) for c in found.model.coordinates]
     if all(slope.is_zero() for slope in slopes):
         raise CannotAnswer(Message("to first order {x} does not move in small oscillations", x=name))
-    if len(found.swinging) < len(found.squares):
+    if len(found.swinging) < len(found.squares) and not found.is_without_neutral(slopes):
         raise CannotAnswer(
             Message(
                 "beside what oscillates there is a motion that nothing drives back to first order, which {x} may have "

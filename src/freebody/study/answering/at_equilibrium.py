@@ -26,6 +26,7 @@ from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import GYROSCOPIC, find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import swing_of
+from freebody.symbolic.small_motion import place_of_mode
 from freebody.symbolic.state import SymbolicState
 from freebody.tolerances import ROUND_OFF
 
@@ -51,7 +52,9 @@ def small_oscillations(
             return
         exact = np.sort(element_at(setup, x, draw, draw.start()))
         found = frequencies_at(setup, draw, places_at(setup, equilibrium, draw))
-        if quantity.what != "frequencies":
+        if quantity.number is not None:
+            found = np.sort(found)[[place_of_mode(len(found), quantity.number)]]
+        elif quantity.what != "frequencies":
             found = found[found > 0.0]  # beside what nothing drives back
         numeric = 2 * np.pi / found if quantity.what == "period" else np.sort(found)
         if len(exact) == 1:
@@ -130,6 +133,8 @@ def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float
         )
     if quantity.what == "frequencies":
         return tuple(found) if len(found) > 1 else found[0]
+    if quantity.number is not None:
+        found = [sorted(found)[place_of_mode(len(found), quantity.number)]]
     swinging = [w for w in found if w > 0.0]
     if len(swinging) > 1 and max(swinging) - min(swinging) > ROUND_OFF * max(swinging):
         raise CannotAnswer(Message("there are {n} natural frequencies; ask for natural frequencies", n=len(swinging)))

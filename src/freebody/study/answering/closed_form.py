@@ -190,6 +190,7 @@ class QuestionSolver:
 
         def attempt(system: System) -> Finding:
             setup = self.setup if system is self.system else Setup(system)
+            setup.motion.is_told_as(self.setup.motion)
             stays = [check_stays(setup, q.of)] if isinstance(q.of, Staying) else []
             formula = QuestionSolver(setup, asked)
             found = formula._find()

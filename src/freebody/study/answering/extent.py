@@ -24,7 +24,7 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
-from freebody.study.answering.repeated import SHORTER, checked, coordinate_of, taken_throughout
+from freebody.study.answering.repeated import DIED_AWAY, SHORTER, checked, coordinate_of, taken_throughout
 from freebody.study.answering.witness import least_rate, patience, run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
@@ -101,6 +101,20 @@ def turn_of(setup: Setup, measure: Measure, side: int, name: str) -> tuple[Coord
     return c, found, f.lowest_terms(f.follow(value, {c.index: found.at}))
 
 
+def _real_turns(turns: list[float], values: dict[float, float]) -> list[float]:
+    """The instants at which a measure turns, up to where what is left of its motion is round-off beside the way that it
+    has come. values: of the measure, at the ends and at the turns."""
+    known = [t for t in turns if t in values]
+    if len(known) < len(turns) or not known:
+        return turns
+    ends = list(values)
+    for k, t in enumerate(known):
+        after = known[k + 1] if k + 1 < len(known) else ends[-1]
+        if after > t and abs(values[after] - values[t]) < DIED_AWAY * abs(values[ends[0]] - values[t]):
+            return known[:k]
+    return known
+
+
 def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     """The farthest of the start and the first two turns."""
     start, reference = draw.start(), draw.reference
@@ -111,7 +125,8 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
     def followed(share: float) -> tuple[Engine, Trajectory, list[float]]:
         engine, course = run(reference, start, np.array([start.t, start.t + share * longest]), watches)
         turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t]
-        return engine, course, turns[:_N_TURNS]
+        seen = dict(zip(course.times, snapshots(reference, engine, course, start), strict=False)) if turns else {}
+        return engine, course, _real_turns(turns, {t: s.value(measure) for t, s in seen.items()})[:_N_TURNS]
 
     in_short = (seen for share in SHORTER if len((seen := followed(share))[2]) == _N_TURNS)
     engine, course, turns = next(in_short, None) or followed(1.0)

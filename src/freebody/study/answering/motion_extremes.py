@@ -24,6 +24,8 @@ from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import Described, Quantity
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
+from freebody.study.answering.damped_extremes import damped_of
+from freebody.study.answering.damped_extremes import find as find_damped
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.linear_extremes import find as find_linear
@@ -306,6 +308,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     wave = wave_of(setup, of)
     if wave is not None:
         return find_modal(setup, question, of, wave, sides)
+    damped = damped_of(setup, of)
+    if damped is not None:
+        return find_damped(setup, question, of, damped, sides)
     seen = along(setup, of)
     seen.add_needs()
     found = seen.candidates()

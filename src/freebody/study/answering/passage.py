@@ -48,6 +48,11 @@ def drivers(system: Described) -> set[str]:
     return {row.connection for row in system.constraint_rows if row.general is not None or row.is_driven}
 
 
+def resistances(system: Described) -> list[str]:
+    """The loads that resist motion and only take energy: drag and dampers."""
+    return [name for name, load in system.loads.items() if load.resists]
+
+
 @dataclass(frozen=True)
 class FormulaPassage:
     """In formulas. system: without what only friction pushes; numbers: an element of the answer at all samples."""
@@ -79,25 +84,25 @@ class FormulaPassage:
         """At the start and at the end, of which the work of a load is the difference: minus its potential, or T + V of
         all else, then True."""
         if all(p.load != load for p in self.system.applied_loads):
-            if drivers(self.system) != {load} or (found := self._balance(load)) is None:
+            if drivers(self.system) != {load} or (found := self._balance([load])) is None:
                 raise CannotAnswer(_no_load(load))
             return (*found, True)
         try:
             return (*self._potentials([load], -1), False)
         except CannotAnswer:
-            found = self._balance(load)
+            found = self._balance([load])
             if found is None:
                 raise
             return (*found, True)
 
-    def _balance(self, load: str) -> tuple[Ratio, Ratio] | None:
-        """T, and V of all other loads; None where not these alone do work: where dry friction does, something is led
+    def _balance(self, loads: Sequence[str]) -> tuple[Ratio, Ratio] | None:
+        """T, and V of all loads but some; None where not these alone do work: where dry friction does, something is led
         through time, or one phase follows another."""
         first = self.phases[0]
-        if len(self.phases) > 1 or self.system.dry_friction or drivers(self.system) - {load}:
+        if len(self.phases) > 1 or self.system.dry_friction or drivers(self.system) - {*loads}:
             return None
         try:
-            others = list(dict.fromkeys(p.load for p in self.system.applied_loads if p.load != load))
+            others = list(dict.fromkeys(p.load for p in self.system.applied_loads if p.load not in loads))
             stored = self._potentials(others, 1)
         except CannotAnswer:
             return None
@@ -116,7 +121,12 @@ class FormulaPassage:
         return before, after
 
     def heat(self, of: str) -> Ratio:
-        raise CannotAnswer(_WORK_INSTEAD)
+        """Of what resists, where nothing rubs: what T + V of all else has lost."""
+        resisting = [] if of else resistances(self.system)
+        found = self._balance(resisting) if resisting else None
+        if found is None:
+            raise CannotAnswer(_WORK_INSTEAD)
+        return found[0].field.lowest_terms(found[0] - found[1])
 
     def revolutions(self, body: str) -> Ratio:
         """Angles turned through, without sign, over a full turn; in every phase the body turns one way only."""
@@ -218,12 +228,24 @@ class NumericPassage:
         return self.now.value(measure) - self.begin.value(measure)
 
     def work(self, load: str) -> float:
-        is_driver = self.work_done is not None and load in drivers(self.system)
+        is_driver = load in drivers(self.system)
         if load not in self.system.loads and not is_driver:
             raise CannotAnswer(_no_load(load))
         if self.work_done is not None:
             return self.work_done(load)
+        if is_driver:
+            return self._work_of_only_driver(load)
         return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.applied_loads if p.load == load)
+
+    def _work_of_only_driver(self, name: str) -> float:
+        """What T + V gains, and what friction and impacts take on the way."""
+        if drivers(self.system) != {name}:
+            raise CannotAnswer(_no_load(name))
+        for push in self.system.applied_loads:
+            law_polynomial(push)  # has a potential
+        moving = self.there(Energy("kinetic")) - self.started(Energy("kinetic"))
+        stored = sum(self.now.potential(p) - self.begin.potential(p) for p in self.system.applied_loads)
+        return float(moving + stored + self.lost(""))
 
     def heat(self, of: str) -> float:
         return self.lost(of)
@@ -254,7 +276,10 @@ def smooth_numbers(
     """A motion of one phase. work: the integral of the power of a load up to the event; links: instants on the way."""
 
     def lost(of: str) -> float:
-        raise CannotAnswer(_WORK_INSTEAD)
+        resisting = [] if of else resistances(setup.system)
+        if not resisting:
+            raise CannotAnswer(_WORK_INSTEAD)
+        return -sum(work(load) for load in resisting)
 
     def at_end(quantity: Quantity) -> Any:
         return quantity.value(setup.system, event)

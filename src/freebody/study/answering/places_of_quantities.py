@@ -25,15 +25,18 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.parts import part_for
+from freebody.study.answering.repeated import cycle_at_all
 from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.witness import states_at
 from freebody.study.setup import Setup
+from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 _SPANS = (0.0625, 0.25, 1.0, 4.0, 16.0, 60.0)  # [s] of a motion in which the event is looked for, one after the other
 _N_STEPS = 192
-_ROUNDS = 4
+_N_CLOSER, _ROUNDS = 32, 6  # steps in which a part is looked at, again and again
+_MORE = 1.1  # periods after which all of a motion has been seen
 _SAME = 1e-5  # relative: a place found in numbers, and a formula
 _ZERO = 1e-9  # by the largest value: a gap that counts as none
 _N_DRAWS = 4  # other than the model's own values, at which the first place is compared
@@ -113,15 +116,33 @@ def _place(system: System, part: System, event: QuantityEvent, solve: Solver) ->
 
 
 def _coordinate(setup: Setup) -> tuple[str, Measure]:
-    """The named measure that tells the place of the one coordinate."""
+    """The named measure that tells the place of the one coordinate, or of the one whose speed energy and conserved
+    momenta tell."""
     coordinates = setup.model.coordinates
-    if len(coordinates) != 1:
+    if len(coordinates) == 1:
+        if (found := _named(setup, coordinates[0])) is not None:
+            return found
+        told = Message("give {x} a name among the measures, so that the event has a place", x=coordinates[0].name)
+        raise CannotAnswer(told)
+    alone = [named for c in coordinates if (named := _named(setup, c)) is not None and _is_told(setup, c)]
+    if len(alone) != 1:
         raise CannotAnswer(Message("an event of a force or a speed is found where one coordinate tells the motion"))
-    c = coordinates[0]
-    for name, measure in setup.system.measures.items():
-        if setup.model.value_of(measure) == setup.model.field.variable(c.index):
-            return name, measure
-    raise CannotAnswer(Message("give {x} a name among the measures, so that the event has a place", x=c.name))
+    return alone[0]
+
+
+def _named(setup: Setup, c: Coordinate) -> tuple[str, Measure] | None:
+    """The measure of a name that a coordinate is."""
+    place = setup.model.field.variable(c.index)
+    return next(((name, m) for name, m in setup.system.measures.items() if setup.model.value_of(m) == place), None)
+
+
+def _is_told(setup: Setup, c: Coordinate) -> bool:
+    """Whether the speed of a coordinate follows from its place."""
+    try:
+        setup.motion.way_of(c)
+    except CannotAnswer:
+        return False
+    return True
 
 
 def _asked_for_place(
@@ -168,8 +189,10 @@ def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Meas
         values = [float(event.quantity.value(system, s)) - target for s in seen]
         return _Gaps(times, values, [s.value(measure) for s in seen], max(abs(target), *map(abs, values)))
 
-    begin = start.t
+    begin, whole = start.t, _period(draw, measure)
     for end in _SPANS:
+        if begin - start.t > _MORE * whole:
+            raise CannotAnswer(Message("'{event}' does not come in a whole period of the motion", event=event.text))
         gaps = along(np.linspace(begin, start.t + end, _N_STEPS + 1))
         for part in gaps.candidates(is_start=begin == start.t):
             place = _refined(along, part, gaps.size)
@@ -177,6 +200,15 @@ def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Meas
                 return place
         begin = start.t + end
     raise CannotAnswer(Message("'{event}' is not seen within {t:g} s", event=event.text, t=_SPANS[-1]))
+
+
+def _period(draw: Draw, measure: Measure) -> float:
+    """[s] After which the whole state is taken up again; inf where it is not, as far as that is looked at."""
+    try:
+        begin, end = cycle_at_all(draw, measure, is_exact=True)
+    except CannotAnswer:
+        return math.inf
+    return end - begin
 
 
 @dataclass(frozen=True)
@@ -213,7 +245,7 @@ def _refined(along: Callable[[Array], _Gaps], part: tuple[float, float], size: f
     low, high = part
     place = None
     for _ in range(_ROUNDS):
-        gaps = along(np.linspace(low, high, _N_STEPS + 1))
+        gaps = along(np.linspace(low, high, _N_CLOSER + 1))
         k = gaps.crossing
         if k is not None:
             share = gaps.values[k - 1] / (gaps.values[k - 1] - gaps.values[k])
@@ -222,5 +254,5 @@ def _refined(along: Callable[[Array], _Gaps], part: tuple[float, float], size: f
             continue
         k = min(range(len(gaps.values)), key=lambda n: abs(gaps.values[n]))
         place = gaps.places[k] if abs(gaps.values[k]) <= _ZERO * size else None
-        low, high = float(gaps.times[max(k - 1, 0)]), float(gaps.times[min(k + 1, _N_STEPS)])
+        low, high = float(gaps.times[max(k - 1, 0)]), float(gaps.times[min(k + 1, _N_CLOSER)])
     return place

@@ -43,6 +43,7 @@ _N_TURNS = 3  # between the first and the last of which a motion that goes to an
 _MARGIN = 1.6  # periods that are followed: three turns are among them
 _CROSSED = ("rising", "falling")
 _SAME = 1e-6  # relative: a state that is taken up again
+DIED_AWAY = 1e-9  # relative to the way from the start: turns that are no nearer to each other are round-off
 
 
 def find(setup: Setup, question: str, measure: Measure | None) -> Finding:
@@ -184,9 +185,18 @@ def _ends_of_cycle(
         raise SaysNothing(Message("the motion has not repeated itself until t = {t:.6g} s", t=until))
     if is_exact:
         states = [_state(seen.engine, seen.course, k) for k, t in enumerate(seen.course.times) if t in (first, last)]
-        if len(states) != 2 or not _is_same(*states):
+        if len(states) != 2 or not _is_same(*states) or _has_died_away(seen, first, last):
             raise CannotAnswer(Message("the motion does not repeat itself"))
     return first, last
+
+
+def _has_died_away(seen: _WatchedMotion, first: float, last: float) -> bool:
+    """Whether what is left between two turns is round-off beside the way from the start to there: what repeats itself
+    comes back to its start."""
+    states = {t: _state(seen.engine, seen.course, k) for k, t in enumerate(seen.course.times)}
+    there = states[first]
+    left = max(float(np.abs(x - there).max()) for t, x in states.items() if first <= t <= last)
+    return left < DIED_AWAY * float(np.abs(states[seen.course.times[0]] - there).max())
 
 
 def comes_round(draw: Draw, measure: Measure, until: float) -> bool:

@@ -253,7 +253,7 @@ def _on_one_side(setup: Setup, question: Question) -> Answer | None:
     with setup.motion.on_one_side():
         found = QuestionSolver(setup, question).answer()
     is_found = found.expression is not None or (wanted is not None and found.value is not None)
-    return found if is_found else None
+    return found if is_found or found.is_missed else None  # that it does not come there tells more than that it may
 
 
 def _with_changes(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:

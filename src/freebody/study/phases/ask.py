@@ -83,7 +83,9 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     assert turn is not None
     of, event, side = turn
     root = tree.roots[0]
-    rate = _rate_of(tree, root, event)
+    behind = question.transition is not None and question.transition.kind == "after"  # from an impact on
+    question = replace(question, transition=None) if behind else question
+    rate = tree.home.model.field.zero if behind else _rate_of(tree, root, event)
     open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
     found: list[tuple[Question, AnswerBranch]] = []
 
@@ -101,10 +103,11 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     # an impact may turn it: behind one that does the first place without speed is on the other side
     asked = replace(question, quantity=of, event=event)
     with suppress(CannotAnswer):
-        take(asked, [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)])
+        found_first = [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)]
+        take(asked, [(p, rates[-1:]) for p, rates in found_first if len(rates) > 1] if behind else found_first)
     struck = replace(question, quantity=of)
     way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
-    if not isinstance(event, Peak):
+    if not isinstance(event, Peak) and not behind:
         take(struck, [(p, (rate,)) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
     is_plain = question.event is None and question.transition is None
@@ -115,7 +118,7 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
         raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
     answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
-    return _no_farther(tree, answer, event, side)
+    return answer if behind else _no_farther(tree, answer, event, side)
 
 
 def _rate_of(tree: PhaseTree, node: PhaseNode, event: QuestionEvent) -> Ratio:

@@ -14,6 +14,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
 from freebody.questions.event import QuestionEvent
@@ -27,7 +28,7 @@ from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.pieces import watches_of
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import ROLLING
-from freebody.symbolic.conditions import Condition
+from freebody.symbolic.conditions import Condition, require
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,25 @@ def happening_cases(tree: PhaseTree, happening: Happening) -> list[HappeningCase
     found = [case for way in roots for case in _Walk(tree, happening).cases(way)]
     if happening.is_so:
         return found
-    return [replace(case, is_so=None if case.is_so is None else not case.is_so) for case in found]
+    found = [replace(case, is_so=None if case.is_so is None else not case.is_so) for case in found]
+    return found if happening.away is None else list(_outwards(tree, happening.away, found))
+
+
+def _outwards(tree: PhaseTree, away: Measure, found: Sequence[HappeningCase]) -> Iterator[HappeningCase]:
+    """What never turns back goes away if it sets out so; else it comes nearer and nearer, and meets the centre."""
+    start = tree.home.start_instant
+    rate = start.rate(away)
+    drive = start.acceleration(away) if rate.is_zero() else rate
+    if not rate.is_zero() and tree.home.model.samples.is_negative(rate):
+        raise CannotAnswer(Message("it sets out towards the centre: whether it escapes is told from its nearest place"))
+    outward, is_possible = require(drive, ">", Message("sets out away from the centre"))
+    for case in found:
+        if case.is_so and outward is not None:
+            if is_possible:
+                yield replace(case, conditions=(*case.conditions, outward))
+            yield HappeningCase(False, (*case.conditions, Condition(-drive, ">=", outward.purpose)))
+        else:
+            yield case
 
 
 def is_tipped(feet: Sequence[bool]) -> bool:

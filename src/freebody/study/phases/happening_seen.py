@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.numeric.contact.record import ABSENT
 from freebody.numeric.engine.course import ContactRecord, Status, Trajectory
 from freebody.numeric.options import SimulationOptions
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
 from freebody.questions.event import QuestionEvent
@@ -40,6 +42,8 @@ def is_seen(system: System, happening: Happening, touching: frozenset[str], valu
 
     Raises CannotAnswer where the simulated motion does not tell: it ends too early, or two things
     come so close together that the looks do not tell them apart."""
+    if happening.away is not None and not _sets_out(system, happening.away, values):
+        return False
     if happening.at_once:
         if isinstance(happening.what, Transition) and happening.what.kind == "rolls":
             happening = replace(happening, what=Lasting("rolls", happening.what.of, happening.text))
@@ -55,11 +59,22 @@ def is_seen(system: System, happening: Happening, touching: frozenset[str], valu
     return seen.is_so() == happening.is_so
 
 
-def _slowness(system: System, values: Mapping[str, float]) -> float:
-    """By how much longer a motion is followed that takes long, as that of a planet does."""
+def _sets_out(system: System, away: Measure, values: Mapping[str, float]) -> bool:
+    """Whether a distance grows at first."""
+    start = _start(system, values)
+    rate = start.rate(away)
+    return rate > _STILL or (abs(rate) <= _STILL and start.acceleration(away) > 0.0)
+
+
+def _start(system: System, values: Mapping[str, float]) -> Snapshot:
     simulator = Simulator(system, values)
     q, v = map(simulator.reference.by_column, simulator.engine.coordinates(simulator.start))
-    return patience(simulator.reference.snapshot(q, v), 1.0)
+    return simulator.reference.snapshot(q, v)
+
+
+def _slowness(system: System, values: Mapping[str, float]) -> float:
+    """By how much longer a motion is followed that takes long, as that of a planet does."""
+    return patience(_start(system, values), 1.0)
 
 
 class _Seen:

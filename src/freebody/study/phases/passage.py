@@ -10,10 +10,10 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.questions.base import Quantity
-from freebody.questions.energy import Energy as EnergyOf
+from freebody.questions.energy import Energy
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
-from freebody.study.answering.passage import FormulaPassage
+from freebody.study.answering.passage import FormulaPassage, drivers
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
@@ -49,6 +49,16 @@ class _WithFriction(FormulaPassage):
         phase = self.way.nodes[0].phase
         x = elements_in(self.tree, phase, quantity, phase.start_instant)
         return tuple(map(self.phases[0].told, x)) if isinstance(x, tuple) else self.phases[0].told(x)
+
+    def energies(self, load: str) -> tuple[Ratio, Ratio, bool]:
+        """Of the only driver: what T + V gains, and what friction and impacts take on the way."""
+        if drivers(self.system) != {load}:
+            return super().energies(load)
+        before, after = self._potentials(list(dict.fromkeys(p.load for p in self.system.applied_loads)), 1)
+        begun, ended = self.started(Energy("kinetic")), self.there(Energy("kinetic"))
+        assert not isinstance(begun, tuple)
+        assert not isinstance(ended, tuple)
+        return begun + before, ended + after + self.heat(""), True
 
     def heat(self, of: str) -> Ratio:
         nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
@@ -159,7 +169,7 @@ def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> 
         )
     there = SymbolicState(phase.model, {**phase.still, **values})
     system = plain(phase.system)
-    before, after = (EnergyOf("total").value(system, state) for state in (phase.start_instant, there))
+    before, after = (Energy("total").value(system, state) for state in (phase.start_instant, there))
     return tree.to_home(phase, before) - tree.to_home(phase, after)
 
 
@@ -178,6 +188,6 @@ def _taken_by_impact(tree: PhaseTree, node: PhaseNode, of: str) -> Ratio:
                 names=", ".join(node.impact.blow.striking),
             )
         )
-    before = EnergyOf("total").value(plain(setup.system), node.impact.before.now)
-    after = EnergyOf("total").value(plain(phase.system), phase.start_instant)
+    before = Energy("total").value(plain(setup.system), node.impact.before.now)
+    after = Energy("total").value(plain(phase.system), phase.start_instant)
     return tree.to_home(setup, before) - tree.to_home(phase, after)

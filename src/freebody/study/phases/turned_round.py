@@ -45,8 +45,10 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
 
     def attempt(system: System) -> Answer:
         there = tree if system is tree.system else PhaseTree(system)
-        formulas = _at_the_start(there, asked, [(p, _formula(there, asked, p)) for p in pieces(there, asked)])
-        found = solved_for(there.home, question, formulas)
+        told, is_whole = _formulas(there, asked, quantity)
+        found = solved_for(there.home, question, _at_the_start(there, asked, told))
+        if not is_whole:
+            found.notes.append(Message("cases in which it changes along the motion are left out"))
         return QuestionSolver(there.home, question).finish(found)
 
     return first_found(tree.system, quantity.parameter, attempt)
@@ -57,6 +59,20 @@ def _is_touching(system: System, quantity: Wanted) -> bool:
     of = quantity.of
     is_not_negative = quantity.relation == ">=" and quantity.target == ZERO
     return is_not_negative and isinstance(of, ReactionComponent) and any(b.name == of.row for b in system.bounds)
+
+
+def _formulas(tree: PhaseTree, asked: Question, quantity: Wanted) -> tuple[list[tuple[AnswerBranch, Formula]], bool]:
+    """The formulas of all cases, and whether it is all: where one value is wanted, a case in which the quantity changes
+    along the motion has none."""
+    found, untold = list[tuple[AnswerBranch, Formula]](), list[CannotAnswer]()
+    for piece in pieces(tree, asked):
+        try:
+            found.append((piece, _formula(tree, asked, piece)))
+        except CannotAnswer as error:
+            untold.append(error)
+    if untold and (not found or quantity.relation != "="):
+        raise untold[0]
+    return found, not untold
 
 
 def _of_happening(tree: PhaseTree, question: Question, happening: Happening) -> Answer:

@@ -306,11 +306,11 @@ def _scalable(rows: list[list[Fraction]], may: list[bool | None]) -> list[int]:
     their own, and those that may not be set to 1 get their pivots first."""
     n = len(may)
     rows = [*rows, *([Fraction(int(j == k)) for j in range(n)] for k in range(n) if may[k] is None)]
-    pivots: list[int] = []
-    for k in sorted(range(n), key=lambda k: may[k] is True):
-        row = next((r for r in rows if r[k] != 0), None)
-        if row is None:
-            continue
-        rows = [[a - r[k] / row[k] * b for a, b in zip(r, row, strict=True)] for r in rows if r is not row]
-        pivots.append(k)
+    order = sorted(range(n), key=lambda k: may[k] is True)
+    distinct = dict.fromkeys(tuple(row[k] for k in order) for row in rows)
+    if not distinct:
+        return [k for k in range(n) if may[k] is True]
+    entries = [_flint.fmpq(x.numerator, x.denominator) for row in distinct for x in row]
+    reduced, rank = _flint.fmpq_mat(len(distinct), n, entries).rref()
+    pivots = {order[next(j for j in range(n) if reduced[i, j] != 0)] for i in range(rank)}
     return [k for k in range(n) if k not in pivots and may[k] is True]

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
@@ -46,8 +46,23 @@ class Damped(MotionLaw):
         center = f.lowest_terms(-alpha / beta)
         return cls(moving.model, moving.q0, moving.u0, center, f.lowest_terms(-gamma / 2), -beta)
 
+    swings: ClassVar[bool] = False  # else it turns at most once, and does not get beyond its centre after that
+
     def extent(self, side: int) -> Farthest | None:
-        return None if self.is_negative(self.delta) else self.at_first_turn(side)
+        if self.is_negative(self.delta) or self.is_negative(self.square):
+            return None
+        if self.u0.is_zero():  # from the start to the other side of the centre, or only to the centre
+            sense, needs = self.side_of(self.x0)
+            return Farthest(self.q0 if side == sense else None, needs, is_limit=side != sense and not self.swings)
+        sense, needs = self.side_of(self.u0)
+        if side == sense:
+            return Farthest(None, needs)
+        if self.swings:
+            return None  # where it has turned it may get farther back than the start, or not
+        if self.x0.is_zero():  # it comes back to the centre and stays there
+            return Farthest(self.q0, needs)
+        begins, more = self.side_of(self.x0)
+        return Farthest(self.q0, (*needs, *more)) if begins == side else Farthest(None, (*needs, *more), is_limit=True)
 
     @property
     def first_acceleration(self) -> Ratio:
@@ -110,6 +125,7 @@ class Underdamped(Damped):
     """It swings."""
 
     key = "underdamped"
+    swings = True
 
     @classmethod
     def of(cls, moving: Freely) -> Self | None:
