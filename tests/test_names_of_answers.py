@@ -49,7 +49,7 @@ def test_an_answer_goes_by_the_letter_of_its_quantity(question: str, line: str) 
 def test_an_event_cites_the_lines_that_its_value_is_made_of() -> None:
     """The place at which the block stops follows from one line, not from that of its speed, which is zero."""
     told = derived("way, find: x when block stops").splitlines()
-    (said,) = [one.strip() for one in told if one.strip().startswith("At the event, with (")]
+    *_state, said = [one.strip() for one in told if one.strip().startswith("At the event, with (")]
     assert said.count("(") == 1
 
 
