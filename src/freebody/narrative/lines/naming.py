@@ -60,13 +60,18 @@ def asked_name(context: Context, question: Question) -> str:
     own, letter = question.id, question.quantity.letter
     if _is_symbol(own) and own not in context.system.bodies:  # v_piston, not piston, for a velocity
         return context.symbol(own, f"{own}_asked").name
-    asked = context.system.questions
-    is_only = sum(q.quantity.letter == letter for q in asked) < 2 and all(q.id != letter for q in asked)
-    says_no_more = own in question.text.split() and own not in context.system.bodies
     unnamed = re.fullmatch(r"q(\d+)", own)
     index = unnamed[1] if unnamed else own if own.isidentifier() else "asked"
-    wishes = [letter] if is_only and (unnamed or says_no_more) and _is_free(context, letter) else []
+    is_plain = _is_plain(question) and own not in context.system.bodies
+    others = [q for q in context.system.questions if q.id != own and q.quantity.letter == letter]
+    is_only = not any(_is_plain(q) for q in others) and all(q.id != letter for q in context.system.questions)
+    wishes = [letter] if is_plain and is_only and _is_free(context, letter) else []
     return context.symbol(*wishes, f"{letter.partition('_')[0]}_{index}", f"{letter}_asked").name
+
+
+def _is_plain(question: Question) -> bool:
+    """Whether its id says no more than the letter of the quantity: time, for the time of an event."""
+    return question.id in question.text.split() or re.fullmatch(r"q\d+", question.id) is not None
 
 
 def _is_symbol(name: str) -> bool:
