@@ -45,7 +45,7 @@ def asked_side(
     name = Symbol(asked_name(context, question))
     what = Sentence("symbol.asked")
     n = len(way.piece.value) if isinstance(way.piece.value, tuple) else 1
-    leg.glossary.introduce(Meaning(name, what, lambda w: float(_number(way, question, w)), ""))
+    leg.glossary.redefine(Meaning(name, what, lambda w: float(_number(way, question, w)), ""))
 
     def part(k: int) -> Callable[[World], float]:
         return lambda world: float(_number(way, question, world)[k])

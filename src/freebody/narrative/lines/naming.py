@@ -10,7 +10,7 @@ from functools import partial
 from freebody.language.expression import Expr, Symbol, rate_key
 from freebody.language.notation.parts import LETTER_OF, split_name
 from freebody.narrative.context import Context
-from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.glossary import ASKED, Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.questions.reading import Question
 from freebody.study.answering.numbers import work_until
@@ -83,7 +83,7 @@ def _is_symbol(name: str) -> bool:
 def _is_free(context: Context, name: str) -> bool:
     """Whether no line means something else by it."""
     meaning = context.glossary.meanings.get(name)
-    return meaning is None or meaning.what == Sentence("symbol.asked")
+    return meaning is None or meaning.what.key == ASKED
 
 
 def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
@@ -93,7 +93,7 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     if n > 1 and any(name.name in reactions for name in names_of(Symbol(own), n)):
         own = f"{own}_asked"
     symbol = Symbol(own)
-    what = Sentence("symbol.asked")
+    what = Sentence(ASKED, {"id": question.id, "text": question.text})
     quantity, system = question.quantity, context.system
 
     def part(k: int) -> Callable[[World], float]:
@@ -108,9 +108,8 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     def of_pose(world: World) -> float:
         return float(quantity.value(system, moving_for(quantity, world.snapshot)))
 
-    if symbol.name not in context.glossary.meanings:
-        read = counted if quantity.scope == "course" else of_pose if quantity.is_of_pose_in_motion else quantity
-        context.glossary.introduce(Meaning(symbol, what, read))
+    read = counted if quantity.scope == "course" else of_pose if quantity.is_of_pose_in_motion else quantity
+    context.glossary.introduce(Meaning(symbol, what, read))
     for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
         context.glossary.introduce(Meaning(name, what, part(k)))
     return symbol
