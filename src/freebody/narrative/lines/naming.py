@@ -44,7 +44,7 @@ def asked_as(context: Context, question: Question, read: Callable[[World], float
 def asked_entry(symbol: Symbol, question: Question, unit: str = "", n: int = 1) -> Legend:
     """The legend of what is asked, or of its n components."""
     names = (symbol,) if n == 1 else names_of(symbol, n)
-    what = Sentence("symbol.asked")
+    what = _words_of(question)
     return Legend(tuple((name, what, unit) for name in names))
 
 
@@ -86,6 +86,11 @@ def _is_free(context: Context, name: str) -> bool:
     return meaning is None or meaning.what.key == ASKED
 
 
+def _words_of(question: Question) -> Sentence:
+    """What a symbol for what is asked means: another thing in every question."""
+    return Sentence(ASKED, {"id": question.id, "text": question.text})
+
+
 def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     """A symbol for what is asked, and one for each of n components."""
     own = asked_name(context, question)
@@ -93,7 +98,7 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     if n > 1 and any(name.name in reactions for name in names_of(Symbol(own), n)):
         own = f"{own}_asked"
     symbol = Symbol(own)
-    what = Sentence(ASKED, {"id": question.id, "text": question.text})
+    what = _words_of(question)
     quantity, system = question.quantity, context.system
 
     def part(k: int) -> Callable[[World], float]:
