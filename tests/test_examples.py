@@ -309,7 +309,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "omega_2": "rate(psi)*cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
         "ratio": "cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
         "extremes": ["cos(alpha)", "1/cos(alpha)"],
-        "uneven": "0",
+        "alpha_2": "0",
     },
     # the second joint sees the middle shaft as the first one does
     "cardan_shaft_with_two_joints": {

@@ -141,6 +141,10 @@ def __getattr__(name: str) -> Any:
         return getattr(import_module(_HOMES[name]), name)
     if name in STUDIES:
         return STUDIES[name].function
+    if name in ("load", "read", "from_file", "from_yaml"):  # what one tries first
+        raise AttributeError(
+            f"module 'freebody' has no attribute {name!r}. A model file is read by freebody.System.load"
+        )
     if not name[:1].isupper():
         # also what `from freebody import progress` asks first: is it an attribute? Then it is imported as a module
         raise AttributeError(f"module 'freebody' has no attribute {name!r}")

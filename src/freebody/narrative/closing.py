@@ -3,6 +3,7 @@ the numbers of the file, and a verdict on each option."""
 
 from __future__ import annotations
 
+import math
 from contextlib import suppress
 from typing import Literal
 
@@ -68,6 +69,8 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
         shown = ", ".join(f"{v:.5g}" for v in values)
         unit = "" if answer.unit in ("", "1") else f" {raised(answer.unit)}"
+        if answer.unit == "rad":
+            unit += f" ({', '.join(f'{math.degrees(v):.5g}°' for v in values)})"
         script.say("result.value", value=f"@{shown}{unit}")
     if answer.notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in answer.notes)))

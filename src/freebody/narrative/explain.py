@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
+from freebody.language.expression import Call, Number, Symbol
 from freebody.language.sentences import Message
 from freebody.model.noting import did_you_mean
 from freebody.narrative.closing import closing
@@ -208,7 +209,13 @@ def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], to
 
 
 def _says(line: NumberedFormula, result: NumberedFormula) -> bool:
-    return (line.sides[0], line.sides[-1]) == result.sides[:2]
+    """Whether a line ends in the result, under its name or that of a coordinate or rate whose value is asked for."""
+    name, value = line.sides[0], line.sides[-1]
+    if value != result.sides[1]:
+        return False
+    is_rate = isinstance(name, Call) and name.function == "rate"
+    is_there = line.when == result.when == "event" and not isinstance(value, Number)
+    return name == result.sides[0] or (is_there and (is_rate or isinstance(name, Symbol)))
 
 
 def _without_notes(stage: DerivationStage, noted: Sequence[object]) -> DerivationStage:

@@ -196,10 +196,18 @@ def _binds_more_beside(context: Context) -> bool:
     return False
 
 
-def _by_connection(rows: Sequence[str]) -> tuple[Sentence, ...]:
+def _by_connection(rows: Sequence[str], connections: Sequence[str]) -> tuple[Sentence, ...]:
     """How many constraints of which connections: a row by itself has no name that a reader knows."""
     counts = Counter(row.partition(".")[0] for row in rows)
-    return tuple(Sentence("freedom.of_connection", {"n": n, "connection": name}) for name, n in counts.items())
+    alike: dict[int, list[str]] = {}
+    for name in sorted(counts, key=lambda name: connections.index(name) if name in connections else len(connections)):
+        alike.setdefault(counts[name], []).append(name)
+    return tuple(
+        Sentence(
+            f"freedom.of_connection{'s' if more else ''}", {"n": n, "connection": (first, *more) if more else first}
+        )
+        for n, (first, *more) in alike.items()
+    )
 
 
 def _by_rank(context: Context, script: Script, count: int) -> int:
@@ -225,7 +233,7 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
     if n == count:
         script.say("freedom.confirmed")
     elif model.redundant:
-        script.say("freedom.redundant", sets=_by_connection(model.redundant), n=n)
+        script.say("freedom.redundant", sets=_by_connection(model.redundant, tuple(context.system.connections)), n=n)
     else:
         script.say("freedom.rank_only", n=n)
     names = tuple(Symbol(c.name) for c in model.coordinates if not state_name(c.name))

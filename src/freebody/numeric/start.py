@@ -234,7 +234,7 @@ def _with_places_that_fit(reference: NumericSystem, told: str) -> str:
             (Displacement(body.point(point), Point(GROUND), axis).value(g).value, other.number(x)) for axis, x in axes
         ]
         if max(abs(a - b) for a, b in pairs) > ACCEPTED:
-            place = ", ".join(f"{a:.4g} m" for a, _b in pairs)
+            place = ", ".join(f"{round(a, 9) + 0.0:.4g} m" for a, _b in pairs)
             return Message("{told}. It could be assembled with {body} at [{place}]", told=told, body=name, place=place)
     return told
 

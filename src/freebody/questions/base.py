@@ -16,7 +16,21 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypeVar
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, Sentence
-from freebody.language.units import DIMENSIONLESS, TIME, Dimension
+from freebody.language.units import (
+    ACCELERATION,
+    ANGULAR_ACCELERATION,
+    ANGULAR_MOMENTUM,
+    ANGULAR_VELOCITY,
+    DIMENSIONLESS,
+    FORCE,
+    IMPULSE,
+    LENGTH,
+    POWER,
+    TIME,
+    TORQUE,
+    VELOCITY,
+    Dimension,
+)
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, RigidBody
 from freebody.model.state import State
@@ -39,6 +53,19 @@ Scope = Literal[
     "linkage",  # the geometry of a loop, whatever moves it
 ]
 S_co = TypeVar("S_co", covariant=True)
+_LETTERS = {  # as textbooks write them
+    LENGTH: "s",
+    TIME: "T",
+    VELOCITY: "v",
+    ACCELERATION: "a",
+    ANGULAR_VELOCITY: "omega",
+    ANGULAR_ACCELERATION: "alpha",
+    FORCE: "F",
+    TORQUE: "M",
+    POWER: "P",
+    IMPULSE: "J",
+    ANGULAR_MOMENTUM: "H",
+}
 
 
 class Loaded(Protocol):
@@ -266,8 +293,11 @@ class Quantity:
 
     @property
     def letter(self) -> str:
-        """The symbol that formulas have for it."""
-        return "Q"
+        """The symbol that formulas have for it: by its kind or that of what it is about, else by its dimension."""
+        about = self.inner
+        if len(about) == 1 and about[0].dimension == self.dimension:
+            return about[0].letter
+        return "E" if self.unit == "J" else _LETTERS.get(self.dimension, "Q")
 
     @property
     def bodies_in_motion(self) -> tuple[str, ...]:

@@ -78,6 +78,10 @@ questions: {it: energy lost in the blow}
     is_of_start = True
 
     @property
+    def letter(self) -> str:
+        return "Q"
+
+    @property
     def struck(self) -> frozenset[str]:
         return frozenset(self.of)
 

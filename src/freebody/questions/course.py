@@ -62,6 +62,10 @@ questions: {it: time when y = -5 m}
     measured_in = TIME
     is_of_event = True
 
+    @property
+    def letter(self) -> str:
+        return "t_f"
+
     def counted(self, passage: Passage[Any]) -> Any:
         return passage.time()
 
@@ -86,6 +90,10 @@ start: {x: 0, rate(x): 2 m/s}
 questions: {it: energy lost until rolling begins}
 """
     measured_in = ENERGY
+
+    @property
+    def letter(self) -> str:
+        return "Q"
 
     @property
     def unit(self) -> str:
@@ -117,6 +125,10 @@ measures: {x: {travel of ball along floor}}
 start: {x: 0, rate(x): 2 m/s}
 questions: {it: turns of ball until rolling begins}
 """
+
+    @property
+    def letter(self) -> str:
+        return "n"
 
     @property
     def unit(self) -> str:

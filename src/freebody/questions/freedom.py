@@ -23,6 +23,10 @@ questions: {it: degrees of freedom}
     scope = "structure"
 
     @property
+    def letter(self) -> str:
+        return "f"
+
+    @property
     def unit(self) -> str:
         return "1"
 

@@ -137,6 +137,10 @@ questions: {it: work of weight until y = -5 m}
     until = "x = h"
 
     @property
+    def letter(self) -> str:
+        return "W"
+
+    @property
     def unit(self) -> str:
         return "J"
 

@@ -85,6 +85,11 @@ questions: {it: acceleration of x}
         return not isinstance(self.measure, Distance)
 
     @property
+    def letter(self) -> str:
+        is_angle = self.order == 0 and self.measure.dimension == DIMENSIONLESS
+        return "phi" if is_angle else super().letter
+
+    @property
     def counted_along(self) -> str:
         return self.name
 

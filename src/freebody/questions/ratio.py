@@ -34,6 +34,10 @@ questions: {it: ratio of angular velocity of small to angular velocity of big}
 """
 
     @property
+    def letter(self) -> str:
+        return "i"
+
+    @property
     def dimension(self) -> Dimension:
         return self.top.dimension / self.bottom.dimension
 

@@ -66,6 +66,10 @@ questions: {it: tension of rod}
             ),
         )
 
+    @property
+    def letter(self) -> str:
+        return {"tension": "S", "normal force": "N"}.get(self.reaction, super().letter)
+
     is_reaction = True
     # the keys of its words, of a force and of a moment
     said_as: ClassVar[tuple[str, str]] = ("force", "moment")

@@ -29,8 +29,8 @@ from freebody.language.expression import (
 from freebody.language.guards import MAX_DIGITS
 from freebody.language.parser import GREEK
 
-# An underscore between two words of small letters, as in bottom_left.
-_BETWEEN_WORDS = re.compile(r"(?<=[a-z]{2})_(?=[a-z]{2})")
+# An underscore within words and their numbers, as in bottom_left, planet_2_axle and sun_P1.
+_BETWEEN_WORDS = re.compile(r"(?<=[a-z]{2})_(?=[a-z]{2}|[A-Z]?\d)|(?<=[a-z]{2}_\d)_(?=[a-z]{2})")
 
 MOST_HALVED = 1024  # the largest denominator of what comes of halving again and again
 MOST_ZEROS = 6  # behind the point of a long decimal
@@ -178,7 +178,7 @@ def is_whole(expr: Expr) -> bool:
 
 def spaced_index(index: str) -> str:
     """An index as it is set: words follow each other with a space, all else with a comma: bottom_left_x -> bottom
-    left,x; sun_P1 -> sun,P1."""
+    left,x; sun_P1 -> sun P1."""
     return _BETWEEN_WORDS.sub(" ", index).replace("_", ",")
 
 

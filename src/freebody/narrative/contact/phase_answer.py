@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any
 
 from freebody.errors import CannotAnswer, RoutesDisagree
-from freebody.language.expression import Expr, add
+from freebody.language.expression import Expr, Symbol, add
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.narrative.contact.phase_motion import KINETIC, POTENTIAL, energy_parts, tell_energies
@@ -25,6 +25,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, Revolutions, Travelled, When
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.loads import Work
+from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.passage import NumericPassage
@@ -41,11 +42,10 @@ def asked_side(
     context: Context, way: PhaseSequence, leg: PhaseSegment, script: Script, question: Question
 ) -> Expr | tuple[Expr, ...]:
     """The symbol of what is asked (those of its components), introduced with its meaning on the way."""
-    own = asked_name(question)
-    name = context.symbol(own, f"{own}_asked")
+    name = Symbol(asked_name(context, question))
     what = Sentence("symbol.asked")
     n = len(way.piece.value) if isinstance(way.piece.value, tuple) else 1
-    leg.glossary.introduce(Meaning(name, what, lambda w: float(_number(way, question, w)), ""))
+    leg.glossary.redefine(Meaning(name, what, lambda w: float(_number(way, question, w)), ""))
 
     def part(k: int) -> Callable[[World], float]:
         return lambda world: float(_number(way, question, world)[k])
@@ -134,7 +134,7 @@ class _Tell:
         if q.scope == "course":
             raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
         with self.stage() as left:
-            _instant(self.script, self.way, left, self.given, self.lines, self.forces)
+            _instant(self.script, self.way, left, self.given, self.ends[-1], self.forces)
 
     @answer.register(When)
     def _time(self, q: When) -> None:
@@ -191,16 +191,17 @@ def _energies(script: Script, way: PhaseSequence, ends: list[dict[str, int]]) ->
     with script.stage("stage.energy", "hint.energy_lost"):
         lines: tuple[int, int] = (0, 0)
         for leg, values, when, own in (
-            (first, first.phase.start.values, "start", ()),
-            (last, last.first.zero.values if last.first else {}, "event", tuple(ends[-1].values())),
+            (first, first.phase.start.values, "start", {}),
+            (last, last.first.zero.values if last.first else {}, "event", ends[-1]),
         ):
             if when == "start" or leg is not first:
                 with on_the_way(script, leg.glossary):
                     lines = tell_energies(script, leg)
             f = leg.phase.model.field
-            total = f.lowest_terms(f.follow(sum(energy_parts(leg), f.zero), values))
+            general = sum(energy_parts(leg), f.zero)
+            total = f.lowest_terms(f.follow(general, values))
             with on_the_way(script, leg.course):
-                uses = (*lines, *own)
+                uses = (*lines, *_lines_of(leg, own, general))
                 found.append(
                     script.line(
                         add(KINETIC, POTENTIAL),
@@ -212,6 +213,15 @@ def _energies(script: Script, way: PhaseSequence, ends: list[dict[str, int]]) ->
                     )
                 )
     return tuple(found)
+
+
+def _lines_of(leg: PhaseSegment, end: dict[str, int], *elements: Ratio) -> tuple[int, ...]:
+    """Of the lines of the state at an event those that elements are made of."""
+    model = leg.phase.model
+    used = {index for x in elements for index in model.field.ingredients(model.in_independent_speeds(x))}
+    names = {c.name for c in model.coordinates if c.index in used}
+    names |= {f"{c.name}'" for c in model.coordinates if c.speed in used}
+    return tuple(line for name, line in end.items() if name in names) or tuple(end.values())
 
 
 def _difference(
@@ -244,7 +254,7 @@ def _instant(
     way: PhaseSequence,
     left: Any,
     answer: Answer,
-    lines: tuple[int, ...],
+    end: dict[str, int],
     forces: dict[int, tuple[Ratio, int]],
 ) -> None:
     """A property of the instant of the event: general, then with the state there."""
@@ -263,7 +273,11 @@ def _instant(
         )
     shown = written(general)
     asked = {g for part in parts for g in f.ingredients(part)}
-    used = tuple(dict.fromkeys((*(line for unknown, (_v, line) in forces.items() if unknown in asked), *lines)))
+    found = (line for unknown, (_v, line) in forces.items() if unknown in asked)
+    used = tuple(dict.fromkeys((*found, *_lines_of(leg, end, *general))))
     assert answer.expression is not None
-    sides = (left, shown, answer.expression) if shown != answer.expression else (left, shown)
+    coordinates = leg.phase.model.coordinates
+    if shown in [rates_of(c.name, order) for c in coordinates for order in (0, 1)]:  # x' = ..., not v = x' = ...
+        left = shown
+    sides = (left, shown, answer.expression) if shown not in (left, answer.expression) else (left, answer.expression)
     script.line(*sides, why="answer.there", args={"lines": used}, uses=used, when="event")

@@ -82,7 +82,8 @@ def tell_cone(
         limit = tidy(c)
         for name in rub.load:
             limit = limit * symbols[name]
-        law = script.line(size, power(limit, number(2)), why="verge.cone", args={"connection": place_of(rub.row)})
+        why = "verge.rim" if rub.is_tipping else "verge.cone"
+        law = script.line(size, power(limit, number(2)), why=why, args={"connection": place_of(rub.row)})
         below = c * c * (squares[2] if rub.load else equations.field.one)
         left, right = tidy(squares[0] + squares[1]), tidy(below)
         line = script.line(left, right, why="verge.in_cone", args={"lines": lines}, uses=(law, *lines))

@@ -49,6 +49,7 @@ from freebody.tolerances import ROUNDED
 TrueWhen = Literal["always", "start", "event", "never"]  # "never": an identity of parameters, true by itself
 INTEGRATED = 1e-10  # what is left of a speed after a motion in numbers where it vanishes
 N_WORLDS = 4  # random motions at which a line is looked at
+ASKED = "symbol.asked"  # the key of what is said of a symbol for what is asked
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,12 @@ class Meaning:
     what: Sentence
     read: Quantity | Callable[[World], float]
     unit: str = ""
+
+    def is_answer_to_another(self, new: Meaning) -> bool:
+        """Whether it was what an earlier question asked for, and the new one is something else."""
+        if self.what.key != ASKED:
+            return False
+        return new.what.key != ASKED or bool(self.what.args and new.what.args and self.what != new.what)
 
 
 class World(SymbolValues):
@@ -233,7 +240,10 @@ class Glossary:
         return made
 
     def introduce(self, meaning: Meaning) -> Expr:
-        """Adds a symbol; one that is known keeps its meaning."""
+        """Adds a symbol; one that is known keeps its meaning, unless that was the answer to another question."""
+        known = self.meanings.get(rate_key(meaning.symbol))
+        if known is not None and known.is_answer_to_another(meaning):
+            return self.redefine(meaning)
         self.meanings.setdefault(rate_key(meaning.symbol), meaning)
         return meaning.symbol
 

@@ -8,16 +8,9 @@ from dataclasses import replace
 from functools import partial
 
 from freebody.language.expression import Expr, Symbol, rate_key
-from freebody.language.units import (
-    ACCELERATION,
-    ANGULAR_ACCELERATION,
-    ANGULAR_VELOCITY,
-    FORCE,
-    LENGTH,
-    VELOCITY,
-)
+from freebody.language.notation.parts import LETTER_OF, split_name
 from freebody.narrative.context import Context
-from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.glossary import ASKED, Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.questions.reading import Question
 from freebody.study.answering.numbers import work_until
@@ -51,18 +44,8 @@ def asked_as(context: Context, question: Question, read: Callable[[World], float
 def asked_entry(symbol: Symbol, question: Question, unit: str = "", n: int = 1) -> Legend:
     """The legend of what is asked, or of its n components."""
     names = (symbol,) if n == 1 else names_of(symbol, n)
-    what = Sentence("symbol.asked")
+    what = _words_of(question)
     return Legend(tuple((name, what, unit) for name in names))
-
-
-_LETTERS = {  # of what is asked of a body by whose name the question goes
-    LENGTH: "s",
-    VELOCITY: "v",
-    ACCELERATION: "a",
-    ANGULAR_VELOCITY: "omega",
-    ANGULAR_ACCELERATION: "alpha",
-    FORCE: "F",
-}
 
 
 def component_names(name: str) -> tuple[Symbol, Symbol, Symbol]:
@@ -71,25 +54,51 @@ def component_names(name: str) -> tuple[Symbol, Symbol, Symbol]:
     return x, y, z
 
 
-def asked_name(question: Question) -> str:
-    """The id of a question where that is a good name; of several without an id (q1, q2) each has a name of its own."""
-    unnamed = re.fullmatch(r"q(\d+)", question.id)
-    if unnamed is not None:
-        return "result" if unnamed[1] == "1" else f"result_{unnamed[1]}"
-    return question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+def asked_name(context: Context, question: Question) -> str:
+    """What is asked, as formulas name it: by the id of the question where that is a symbol, as v_f and T1 are; else by
+    the letter of the quantity, with the id as its index where the letter alone would not do."""
+    own, letter = question.id, question.quantity.letter
+    if _is_symbol(own) and own not in context.system.bodies:  # v_piston, not piston, for a velocity
+        return context.symbol(own, f"{own}_asked").name
+    unnamed = re.fullmatch(r"q(\d+)", own)
+    index = unnamed[1] if unnamed else own if own.isidentifier() else "asked"
+    is_plain = _is_plain(question) and own not in context.system.bodies
+    others = [q for q in context.system.questions if q.id != own and q.quantity.letter == letter]
+    is_only = not any(_is_plain(q) for q in others) and all(q.id != letter for q in context.system.questions)
+    wishes = [letter] if is_plain and is_only and _is_free(context, letter) else []
+    return context.symbol(*wishes, f"{letter.partition('_')[0]}_{index}", f"{letter}_asked").name
+
+
+def _is_plain(question: Question) -> bool:
+    """Whether its id says no more than the letter of the quantity: time, for the time of an event."""
+    return question.id in question.text.split() or re.fullmatch(r"q\d+", question.id) is not None
+
+
+def _is_symbol(name: str) -> bool:
+    """Whether it is a name as on paper: a Latin letter or a Greek one, with an index or none."""
+    letters, _index = split_name(name)
+    return name.isidentifier() and (len(letters) == 1 or letters in LETTER_OF) and not re.fullmatch(r"q\d+", name)
+
+
+def _is_free(context: Context, name: str) -> bool:
+    """Whether no line means something else by it."""
+    meaning = context.glossary.meanings.get(name)
+    return meaning is None or meaning.what.key == ASKED
+
+
+def _words_of(question: Question) -> Sentence:
+    """What a symbol for what is asked means: another thing in every question."""
+    return Sentence(ASKED, {"id": question.id, "text": question.text})
 
 
 def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
-    """A symbol for what is asked, and one for each of n components: the question's id where that is a good name."""
-    own = asked_name(question)
-    if own in context.system.bodies:  # v_piston, not piston, for a velocity
-        letter = _LETTERS.get(question.quantity.dimension)
-        own = own if letter is None else f"{letter}_{own}"
+    """A symbol for what is asked, and one for each of n components."""
+    own = asked_name(context, question)
     reactions = {r.name for r in reaction_symbols(context.system).values()}
     if n > 1 and any(name.name in reactions for name in names_of(Symbol(own), n)):
         own = f"{own}_asked"
-    symbol = context.symbol(own, f"{own}_asked")
-    what = Sentence("symbol.asked")
+    symbol = Symbol(own)
+    what = _words_of(question)
     quantity, system = question.quantity, context.system
 
     def part(k: int) -> Callable[[World], float]:
@@ -104,9 +113,8 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     def of_pose(world: World) -> float:
         return float(quantity.value(system, moving_for(quantity, world.snapshot)))
 
-    if symbol.name not in context.glossary.meanings:
-        read = counted if quantity.scope == "course" else of_pose if quantity.is_of_pose_in_motion else quantity
-        context.glossary.introduce(Meaning(symbol, what, read))
+    read = counted if quantity.scope == "course" else of_pose if quantity.is_of_pose_in_motion else quantity
+    context.glossary.introduce(Meaning(symbol, what, read))
     for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
         context.glossary.introduce(Meaning(name, what, part(k)))
     return symbol

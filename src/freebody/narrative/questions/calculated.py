@@ -47,7 +47,7 @@ def derive_calculated(context: Context, question: Question, answer: Answer, meth
         last = _last(own)
         stages, lines = [*stages, *own], [*lines, *([last] if last else [])]
         context.next_number = max(context.next_number, last + 1)
-        name = asked_name(part)  # as it is called there, where it has got a name
+        name = asked_name(context, part)  # as it is called there, where it has got a name
         found.append(Symbol(name) if name in context.glossary.meanings else given.expression)
     script = Script(context.glossary, context.next_number)
     context.next_number = first

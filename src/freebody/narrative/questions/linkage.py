@@ -248,7 +248,7 @@ def _dead(q: DeadPoints, told: _Told) -> None:
 
 
 def _asked(context: Context, question: Question, k: int, n: int) -> Symbol:
-    own = asked_name(question)
+    own = asked_name(context, question)
     return Symbol(fresh(context, own if n == 1 else f"{own}_{k + 1}", f"{own}_asked{k + 1}"))
 
 

@@ -47,8 +47,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         from freebody.narrative.questions.happening import derive as derive_happening
 
         return derive_happening(context, question, answer, method)
-    id = f"Q_{question.id}" if question.id.isidentifier() else "Q"
-    asked = replace(question, id=id, text=quantity.text, quantity=quantity.of, options={}, key=None)
+    asked = replace(question, id="q1", text=quantity.text, quantity=quantity.of, options={}, key=None)
     if quantity.of.scope == "linkage":
         (given,) = solve(replace(context.system, questions=(asked,)), setup=context.setup).answers
         return derivation_of(context.system, asked)(context, asked, given, method)

@@ -63,4 +63,9 @@ def _key_row(catalogue: Catalogue, key: KeyEntry) -> tuple[Text, ...]:
     value = ", ".join(typeset(f"{v:.4g}") for v in values)
     if len(values) > 1:
         value = f"({value})"
-    return (Emphasis(key.label),), letter, formula, (f"{value} {raised(key.unit)}".strip(),) if value else ()
+    return (Emphasis(key.label),), letter, formula, (_unbroken(f"{value} {raised(key.unit)}"),) if value else ()
+
+
+def _unbroken(value: str) -> str:
+    """A value that stays on the line of its unit."""
+    return value.strip().replace(" ", "\u00a0")

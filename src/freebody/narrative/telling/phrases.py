@@ -101,7 +101,8 @@ class Phrases:
             return self._told(text, kind)
         key = (text, kind)
         if key not in self._known:
-            self._known[key] = self._find(text, kind)
+            found = self._find(text, kind)
+            self._known[key] = found.replace("_", " ") if found and kind == "place" else found
         return self._known[key]
 
     def _told(self, message: Message, kind: str) -> str | None:

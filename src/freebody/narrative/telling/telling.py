@@ -168,9 +168,9 @@ class Telling:
         return Equation(formula, line.number if line.number > 0 else None, label, is_result=line.is_result)
 
     def _label(self, label: Sentence) -> str:
-        """What stands before an equation, with points and directions in their short form."""
+        """What stands before an equation, with points and directions in their short form, without an article."""
         args = {k: f"@{self.catalogue.short(v)}" if isinstance(v, Sentence) else v for k, v in label.args.items()}
-        return self.catalogue.plain(Sentence(label.key, args)) + ":"
+        return self.catalogue.plain(Sentence(label.key, args)).replace("the ", "", 1) + ":"
 
     def _figure(self, diagram: Diagram) -> Figure | int | None:
         """The figure of a diagram; the number of the one that shows the same already."""

@@ -32,7 +32,7 @@ from freebody.present.picture.forces import Kind, ShownForce
 from freebody.present.picture.label import Label, Run, beside, formula, name
 from freebody.study.pictures.action import Action, cross
 from freebody.study.pictures.idle import idle_rows
-from freebody.study.pictures.load_symbols import LoadSymbols, shorter, without_sign
+from freebody.study.pictures.load_symbols import LONGEST, LoadSymbols, shorter, without_sign
 from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.strings import Pull, pulls, rope_of
 from freebody.study.senses import drawn_symbols
@@ -324,7 +324,8 @@ class FreeBody:
             if body in set(part.bodies()) and not free_symbols(coefficient) <= set():
                 value = abs(self.reference.number(coefficient))
                 if abs(value - amount) < 1e-9 * max(1.0, amount):
-                    return in_brackets(formula(shorter(without_sign(coefficient)[0])))
+                    arm = formula(shorter(without_sign(coefficient)[0]))
+                    return in_brackets(arm) if len(arm.text) <= LONGEST else None
         return None
 
 

@@ -5,17 +5,24 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 
 from freebody.errors import FreebodyError
 from freebody.language.expression import (
     Call,
     Expr,
     Number,
+    PowerOf,
     ProductOf,
+    Sum,
     Symbol,
+    add,
     children,
     free_symbols,
+    multiply,
     negate,
+    number,
+    power,
     substitute,
 )
 from freebody.language.notation import to_text
@@ -30,7 +37,8 @@ from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 
-_LONGEST = 28  # letters of a law beside an arrow: a longer one would hide the picture
+LONGEST = 28  # letters of a law beside an arrow: a longer one would hide the picture
+_MOST_DIGITS = 7  # of a number in it
 _LOAD = "@load of "  # the symbol of what sliding friction is pressed with, before the name of its row
 
 
@@ -50,7 +58,7 @@ class LoadSymbols:
             sign = getattr(self.system.loads.get(push.load), "pulling_sign", 1)
         if given is not None:
             return name(given), sign
-        is_short = law is not None and len(to_text(law)) <= _LONGEST
+        is_short = law is not None and len(to_text(law)) <= LONGEST
         return (formula(shorter(law)) if law is not None and is_short else self._named_after(push)), sign
 
     def _named_after(self, push: AppliedLoad) -> Label:
@@ -91,8 +99,9 @@ class LoadSymbols:
 
 def shorter(law: Expr) -> Expr:
     """A formula of names alone in lowest terms, where that says the same with less: 3 M/4 for M - M/4."""
+    law = _rounded(law)
     names = free_symbols(law) - {"pi"}
-    if any(isinstance(part, Call) for part in _parts(law)) or not names:
+    if any(isinstance(part, Call) and part.function != "sqrt" for part in _parts(law)) or not names:
         return law
     field = SignedField()
     values = {"pi": field.pi} | {called: field.parameter(called, positive=True) for called in sorted(names)}
@@ -101,6 +110,23 @@ def shorter(law: Expr) -> Expr:
     except (FreebodyError, ArithmeticError, ValueError):
         return law
     return tidied if len(to_text(tidied)) < len(to_text(law)) else law
+
+
+def _rounded(law: Expr) -> Expr:
+    """With three digits of every decimal that has more of them than a picture has room for: a volume of a mesh."""
+    match law:
+        case Number(value) if len(to_text(law)) > _MOST_DIGITS:
+            return number(Fraction(f"{float(value):.3g}"))
+        case Sum(terms):
+            return add(*map(_rounded, terms))
+        case ProductOf(factors):
+            return multiply(*map(_rounded, factors))
+        case PowerOf(base, exponent):
+            return power(_rounded(base), exponent)
+        case Call():
+            return law.of(_rounded)
+        case _:
+            return law
 
 
 def _parts(expr: Expr) -> Iterator[Expr]:

@@ -181,6 +181,8 @@ class BodySections:
                 hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=inside)
                 if key in SPATIAL_OPTIONS:
                     hint = Message(" It is for models in space: write space: true.")
+                if key == "massless":
+                    hint = Message(" A body is massless where no mass is given, as in {{disk: {{radius: 0.1 m}}}}.")
                 if key == "angle":
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
                 if meant := [field for field in MEANT.get(key, ()) if field in options]:

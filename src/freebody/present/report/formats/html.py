@@ -34,6 +34,7 @@ from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_dec
 
 _ROW_WIDTH = 64  # characters of a displayed formula before it is broken into rows
 _LABEL_WIDTH = 26  # a longer label may be broken
+_NUMBERED = re.compile(r"\d+\. ")  # a title with a number of its own
 _PAPER_WIDTH = 80  # that fit on a page
 _INLINE_WIDTH = 24  # a wider formula in a text scrolls on a narrow screen
 _BEFORE_A_POINT = re.compile(r"<math (?:(?!</math>).)*</math>[.,;:)]+")
@@ -143,7 +144,9 @@ class _Writer(BlockWriter[str]):
             items += f'<li><a href="#{self.prefix}section-{number}">{self.text(section.title)}</a></li>'
             number += _count_sections(section.blocks)
         label = self.word("contents")
-        return f'<nav class="contents" aria-label="{label}"><h2>{label}</h2><ol>{items}</ol></nav>\n'
+        has_numbers = any(_NUMBERED.match(self.text(section.title)) for section in top)
+        kind = ' style="list-style: none; padding-left: 0"' if has_numbers else ""
+        return f'<nav class="contents" aria-label="{label}"><h2>{label}</h2><ol{kind}>{items}</ol></nav>\n'
 
     def bar(self) -> str:
         return (
