@@ -282,19 +282,8 @@ class QuestionSolver:
             return self._at_the_start_alone(q, event)
         purpose, never = event.comes, NeverHappens(event.never)
         conditions = insisted((Condition(x, relation, purpose) for x, relation in reached.conditions), never)
-        x: Elements | None = None
-        with suppress(FormulaTooLong):
-            x = q.counted(smooth_passage(self.setup, reached, self._elements))
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
-        there = SymbolicState(self.model, self.setup.motion.known_at(reached))
-        if x is None or any(part.n_terms > _SWOLLEN for part in (x if isinstance(x, tuple) else (x,))):
-            try:
-                staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)
-                x = q.counted(smooth_passage(self.setup, reached, self._elements, staged))
-                there = staged
-            except (CannotAnswer, ZeroDivisionError):
-                if x is None:
-                    raise
+        x, there = self._there(q, reached)
         if has_integrals(x):
             conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
         self._check_is_told(x)
@@ -322,6 +311,24 @@ class QuestionSolver:
         )
         named = chain_of(self.setup, q, x, there) if q.is_of_state else None
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says, in_names=named)
+
+    def _there(self, q: Quantity, reached: Reached) -> tuple[Elements, SymbolicState]:
+        """A quantity at an event, and the state there; with the loops solved first where the formula is too long
+        otherwise."""
+        there = SymbolicState(self.model, self.setup.motion.known_at(reached))
+        found: Elements | None = None
+        with suppress(FormulaTooLong):
+            found = q.counted(smooth_passage(self.setup, reached, self._elements, there))
+        parts = found if isinstance(found, tuple) else (found,)
+        if found is not None and not any(isinstance(x, Ratio) and x.n_terms > _SWOLLEN for x in parts):
+            return found, there
+        try:
+            staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)
+            return q.counted(smooth_passage(self.setup, reached, self._elements, staged)), staged
+        except (CannotAnswer, ZeroDivisionError):
+            if found is None:
+                raise
+            return found, there
 
     def _at_the_start_alone(self, q: Quantity, event: QuestionEvent) -> Finding:
         """Of an event that is there at the start and does not come again."""
