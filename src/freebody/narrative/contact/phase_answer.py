@@ -28,7 +28,7 @@ from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.passage import NumericPassage
+from freebody.study.answering.passage import NumericPassage, drivers
 from freebody.study.phases.evidence import number_in_blow
 from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
 from freebody.study.phases.witness import PhaseSnapshot
@@ -168,6 +168,8 @@ class _Tell:
 
     @answer.register(Work)
     def _work(self, q: Work) -> None:
+        if q.of in drivers(self.way.legs[-1].phase.system):
+            raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
         with self.stage() as left:
             self.line(left, "answer.work", self.lines, load=q.of)
 
