@@ -241,10 +241,11 @@ def test_a_block_that_has_stopped_stays_where_it_is() -> None:
 
 
 def test_what_is_not_reached_has_no_number_of_round_off() -> None:
-    """With strong damping the cart creeps back and passes the middle at no time."""
+    """With strong damping the cart creeps back and passes the middle at no time; only one that swings, 4 m k > c^2, has
+    a formula."""
     found = posed(STRONG, "time when x = 0")
-    assert found.expression is None
     assert found.value is None
+    assert found.expression is None or any("4·m·k > c²" in str(note) for note in found.notes)
 
 
 def test_what_tends_to_nothing_is_refused() -> None:
