@@ -82,8 +82,11 @@ def _as_it_is(x: Ratio) -> Expr:
     if x.den is not None and sign_is_negative(x.denominator()):
         x = Ratio(x.field, -x.num, -x.den)
     shorter = _root_of_a_quotient(x) or _over_a_root(x)
-    if shorter is not None:
-        return shorter
+    return _quotient(x) if shorter is None else shorter
+
+
+def _quotient(x: Ratio) -> Expr:
+    """Numerator and denominator, each by itself."""
     top = in_decimals(_poly(x.field, x.num))
     if x.den is None:
         return top
@@ -120,7 +123,8 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
     if upside_down.den is None:  # 1/sqrt(a), not sqrt(1/a)
         return divide(front, root_shown(tidy(upside_down)))
     root = root_shown(tidy(inside))
-    return root if front == number(1) else multiply(*factors_of(front), root)
+    found = root if front == number(1) else multiply(*factors_of(front), root)
+    return found if len(roots) == 1 or n_operations(found) < n_operations(_quotient(x)) else None
 
 
 def _over_a_root(x: Ratio) -> Expr | None:

@@ -205,10 +205,10 @@ def _paragraphs(text: Text) -> Iterator[Block]:
             yield Equations((Equation(piece),))
             waiting, is_behind = [], True
             continue
-        if isinstance(piece, str) and not waiting:
-            piece = (piece.lstrip(" .,;") if is_behind else piece).lstrip()
-        if piece or not isinstance(piece, str):
+        if not isinstance(piece, str) or waiting:
             waiting.append(piece)
+        elif begun := piece.lstrip(" .,;" if is_behind else None):
+            waiting.append(begun)
     if waiting:
         yield Paragraph(tuple(waiting))
 

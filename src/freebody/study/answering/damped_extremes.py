@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.sentences import Message
@@ -28,7 +29,7 @@ from freebody.symbolic.laws.damped import Damped
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.unknowns import Coordinate
 
-_BEYOND = 2.5  # times to the turn that are looked at in numbers
+_BEYOND = Fraction(5, 2)  # times to the turn that are looked at in numbers
 
 
 @dataclass(frozen=True)
@@ -96,7 +97,7 @@ def find(setup: Setup, question: str, of: Quantity, damped: DampedQuantity, side
     def numbers(draw: Draw) -> tuple[float, ...]:
         seen: list[float] = []
         for side, reached in zip(sides, found, strict=True):
-            time = limit.time if reached.time is None else _BEYOND * reached.time
+            time = limit.time if reached.time is None else f.element(_BEYOND) * reached.time
             (until,) = element_at(setup, (f.lowest_terms(time),), draw, draw.start())
             low, high = extremes_between(setup, draw, of, 0.0, until)
             seen.append(low if side < 0 else high)
