@@ -4,7 +4,7 @@ own making with their verdicts, worked out by hand."""
 from __future__ import annotations
 
 import json
-import time
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -154,13 +154,12 @@ def test_a_divisor_left_open_is_read_both_ways_and_units_decide() -> None:
         "=====",
     ],
 )
-def test_hostile_text_costs_little_and_is_never_right(hostile: str) -> None:
+def test_hostile_text_costs_little_and_is_never_right(hostile: str, within: Callable[..., None]) -> None:
     atwood = system("atwood_machine")
     atwood.check("acceleration", "g")
-    start = time.process_time()
-    found = atwood.check("acceleration", hostile)
-    assert time.process_time() - start < 0.1  # 45 ms were the most on a quiet machine
-    assert found.verdict in ("unreadable", "incorrect", "undecided")
+    found = []
+    within(300_000, lambda: found.append(atwood.check("acceleration", hostile)))  # 190,000 are the most, some 0.1 s
+    assert found[0].verdict in ("unreadable", "incorrect", "undecided")
 
 
 def test_limits_are_said() -> None:
