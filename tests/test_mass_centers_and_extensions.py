@@ -52,9 +52,10 @@ def test_the_mass_centre_of_what_is_thrown_falls_freely(agrees: Agree) -> None:
     assert start == pytest.approx(((2 * 4.0) / 3, (2 * 8.0 - 4.0) / 3))
 
 
-def test_the_mass_centre_of_one_of_several_bodies_is_asked_for_by_name() -> None:
-    with pytest.raises(fb.ModelError, match=r"can be meant in several ways"):
-        asked(THROWN, "velocity of mass center")
+def test_the_mass_centre_without_a_name_is_that_of_the_system() -> None:
+    bare, named = (asked(THROWN, f"velocity of mass center{of}")["q1"] for of in ("", " of system"))
+    assert bare.expression == named.expression
+    assert bare.understood == "velocity of mass center of system"
 
 
 def test_two_carts_compress_their_spring_by_the_energy_of_their_relative_motion(agrees: Agree) -> None:

@@ -295,6 +295,8 @@ def _ball(value: Fraction) -> Any:
 
 
 def _around(ball: Any) -> Interval:
+    if not ball.is_finite():  # what has no real value, as log(-1)
+        raise TooLarge
     low, high = (int(end.floor().unique_fmpz()) for end in ((ball * _DIGITS).lower(), (ball * _DIGITS).upper()))
     return Fraction(low - 1, _DIGITS), Fraction(high + 2, _DIGITS)
 
