@@ -52,6 +52,33 @@ def test_friction_does_not_jam_on_a_roller_without_mass_however_rough_it_is() ->
     assert run.series["x"][0][-1] == pytest.approx(0.1 * math.cos(math.sqrt(0.9 * 9.81 / 0.5)), abs=1e-7)
 
 
+# Meriam & Kraige, Dynamics, ch. 3: a block on a rough table, a string over a pulley without mass, a hanging load. That
+# the string is level follows from the places of the table and the pulley alone
+TABLE = """
+parameters: {m1: 2 kg, m2: 1.5 kg, mu: 0.2, g: 9.81 m/s^2}
+ground: {points: {P: [0.9 m, -0.1 m]}, lines: {table: {along: right}}}
+bodies:
+  A: {particle: {mass: m1}}
+  B: {particle: {mass: m2}, at: [1 m, -0.5 m]}
+  pulley: {pulley: {radius: 0.1 m}, at: [0.9 m, -0.1 m]}
+connections:
+  contact: {contact: {between: [A, table], friction: mu}}
+  axle: {pin: [ground.P, pulley]}
+  rope: {string: [A, pulley, B]}
+loads: {weight: {gravity: g}}
+measures: {x: x of A}
+start: {x: 0}
+"""
+
+
+def test_a_load_pulls_a_block_over_a_rough_table() -> None:
+    """m2 g - S = m2 a and S - mu m1 g = m1 a."""
+    found = fb.System.from_text(TABLE).solve("tension of rope").answers[0]
+    assert isinstance(found.expression, Expr)
+    assert_same_function(to_python(found.expression), "m1*m2*g*(1 + mu)/(m1 + m2)", {"g": 9.81})
+    assert found.conditions == ("μ < m₂/m₁",)
+
+
 def expression(model: str, question: str) -> str:
     answer = fb.System.from_text(model).solve(question)["q1"]
     assert isinstance(answer.expression, Expr), answer

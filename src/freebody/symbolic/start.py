@@ -63,6 +63,10 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
             place = model.start.recognised(c)
         if place is not None:
             values[c.index] = place
+    dependent = {c.index: values[c.index] for c in model.dependent if c.index in values}
+    for c in model.coordinates:  # a start value that follows by way of the angle of a line, say
+        if f.ingredients(values[c.index]) & dependent.keys():
+            values[c.index] = f.lowest_terms(f.follow(values[c.index], dependent))
     values[f.index(f.time)] = f.zero
     if model.system.is_struck:
         blow = Blow(model, known_rates, values)
