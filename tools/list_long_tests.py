@@ -1,4 +1,4 @@
-"""Writes tests/long_tests.txt: what takes so long that only the slow part of the tests has it (about half an hour).
+"""Writes tests/long_tests.txt: what takes so long that only the slow part of the tests has it.
 
     python tools/list_long_tests.py [--times FILE]
 
