@@ -87,6 +87,15 @@ def test_the_mass_of_a_fast_belt_makes_it_slip() -> None:
     assert slip.time == pytest.approx((critical - 480) / acceleration, rel=1e-6)
 
 
+def test_a_belt_that_has_lifted_off_carries_nothing() -> None:
+    """At 42 m/s, faster than sqrt(T_0/q) = 40 m/s: motor and drum turn each for itself."""
+    system = drive(", pretension: T_0, friction: mu, wrap: 163 deg, mass_per_length: q", w=700)
+    assert value(system, "greatest belt force of belt") == 0.0
+    assert value(system, "belt force of belt") == 0.0
+    ends = system.simulate(0.3).course.velocities[-1, :, 2]
+    assert ends[:2] == pytest.approx([700 + 10 / 0.02 * 0.3, 700 * 0.4])
+
+
 def test_the_range_without_slip_is_one_inequality_for_the_torque() -> None:
     """F <= 2 (T_0 - q v^2) (e - 1)/(e + 1), solved for M; that F >= -2 (...) follows from it."""
     system = drive(", pretension: T_0, friction: mu, wrap: 163 deg, mass_per_length: q", w=150)

@@ -66,7 +66,10 @@ questions: {it: tight tension of drive}
         if self.means.of_force != ZERO:
             total = total + rest[0] * of.absolute(rest[1])
             rest = rest[2:]
-        return total + rest[0] * rest[1] * rest[1] if rest else total
+        if rest:  # faster than where this vanishes the belt lifts off and carries nothing
+            total = total + rest[0] * rest[1] * rest[1]
+            return (total + of.absolute(total)) / 2
+        return total
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence(f"what.belt.{_KEYS[self.what]}", {"connection": self.connection})
