@@ -79,6 +79,21 @@ def test_a_load_pulls_a_block_over_a_rough_table() -> None:
     assert found.conditions == ("μ < m₂/m₁",)
 
 
+def test_the_block_is_told_to_reach_the_pulley_also_where_a_measure_alone_puts_it() -> None:
+    """x(0) = 0 and the pulley at 0.9 m: 0.9 = a t^2/2 with a = g (m2 - mu m1)/(m1 + m2)."""
+    system = fb.System.from_text(TABLE)
+    assert "A reaches pulley" in str(system.phases())
+    found = system.solve("time when A reaches pulley")["q1"]
+    assert isinstance(found.expression, Expr)
+    assert_same_function(to_python(found.expression), "sqrt(1.8*(m1 + m2)/(g*(m2 - mu*m1)))", {"g": 9.81})
+    assert "A has not reached pulley" in str(fb.System.from_text(SLIDER).solve("x at t = 5 s"))
+
+
+SLIDER = TABLE.replace("mu: 0.2, ", "").replace(
+    "contact: {contact: {between: [A, table], friction: mu}}", "guide: {slider: {body: A, along: right}}"
+)
+
+
 def expression(model: str, question: str) -> str:
     answer = fb.System.from_text(model).solve(question)["q1"]
     assert isinstance(answer.expression, Expr), answer

@@ -97,6 +97,10 @@ class Connection(Spec):
         """In space: how one of its bodies is turned from the other, where it leaves few angles free."""
         return None
 
+    def bears_at(self, names: Names, point: Point, normal: Direction) -> Expr | None:
+        """How far along the normal of a line of the ground, on which its body lies at the start, a point is."""
+        return None
+
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
         """How far along a direction of the ground it keeps a point of one of its bodies; see `standing`."""
         return None

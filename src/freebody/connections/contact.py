@@ -15,11 +15,12 @@ from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.connections.places_on_bodies import INSIDE
 from freebody.connections.polyhedra import is_polyhedron
 from freebody.connections.sites import sites
-from freebody.connections.standing import is_parallel, moves_out_of_plane, number_of, place_of
+from freebody.connections.standing import along_of, is_parallel, moves_out_of_plane, number_of, place_of, same_way
+from freebody.language.expression import Expr, add, negate
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
-from freebody.measures.geometry import GROUND, RIGHT, Direction
+from freebody.measures.geometry import GROUND, RIGHT, Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction, read_restitution
@@ -295,6 +296,23 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         for solid, other in [*((p.first, p.second) for p in pairs), *((p.second, p.first) for p in pairs)]:
             if other.body == body and solid.body == GROUND and len(solid.straights) == 1:
                 return solid.straights[0].line.direction
+        return None
+
+    def bears_at(self, names: Names, point: Point, normal: Direction) -> Expr | None:
+        """What is put nowhere touches at the start: by the lowest of its corners, or of its circle."""
+        along, known = self.lies_along(names, point.body), names.known(point.body)
+        if along is None or not is_parallel(names, along.normal(), normal) or known.start.angle is not None:
+            return None
+        with names.quietly():
+            pairs = self.pairs(names, "")
+        for pair in pairs:
+            line, lying = (pair.first, pair.second) if pair.first.body == GROUND else (pair.second, pair.first)
+            if pair.starts_closed and lying.rounds and len(line.straights) == 1:
+                outward, through = along.normal(), line.straights[0].line.through
+                reaches = [add(along_of(part.center.offset, outward), negate(part.radius)) for part in lying.rounds]
+                lowest = min(reaches, key=lambda reach: number_of(names, reach))
+                above = add(along_of(through.offset, outward), along_of(point.offset, outward), negate(lowest))
+                return above if same_way(names, outward, normal) else negate(above)
         return None
 
     def is_floor_below(self, names: Names, body: str) -> bool:

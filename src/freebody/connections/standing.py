@@ -11,8 +11,9 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import Expr, add, evaluate, multiply
-from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.language.expression import Expr, add, evaluate, multiply, negate
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, Direction, Point
 from freebody.model.elements import RigidBody
 from freebody.tolerances import ROUND_OFF
 
@@ -68,6 +69,33 @@ def place_of(names: Names, point: Point) -> tuple[float, float] | None:
         return number_of(names, place[0]), number_of(names, place[1])
     x, y = stands_at(names, point, RIGHT), stands_at(names, point, UP)
     return None if x is None or y is None else (number_of(names, x), number_of(names, y))
+
+
+def starts_at(names: Names, point: Point, along: Direction) -> Expr | None:
+    """How far along a direction of the ground a point is from its origin at the start: where it is held, where its body
+    is put or lies on a line, or where the file lets a named measure of it start."""
+    body = names.known(point.body)
+    if body.start.at is not None and not body.fixed:
+        name, place = body.start.at
+        return along_of(place, along) if body.points[name] == point.offset else None
+    if (held := stands_at(names, point, along)) is not None:
+        return held
+    borne = (connection.bears_at(names, point, along) for connection in names.connections.values())
+    if (place := next((x for x in borne if x is not None), None)) is not None:
+        return place
+    return begins_at(names, point, along)
+
+
+def begins_at(names: Names, point: Point, along: Direction) -> Expr | None:
+    """How far along a direction of the ground the file lets a named measure of a point start."""
+    for name, begun in names.placed_at_start.items():
+        measure = names.measures.get(name)
+        if not isinstance(measure, Displacement) or measure.of != point or measure.origin.body != GROUND:
+            continue
+        if is_parallel(names, measure.along, along):
+            sense = ONE if same_way(names, measure.along, along) else negate(ONE)
+            return add(along_of(measure.origin.offset, along), multiply(sense, begun))
+    return None
 
 
 def moves_out_of_plane(names: Names, bodies: Iterable[str]) -> bool:

@@ -10,14 +10,22 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 from pydantic import ConfigDict, Field
 
 from freebody.connections.base import Connection
-from freebody.connections.standing import ground_guide_of, ground_line_under, is_parallel
+from freebody.connections.standing import ground_guide_of, ground_line_under, is_parallel, number_of, starts_at
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
 from freebody.connections.string.hanging import Hook, askew
-from freebody.connections.string.laying import StringRun, check_ends, leads_of, loose_drum, run_over, unwrapped
+from freebody.connections.string.laying import (
+    StringLead,
+    StringRun,
+    check_ends,
+    leads_of,
+    loose_drum,
+    run_over,
+    unwrapped,
+)
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
 from freebody.connections.string.way import is_held, named_on, read_way
-from freebody.language.expression import Expr, free_symbols
+from freebody.language.expression import Expr, add, free_symbols, negate
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
@@ -30,6 +38,7 @@ from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint, Validity
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -317,7 +326,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         run = self._run(names)
         found: list[Validity] = []
         for lead in () if run is None else leads_of(run):
-            if lead.length is not None and names.known(lead.body).start.at is not None:
+            if lead.length is not None and _is_placed(names, lead):
                 purpose = Message("{body} has not reached {place}", body=lead.body, place=lead.place)
                 end = Message("{body} reaches {place}", body=lead.body, place=lead.place)
                 found.append(Validity(lead.length, ZERO, 1, purpose, end))
@@ -354,6 +363,17 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         rows = [s.component(len(sections)) for s in sections for _lead in itertools.pairwise(s.nodes)]
         leads = tuple(glyphs.Lead(along, row) for along, row in zip(run.leads, rows, strict=True))
         yield glyphs.Rope(nodes, leads, tuple(body for body, _hook in self._own_hooks(names, run)))
+
+
+def _is_placed(names: Names, lead: StringLead) -> bool:
+    """Whether what a lead carries is put somewhere: by its own place, or by where a measure of it starts. What starts
+    at the other end, or beyond, is counted from there."""
+    if names.known(lead.body).start.at is not None:
+        return True
+    if lead.length is None or lead.length.along.body != GROUND:
+        return False
+    ends = [starts_at(names, point, lead.length.along) for point in (lead.length.of, lead.length.origin)]
+    return ends[0] is not None and ends[1] is not None and number_of(names, add(ends[0], negate(ends[1]))) > ROUND_OFF
 
 
 def _slid_over(sections: Iterable[StringSection]) -> list[str]:

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import (
-    along_of,
     ground_line_under,
     is_parallel,
     number_of,
     place_of,
     stands_at,
+    starts_at,
     vanishes,
 )
 from freebody.connections.string.hanging import Hook, hooks_of
@@ -117,11 +117,9 @@ def _runs_along(names: Names, run: StringRun, k: int) -> bool:
 
 def _across(names: Names, point: Point, normal: Direction) -> Expr | None:
     """How far aside a point stands: where it is kept, or on a line of the ground where it is put."""
-    kept, body = stands_at(names, point, normal), names.known(point.body)
-    if kept is not None or body.start.at is None or ground_line_under(names, body.name) is None:
-        return kept
-    name, place = body.start.at
-    return along_of(place, normal) if body.points[name] == point.offset else None
+    kept = stands_at(names, point, normal)
+    on_line = kept is None and ground_line_under(names, point.body) is not None
+    return starts_at(names, point, normal) if on_line else kept
 
 
 def _is_straight_below(names: Names, run: StringRun, k: int) -> bool:
@@ -289,11 +287,20 @@ def _heading(
 def _where(names: Names, node: StringNode) -> tuple[float, float] | None:
     """Where a place of a string is in numbers: as it is put, else as it is held, else as it is guessed to be; a drum is
     at the origin as long as nobody has put it elsewhere."""
-    found, near = node.place or place_of(names, node.point), names.known(node.body).start.near
+    found, near = (
+        node.place or place_of(names, node.point) or _started(names, node.point),
+        names.known(node.body).start.near,
+    )
     if found is not None or near is None or near.at is None:
         return found if found is not None or node.way != "drum" else (0.0, 0.0)
     (x, y), known = near.at[1][:2], names.known(node.body).points[near.at[0]] == node.point.offset
     return (number_of(names, x), number_of(names, y)) if known else None
+
+
+def _started(names: Names, point: Point) -> tuple[float, float] | None:
+    """Where a point that is put nowhere starts by what it lies on and by its measures."""
+    x, y = starts_at(names, point, RIGHT), starts_at(names, point, UP)
+    return None if x is None or y is None else (number_of(names, x), number_of(names, y))
 
 
 def _in_numbers(names: Names, direction: Direction) -> tuple[float, float]:

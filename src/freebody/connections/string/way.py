@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from freebody.connections.standing import ground_guide_of, ground_line_under
+from freebody.connections.standing import begins_at, ground_guide_of, ground_line_under
 from freebody.connections.string.node import StringNode
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
@@ -73,7 +73,9 @@ def _read_node(
     is_given = body.start.at is not None
     is_free = not (is_held(names, body.name) or body.fixed or swings or body.name == GROUND)
     guide = ground_guide_of(names, body.name, turning=False)
-    may_lie = is_given or (guide is None and found["wound"] is not None)
+    line = guide or ground_line_under(names, body.name)
+    is_started = line is not None and begins_at(names, point, line) is not None
+    may_lie = is_given or (guide is None and (found["wound"] is not None or is_started))
     return StringNode(
         point,
         radius,
@@ -83,7 +85,7 @@ def _read_node(
         hangs=is_free and not is_given,
         is_put=is_free and is_given and body.start.velocity is None,
         guide=None if is_given else guide,
-        track=(guide or ground_line_under(names, body.name)) if may_lie else None,
+        track=line if may_lie else None,
         place=_place(names, point),
     )
 
