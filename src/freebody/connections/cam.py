@@ -226,7 +226,7 @@ connections:
     def _round(self, names: Names, r: Expr) -> list[list[float]] | None:
         """r, r' and r'' in numbers at angles of a turn; None where parameters have no values."""
         first = differentiate(r, _PHI)
-        values = {p.name: p.value for p in names.parameters.values() if p.value is not None}
+        values = names.numbers_in(r)
 
         def at(e: Expr, phi: float) -> float:
             return float(evaluate(e, {**values, _PHI: phi}))

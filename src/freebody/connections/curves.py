@@ -91,7 +91,7 @@ class AlongCurve(Connection):
 
     def _looked_at(self, names: Names, curve: Curve) -> list[tuple[float, float, float, float]]:
         """(s, x, y, curvature) along the curve; nothing while parameters have no values."""
-        values = {p.name: p.value for p in names.parameters.values() if p.value is not None}
+        values = names.numbers_in(curve.x, curve.y, curve.curvature)
         low, high = (names.numeric(end) for end in self._ends(names, curve))
         if low is None or high is None:
             return []
@@ -113,7 +113,8 @@ class AlongCurve(Connection):
     def level_places(self, names: Names) -> tuple[LevelPlace, ...]:
         """At 0, and halfway round a closed curve: so far as the numbers of the model say that it is level there, and
         nowhere as low, or as high."""
-        curve, values = self.curve(names), {p.name: p.value for p in names.parameters.values() if p.value is not None}
+        curve = self.curve(names)
+        values = names.numbers_in(curve.x, curve.y)
 
         def at(s: float, e: Expr) -> float:
             return float(evaluate(e, {**values, PARAMETER: s}))

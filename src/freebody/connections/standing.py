@@ -159,8 +159,9 @@ def vanishes(names: Names, x: Expr) -> bool:
 def number_of(names: Names, x: Expr, trial: float = _TRIALS[0], stretch: float = 0.0) -> float:
     """An expression in numbers; parameters without a value are taken small, positive and different. stretch: by which
     share the first parameter is larger than its value, the second by twice that, and so on."""
+    given = names.numbers_in(x)
     values = {
-        p.name: (trial + 0.1 * k / (k + 1) if p.value is None else p.value) * (1.0 + stretch * (k + 1))
-        for k, p in enumerate(names.parameters.values())
+        name: given.get(name, trial + 0.1 * k / (k + 1)) * (1.0 + stretch * (k + 1))
+        for k, name in enumerate(names.parameters)
     }
     return float(evaluate(x, values))

@@ -11,7 +11,19 @@ from itertools import pairwise
 from typing import Any, cast
 
 from freebody.errors import ExpressionError, InputError, NoQuantity, UnitError
-from freebody.language.expression import FUNCTIONS, Expr, ProductOf, Symbol, evaluate, free_symbols, number, substitute
+from freebody.language.expression import (
+    FUNCTIONS,
+    Expr,
+    Number,
+    PowerOf,
+    ProductOf,
+    Sum,
+    Symbol,
+    evaluate,
+    free_symbols,
+    number,
+    substitute,
+)
 from freebody.language.parser import parse
 from freebody.language.sentences import Message
 from freebody.language.units import (
@@ -49,6 +61,9 @@ class Formulas(Noting):
     def __init__(self) -> None:
         super().__init__()
         self.parameters: dict[str, Parameter] = {}
+        self.hangs_on: set[str] = (
+            set()
+        )  # parameters whose numbers were asked for: with others a model may read otherwise
         self.space = False
 
     @property
@@ -66,7 +81,8 @@ class Formulas(Noting):
         expr = self.formula(value, DIMENSIONLESS, *path)
         plain = expr.factors[1] if isinstance(expr, ProductOf) and expr.factors[0] == number(-1) else expr
         parameter = self.parameters.get(plain.name) if isinstance(plain, Symbol) else None
-        bare = _as_number(value) if parameter is None else None if parameter.is_angle else parameter.value
+        given = None if parameter is None or parameter.is_angle else self.number_of(parameter.name)
+        bare = _as_number(value) if parameter is None else given
         if bare is not None and abs(bare) > math.tau:
             told = Message("the angle {value} has no unit: write {value} deg, or {value} rad", value=f"{bare:g}")
             if parameter is not None:
@@ -200,8 +216,8 @@ class Formulas(Noting):
     def positive(self, spec: Spec, field: str, dimension: Dimension) -> Expr:
         """A formula that must not be negative."""
         expr = self.formula(getattr(spec, field), dimension, field)
-        value = self.numeric(expr)
-        if value is not None and value < 0:
+        value = self.below_zero(expr)
+        if value is not None:
             self.problem(
                 Message(
                     "{field} is negative ({value:g} {dimension}); give a positive one",
@@ -216,14 +232,46 @@ class Formulas(Noting):
     def optional(self, spec: Spec, field: str, dimension: Dimension) -> Expr | None:
         return None if getattr(spec, field) is None else self.positive(spec, field, dimension)
 
+    def numbers_in(self, *expressions: Expr) -> dict[str, float]:
+        """The numbers that parameters in expressions have, in SI. What is read hangs on them from now on."""
+        names = {name for expr in expressions for name in free_symbols(expr)} & self.parameters.keys()
+        given = ((name, self.number_of(name)) for name in names)
+        return {name: value for name, value in given if value is not None}
+
+    def number_of(self, name: str) -> float | None:
+        """The number of a parameter in SI, None where it has none. What is read hangs on it from now on."""
+        self.hangs_on.add(name)
+        return self.parameters[name].value
+
     def numeric(self, expr: Expr) -> float | None:
         """Its value, where all parameters in it have values."""
-        values = {p.name: p.value for p in self.parameters.values() if p.value is not None}
         try:
-            result = evaluate(expr, values)
+            result = evaluate(expr, self.numbers_in(expr))
         except (InputError, ZeroDivisionError, OverflowError, ValueError):
             return None
         return float(result)
+
+    def below_zero(self, expr: Expr) -> float | None:
+        """Its value where that is negative, which needs no number where the signs of the parameters tell."""
+        if self._never_negative(expr):
+            return None
+        value = self.numeric(expr)
+        return value if value is not None and value < 0.0 else None
+
+    def _never_negative(self, expr: Expr) -> bool:
+        """Whether the signs of the parameters alone say so: sums, products and powers of what is not negative."""
+        match expr:
+            case Number(value):
+                return value >= 0
+            case Symbol(name):
+                known = self.parameters.get(name)
+                return known is not None and known.sign != "any" and known.value is not None and known.value >= 0.0
+            case Sum(parts) | ProductOf(parts):
+                return all(map(self._never_negative, parts))
+            case PowerOf(base):
+                return self._never_negative(base)
+            case _:
+                return False
 
     def vector(self, spec: Spec, field: str, dimension: Dimension) -> Components | None:
         value = getattr(spec, field)

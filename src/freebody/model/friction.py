@@ -69,8 +69,8 @@ def read_restitution(names: Names, value: Any, field: str = "restitution") -> Ex
 
 def _not_negative(names: Names, value: Any, dimension: Dimension, path: tuple[str, ...], **more: Any) -> Expr:
     expr = names.formula(value, dimension, *path, **more)
-    number = names.numeric(expr)
-    if number is not None and number < 0.0:
+    number = names.below_zero(expr)
+    if number is not None:
         names.problem(
             Message("friction is negative ({number:g}); a coefficient of friction is 0 or more", number=number),
             *path,

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -20,7 +21,7 @@ from freebody.progress import busy_with
 from freebody.studio.reading import checked_system
 from freebody.studio.telling import told
 from freebody.studio.wire.motions import Mark, MarksAnswer, MarksRequest, Range
-from freebody.study.simulation.simulate import simulate
+from freebody.study.simulation.simulate import Simulation, simulate
 from freebody.study.simulation.simulator import has_phases
 from freebody.study.sweeps.answers import AnswerEvaluator
 from freebody.study.sweeps.evaluators import not_admissible, refused_by_reader
@@ -41,7 +42,7 @@ def changes(request: MarksRequest) -> MarksAnswer:
     """Raises ModelError where the text is no model."""
     system = checked_system(request.text)
     # a motion that cannot change its law has no events of its own
-    without_formula = [q for q in system.questions if not AnswerEvaluator(system, q).forms]
+    without_formula = _without_formula(system)
     if not request.ranges or not system.has_values or not (has_phases(system) or without_formula):
         return MarksAnswer(marks=[])
     n = min(allowed(_MOTIONS), allowed(_ROWS) // max(1, len(system.rows) + len(system.bounds)))
@@ -49,7 +50,7 @@ def changes(request: MarksRequest) -> MarksAnswer:
     for k, each in enumerate(request.ranges):
         busy_with(f"{k + 1} / {len(request.ranges)}")
         try:
-            along = _Along.of(system, each, request.until, n // len(request.ranges))
+            along = _Along.of(system, without_formula, each, request.until, n // len(request.ranges))
         except FreebodyError:  # it cannot be varied: a function of time
             continue
         found = [(at, told(said, request.language)) for at, said in along.changes()]
@@ -58,6 +59,11 @@ def changes(request: MarksRequest) -> MarksAnswer:
             for at in sorted({at for at, _said in found})
         ]
     return MarksAnswer(marks=marks)
+
+
+def _without_formula(system: System) -> list[AnswerEvaluator]:
+    found = (AnswerEvaluator(system, question) for question in system.questions)
+    return [evaluator for evaluator in found if not evaluator.forms]
 
 
 @dataclass
@@ -72,35 +78,75 @@ class _Along:
     evaluators: Sequence[AnswerEvaluator]
     most: int
     _known: dict[float, frozenset[str]] = field(default_factory=dict[float, frozenset[str]])
+    _looked: set[float] = field(default_factory=set[float])
+    _last: tuple[dict[str, float], Simulation | None] | None = None
 
     @classmethod
-    def of(cls, system: System, along: Range, until: float, most: int) -> _Along:
-        """Raises InputError for a name that cannot be varied."""
-        system, [one] = varied(system, [along.name])
-        found = [AnswerEvaluator(system, question) for question in system.questions]
+    def of(cls, own: System, evaluators: Sequence[AnswerEvaluator], along: Range, until: float, most: int) -> _Along:
+        """evaluators: of the system as it is. Raises InputError for a name that cannot be varied."""
+        system, [one] = varied(own, [along.name])
         unit = parse_quantity(f"1 {along.unit}".strip()).value
-        return cls(system, one.parameter, unit, along, until, [e for e in found if not e.forms], most)
+        found = (
+            evaluators if system is own else _without_formula(system)
+        )  # a start value is a parameter of its own there
+        return cls(system, one.parameter, unit, along, until, found, most)
 
     def happens(self, at: float) -> frozenset[str]:
         """All that can be said of a motion with this value."""
         if at not in self._known:
-            self._known[at] = frozenset(self._happens({self.parameter: self.unit * at}))
+            self._looked.add(at)
+            self._known[at] = frozenset(self._happens(self._values(at)))
         return self._known[at]
 
+    def _values(self, at: float) -> dict[str, float]:
+        return {self.parameter: self.unit * at}
+
     def _happens(self, values: dict[str, float]) -> Iterator[str]:
-        if not_admissible(self.system, values) or refused_by_reader(self.system, values):
-            yield _REFUSED
+        if impossible := self._impossible(values):
+            yield impossible
             return
-        try:
-            found = simulate(with_values(self.system, values), self.until, tolerance=_TOLERANCE)
-        except (FreebodyError, ArithmeticError):
-            yield _NONE
-            return
-        for name in {event.name for event in found.events if event.kind not in _ALWAYS}:
-            yield Message("{event}, within {until:g} s", event=name, until=self.until)
-        for evaluator in self.evaluators:
+        yield from self._events(values)
+        for said, evaluator in self._asked.items():
             if evaluator.alone(values).status == NUMBERS:
-                yield Message("{question} has a value", question=evaluator.name)
+                yield said
+
+    def _is_said(self, said: str, at: float) -> bool:
+        """Whether one thing can be said of a motion: nothing else of it is looked at."""
+        if at in self._known:
+            return said in self._known[at]
+        self._looked.add(at)
+        values = self._values(at)
+        impossible = self._impossible(values)
+        if impossible or said in (_REFUSED, _NONE):
+            return said == impossible
+        if said in self._asked:
+            return self._asked[said].alone(values).status == NUMBERS
+        return said in self._events(values)
+
+    def _impossible(self, values: dict[str, float]) -> str:
+        """Why there is no motion; nothing where there is one."""
+        if not_admissible(self.system, values) or refused_by_reader(self.system, values):
+            return _REFUSED
+        return _NONE if self._motion(values) is None else ""
+
+    def _motion(self, values: dict[str, float]) -> Simulation | None:
+        """None where it cannot begin. The last one is kept: what it is asked for comes one after the other."""
+        if self._last is None or self._last[0] != values:
+            try:
+                found = simulate(with_values(self.system, values), self.until, tolerance=_TOLERANCE)
+            except (FreebodyError, ArithmeticError):
+                found = None
+            self._last = (values, found)
+        return self._last[1]
+
+    def _events(self, values: dict[str, float]) -> set[str]:
+        found = self._motion(values)
+        names = {event.name for event in found.events if event.kind not in _ALWAYS} if found is not None else set[str]()
+        return {Message("{event}, within {until:g} s", event=name, until=self.until) for name in names}
+
+    @cached_property
+    def _asked(self) -> dict[str, AnswerEvaluator]:
+        return {Message("{question} has a value", question=each.name): each for each in self.evaluators}
 
     def changes(self) -> Iterator[tuple[float, str]]:
         """Where what happens is not the same on both sides, with what that is."""
@@ -116,7 +162,7 @@ class _Along:
         is_low = said in self.happens(low)
         for _ in range(_HALVED):
             middle = 0.5 * (low + high)
-            if middle not in self._known and len(self._known) >= self.most:
+            if middle not in self._looked and len(self._looked) >= self.most:
                 break
-            low, high = (middle, high) if (said in self.happens(middle)) == is_low else (low, middle)
+            low, high = (middle, high) if self._is_said(said, middle) == is_low else (low, middle)
         return 0.5 * (low + high)

@@ -167,5 +167,5 @@ def _wrap(names: Names, passage: DrumPassage, given: Any, label: str) -> Expr | 
 
 
 def _number(names: Names, expr: Expr) -> float:
-    values = {p.name: 0.3 if p.value is None else p.value for p in names.parameters.values()}
+    values = dict.fromkeys(names.parameters, 0.3) | names.numbers_in(expr)
     return float(evaluate(expr, values))

@@ -69,7 +69,7 @@ class Composite(Shape, kind="composite"):
             names.problem(
                 Message("a composite needs parts, e.g. parts: {{hub: {{disk: {{mass: m, radius: R}}}}}}"), "parts"
             )
-        if (left := names.numeric(mass)) is not None and left < 0.0:
+        if (left := names.below_zero(mass)) is not None:
             names.problem(Message("the holes weigh {more:.4g} kg more than the parts", more=-left), "holes")
         if mass == ZERO:
             return Build(ZERO, ZERO, points=points, default_point="origin", edges=tuple(edges))

@@ -69,7 +69,7 @@ def _is_given(names: Names, name: str, value: str) -> bool:
     if parameter is None or parameter.value is None:
         return False
     with suppress(UnitError, ValueError):
-        return parse_quantity(value.replace("°", "deg")).value == parameter.value
+        return parse_quantity(value.replace("°", "deg")).value == names.number_of(name)
     return False
 
 

@@ -43,13 +43,13 @@ def same_value(names: Names, text: str) -> str | None:
         parameter = names.parameters.get(found["name"])
         if parameter is not None and parameter.value is not None:
             with suppress(UnitError, ValueError):
-                if parse_quantity(found["value"]).value == parameter.value != 0.0:
+                if parse_quantity(found["value"]).value == names.number_of(parameter.name) != 0.0:
                     return _without(text, found)
     for found in _STARTED.finditer(text):
         with suppress(UnitError, ValueError):
             said = parse_quantity(found["value"].replace("°", "deg"))
-            alike = [p for p in names.parameters.values() if p.value is not None and p.dimension == said.dimension]
-            if said.value != 0.0 and [p.value for p in alike].count(said.value) == 1:
+            alike = [p.name for p in names.parameters.values() if p.dimension == said.dimension]
+            if said.value != 0.0 and [names.number_of(name) for name in alike].count(said.value) == 1:
                 swings = " with a finite amplitude" if found["swing"] else ""  # a period is then none of small ones
                 return _without(text[: found.end()] + swings + text[found.end() :], found)
     return None

@@ -29,7 +29,7 @@ def read_parameters(source: Source) -> None:
                 others = source.mapping("parameters").keys() - {name}
                 told = _of_others(name, value, others)
                 if told is None:
-                    names.parameters[name] = _parameter(names, name, value)
+                    names.parameters[name] = read_parameter(names, name, value)
                     continue
                 names.problem(told)
                 names.broken.add(name)
@@ -85,7 +85,7 @@ def _is_read(read: Callable[[str], object], text: str) -> bool:
     return True
 
 
-def _parameter(names: Names, name: str, value: Any) -> Parameter:
+def read_parameter(names: Names, name: str, value: Any) -> Parameter:
     sign: Sign = "positive"
     unit: str | None = None
     if isinstance(value, dict):
