@@ -273,3 +273,21 @@ questions: [{asked}]
         return
     first, second = (fb.System.from_text(read(t)).solve()["q1"].value for t in (text, same))
     assert first == pytest.approx(second, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("printed", "meant"),
+    [
+        (repr(20.0 / 0.3), Fraction(200, 3)),
+        (repr(-20.0 / 0.37), Fraction(-2000, 37)),
+        ("0.333333333333333", Fraction(1, 3)),
+    ],
+)
+def test_a_printed_binary_number_is_the_simple_fraction_it_rounds(printed: str, meant: Fraction) -> None:
+    """A wheel started with v/r in 16 digits would slip by 1e-15 m/s, and be pushed the wrong way at the start."""
+    assert parse_quantity(f"{printed} rad/s").exact == parse_quantity(float(printed)).exact == meant
+
+
+@pytest.mark.parametrize("written", ["66.667", "0.30000000000000004", "3.141592653589793", "1.000000000000001"])
+def test_any_other_decimal_is_taken_as_it_stands(written: str) -> None:
+    assert parse_quantity(written).exact == Fraction(written)

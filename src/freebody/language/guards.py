@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from freebody.errors import ExpressionError
+from freebody.language.decimals import written_number
 from freebody.language.expression import (
     MAX_EXPONENT,
     Expr,
@@ -69,4 +70,4 @@ def exact_number(text: str, column: int) -> Fraction:
     if len(exponent) > 6 or abs(int(exponent or 0)) > MAX_DECIMAL_EXPONENT:
         limit = Message("the exponent of ten is at most {most}", most=MAX_DECIMAL_EXPONENT)
         raise ExpressionError(Message("{text} is too large or too small: {limit}", text=text[:40], limit=limit), column)
-    return Fraction(text)
+    return written_number(text)

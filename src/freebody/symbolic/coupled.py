@@ -148,10 +148,12 @@ def coupled_with(
     if not 1 < len(chosen) <= _MOST or model.dependent:
         return None
     chosen.sort(key=lambda k: k.index)
-    parts = [_linear(f, acceleration(k), chosen) for k in chosen]
-    rows = [row for row in parts if row is not None]
-    if len(rows) != len(chosen):
-        return None
+    rows = list[tuple[list[Ratio], Ratio]]()
+    for k in chosen:
+        row = _linear(f, acceleration(k), chosen)
+        if row is None:
+            return None
+        rows.append(row)
     A, alpha = [row for row, _rest in rows], tuple(rest for _row, rest in rows)
     try:
         squares = _eigenvalues(model, A)
@@ -166,12 +168,16 @@ def coupled_with(
 
 def _linear(f: Field, a: Ratio, chosen: Sequence[Coordinate]) -> tuple[list[Ratio], Ratio] | None:
     """Row of A, and alpha, of a = alpha - row q with constants."""
-    row = [f.lowest_terms(-f.derivative(a, k.index)) for k in chosen]
+    row = list[Ratio]()
+    for k in chosen:
+        row.append(f.lowest_terms(-f.derivative(a, k.index)))
+        if not row[-1].is_constant():
+            return None
     rest = a
     for slope, k in zip(row, chosen, strict=True):
         rest = rest + slope * f.variable(k.index)
     rest = f.lowest_terms(rest)
-    return (row, rest) if all(x.is_constant() for x in (*row, rest)) else None
+    return (row, rest) if rest.is_constant() else None
 
 
 def _eigenvalues(model: SymbolicModel, A: Matrix) -> list[Ratio] | None:

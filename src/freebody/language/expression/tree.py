@@ -18,6 +18,7 @@ from fractions import Fraction
 from typing import TypeAlias, cast
 
 from freebody.errors import ExpressionError
+from freebody.language.decimals import written_number
 from freebody.messages import Message
 
 ELEMENTARY = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh")
@@ -168,7 +169,7 @@ def number(value: int | float | Fraction) -> Number:
     if isinstance(value, float):
         if not math.isfinite(value):
             raise ExpressionError(Message("{value} is not a number that can be calculated with", value=value))
-        return Number(Fraction(repr(float(value))))
+        return Number(written_number(repr(float(value))))
     return Number(Fraction(value))
 
 

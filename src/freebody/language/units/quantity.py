@@ -11,6 +11,7 @@ from functools import lru_cache
 from itertools import count
 
 from freebody.errors import NoQuantity, UnitError
+from freebody.language.decimals import written_number
 from freebody.language.sentences import Message
 from freebody.language.units.dimension import DIMENSIONLESS, Dimension
 from freebody.language.units.reader import MAX_CHARACTERS, parse_unit
@@ -50,7 +51,7 @@ def parse_quantity(given: str | int | float | Fraction) -> Quantity:
         raise UnitError(Message("'{text}' is not a number", text=str(given).lower()))
     if isinstance(given, float) and not math.isfinite(given):
         raise UnitError(Message("{value} is not a number that can be calculated with", value=given))
-    exact = Fraction(repr(float(given))) if isinstance(given, float) else Fraction(given)
+    exact = written_number(repr(float(given))) if isinstance(given, float) else Fraction(given)
     return _quantity(exact, Unit(DIMENSIONLESS), str(given))
 
 
@@ -92,7 +93,8 @@ def _quantity_of_text(text: str) -> Quantity:
         raise UnitError(
             Message("{digits} is too large or too small: the exponent of ten is at most 300", digits=digits)
         )
-    exact = Fraction(digits) * (-1 if found["sign"] in ("-", "−") and found["sign"] else 1)
+    exact = Fraction(digits) if "/" in digits else written_number(digits)
+    exact *= -1 if found["sign"] in ("-", "−") and found["sign"] else 1
     return _quantity(exact, parse_unit(found["unit"]), text.strip())
 
 

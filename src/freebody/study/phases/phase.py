@@ -134,10 +134,20 @@ class Phase:
             return start_state(self.model, dict(self.system.all_start), dict(self.system.all_start_rates))
         return start_from_bodies(self.model)
 
-    @cached_property
+    @property
     def course(self) -> ClosedFormMotion:
+        if isinstance(self._course, CannotAnswer):
+            raise self._course
+        return self._course
+
+    @cached_property
+    def _course(self) -> ClosedFormMotion | CannotAnswer:
+        """Also that there is none is found once: a phase is asked for its motion many times."""
         rubbing = [self.dry_friction[name].row.measure for name, state in self.mode.states.items() if state]
-        return course_of(self.model, self.start, [self.state.rate(measure) for measure in rubbing])
+        try:
+            return course_of(self.model, self.start, [self.state.rate(measure) for measure in rubbing])
+        except CannotAnswer as reason:
+            return reason
 
     @property
     def sides(self) -> tuple[Ratio, ...]:
