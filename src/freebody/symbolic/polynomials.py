@@ -48,6 +48,7 @@ class PolynomialRing:
         """Indices count down from the end of the pool: generator k of the pool is named g<k>, and later
         generators are larger in the lexicographic order. Names are stable when the pool grows."""
         self._capacity = capacity
+        self._brought: dict[int, tuple[Poly, Poly]] = {}  # by identity, with what it belongs to, so that this stays
         names = [f"g{k}" for k in range(capacity - 1, -1, -1)]
         self._names = names
         self._context = _flint.fmpz_mpoly_ctx.get(names, _flint.Ordering.lex)
@@ -72,8 +73,14 @@ class PolynomialRing:
         return self._context.constant(value)
 
     def current(self, poly: Poly) -> Poly:
-        """A polynomial in the present context (the pool may have grown since)."""
-        return poly if self.is_current(poly) else poly.project_to_context(self._context)
+        """A polynomial in the present context (the pool may have grown since). FLINT matches generators by their names,
+        so each polynomial is brought there once."""
+        if self.is_current(poly):
+            return poly
+        known = self._brought.get(id(poly))
+        if known is None:
+            known = self._brought[id(poly)] = poly, poly.project_to_context(self._context)
+        return known[1]
 
     def is_current(self, poly: Poly) -> bool:
         return poly.context() is self._context
