@@ -3,6 +3,7 @@ written, 70 a defect of freebody, 130 and 143 interrupted (Ctrl-C, SIGTERM)."""
 
 from __future__ import annotations
 
+import gc
 import signal
 import sys
 from collections.abc import Callable
@@ -64,6 +65,7 @@ def _main(
 
 def main() -> None:
     """Entry point."""
+    gc.set_threshold(50_000, 20, 100)  # a command makes millions of small objects, few of them in circles
     for name in ("SIGTERM", "SIGHUP"):
         sign = getattr(signal, name, None)
         if sign is not None and signal.getsignal(sign) == signal.SIG_DFL:
