@@ -1,0 +1,56 @@
+"""Problems in the style of textbooks, each with the formula that follows by hand; its derivation stands beside it."""
+
+from __future__ import annotations
+
+import pytest
+
+from posed import is_formula
+
+MAN_ON_A_BOAT = """
+parameters: {m: 70 kg, M: 130 kg, L: 4 m, u: 1.5 m/s}
+ground: {points: {O: [0, 0]}}
+bodies: {man: {particle: {mass: m}, at: [0, 0]}, boat: {particle: {mass: M}, at: [0, 0]}}
+connections:
+  ga: {slider: {body: man, along: right}}
+  gb: {slider: {body: boat, along: right}}
+  walk: {driver: {measure: s, follows: u*t}}
+measures: {s: x of man from boat, x: x of boat}
+"""
+TRUSS = """
+parameters: {W: 10 kN, H: 4 kN, a: 2 m, h: 1.5 m}
+ground: {points: {A: [0, 0], B: [2*a, 0]}}
+bodies: {C: {particle: {mass: 0}, at: [a, h]}, B: {particle: {mass: 0}, at: [2*a, 0]}}
+connections:
+  AC: {bar: [ground.A, C]}
+  CB: {bar: [C, B]}
+  AB: {bar: [ground.A, B]}
+  roller: {slot: {pin: B, along: right, through: ground.B}}
+loads:
+  weight: {force: {at: C, along: down, magnitude: W}}
+  wind: {force: {at: C, along: right, magnitude: H}}
+"""
+BOX_MEETS_A_LEDGE = """
+parameters: {m: 20 kg, b: 0.8 m, v: 3 m/s, g: 9.81 m/s^2}
+ground: {points: {K: [0, 0]}}
+bodies: {box: {rectangle: {mass: m, width: b, height: b}, at: [-b/2, b/2], velocity: [v, 0]}}
+connections: {trip: {pin: [ground.K, box.bottom_right], closes: at start}}
+loads: {w: {gravity: g}}
+measures: {phi: angle of box clockwise}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected"),
+    [
+        # the momentum stays zero: m (s + x) + M x = 0
+        (MAN_ON_A_BOAT, "displacement of the boat when s = L", "-m*L/(m + M)"),
+        # moments about A give the roller, 2 a N = W a + H h; then joint B
+        (TRUSS, "force in AB", "W*a/(2*h) + H/2"),
+        (TRUSS, "value of H for which force in AC = 0", "W*a/h"),
+        # angular momentum about the ledge, m v b/2 = 2/3 m b^2 w, and the energy for the centre to pass over it
+        (BOX_MEETS_A_LEDGE, "energy lost in the blow", "5*m*v^2/16"),
+        (BOX_MEETS_A_LEDGE, "least v so that phi reaches 45 deg", "sqrt(8*g*b*(sqrt(2) - 1)/3)"),
+    ],
+)
+def test_a_problem_has_the_formula_that_follows_by_hand(model: str, question: str, expected: str) -> None:
+    is_formula(model, question, expected)
