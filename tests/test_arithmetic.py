@@ -132,7 +132,6 @@ def test_options_of_a_ratio_are_judged() -> None:
         ("velocity of x1^2", "Put the quantity in parentheses"),
         ("velocity of x1*x2", "Put the quantity in parentheses"),
         ("acceleration of x1/g - tension of zz", "no connection zz"),
-        ("velocity of x1 when x1 = R - velocity of x1 when x2 = R", "two events"),
         ("velocity of x1 at start - velocity of x1", "when it is meant"),
         ("(acceleration of x1", r"cannot read"),
     ],

@@ -23,6 +23,7 @@ _SIZE = re.compile(r"^(?:the )?(?:size|magnitude|absolute value) of (?:the )?")
 _START = re.compile(r" at (?:the )?start$")
 _OPERATOR_SIGNS = {"+", "-", "*", "**", "/", "^", "(", ")", "|"}
 _BEFORE_UNITS = _OPERATOR_SIGNS - {"/", "^"}  # what no unit contains
+TIME_ALONE = re.compile(r"(?:the )?time")  # of an event
 _PLAIN = re.compile(r"\d+(?:\.\d+)?(?:[eE]\d+)?|[A-Za-z_]\w*")
 _RATIO = re.compile(r"^(?:the )?ratio of (?P<top>.+) to (?:the )?(?P<bottom>.+)$")
 
@@ -141,12 +142,36 @@ def _is_drawn_in(names: Names, phrase: str, following: tuple[str, ...]) -> bool:
 
 
 def _operands(names: Names, text: str) -> Operands:
-    runs = _runs_of(text)
+    runs = _runs_with_events(names, text)
     phrases: dict[int, Operand] = {}
     for k, run in enumerate(runs):
         if run not in _OPERATOR_SIGNS and not _is_plain(names, run.strip()):
             phrases[k] = _operand(run.strip())
     return Operands(tuple(runs), phrases)
+
+
+def _runs_with_events(names: Names, text: str) -> list[str]:
+    """Runs, of which one is what stands in brackets as a quantity at an event: (time when y = h/2)."""
+    for found in re.finditer(r"\(", text):
+        end = _closing(text, found.start())
+        inside = text[found.end() : end]
+        word = next((word for word in _EVENTS if word in inside), None)
+        head, _, tail = inside.partition(word or "\0")
+        if word is None or end < 0 or _OPERATORS.search(head) or not _OPERATORS.search(tail) or _goes_on(names, tail):
+            continue
+        before, after = text[: found.end()], text[end:]
+        return [*_runs_with_events(names, before), inside, *_runs_with_events(names, after)]
+    return _runs_of(text)
+
+
+def _closing(text: str, opening: int) -> int:
+    """The place of the bracket that closes another one; -1 where none does."""
+    depth = 0
+    for k in range(opening, len(text)):
+        depth += {"(": 1, ")": -1}.get(text[k], 0)
+        if depth == 0:
+            return k
+    return -1
 
 
 def _runs_of(text: str) -> list[str]:
@@ -202,6 +227,6 @@ def _operand(run: str) -> Operand:
 def _is_quantity(names: Names, phrase: str) -> bool:
     """Whether its words are those of a quantity, whatever names stand in them."""
     phrase = without_size(phrase)
-    if phrase in names.measures or re.fullmatch(r"rate\(\s*\w+\s*\)", phrase):
+    if phrase in names.measures or re.fullmatch(r"rate\(\s*\w+\s*\)", phrase) or TIME_ALONE.fullmatch(phrase):
         return True
     return any(p.pattern.match(phrase) for p in PHRASES) or any(f.pattern.match(phrase) for f in FORMS)

@@ -20,6 +20,7 @@ from freebody.model.names import Names, did_you_mean
 from freebody.model.phrases import PHRASES, phrase_text, read_measure
 from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, read_calculated
+from freebody.questions.at_events import between_events, is_at_several, read_at_events
 from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.blow import BesideBlow
 from freebody.questions.clock import time_asked
@@ -27,6 +28,7 @@ from freebody.questions.course import Counted, Transition, When, as_condition
 from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.motion import OfMeasure
 from freebody.questions.operands import (
+    TIME_ALONE,
     Operands,
     event_at_end,
     operands_of,
@@ -283,7 +285,7 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
             condition, at_start = None, True
     else:
         path = ("find",)
-        phrase, condition = event_at_end(names, ratio_as_quotient(names, as_timed(phrase)))
+        phrase, condition = event_at_end(names, ratio_as_quotient(names, between_events(as_timed(phrase))))
         at_start = condition is None and without_start(phrase) != phrase
         phrase = without_start(phrase)
     operands = operands_of(names, phrase)
@@ -308,24 +310,24 @@ def _reaching(names: Names, parameter: Parameter, event: str, end: End) -> Meant
 def _calculated(
     names: Names, phrase: str, operands: Operands, condition: str | None, at_start: bool, path: Path
 ) -> Meant | None:
-    """What is calculated from operands, which may say themselves when they are meant: all at one event, or at the
-    start."""
+    """What is calculated from operands, which may say themselves when they are meant: all at one event, or each at its
+    own, or at the start."""
     read: dict[int, Quantity] = {}
     for k, operand in operands.phrases.items():
+        if TIME_ALONE.fullmatch(operand.phrase):
+            break
         quantity = read_quantity(names, operand.phrase, ("find",))
         if quantity is None:
             return None
         read[k] = _between_bars(names, operands, k, quantity)
     if any(map(is_of_start, read.values())):
         return _with_blow(names, phrase, operands, read, condition, at_start)
-    events = {o.condition for o in operands.phrases.values() if o.condition is not None}
-    if condition is not None:
-        events.add(condition)
-    if len(events) > 1:
-        told = Message("{events} are two events; ask for what belongs to each alone", events=", ".join(sorted(events)))
-        names.problem(told, *path)
-        return None
-    condition = next(iter(events), None)
+    if is_at_several(operands, condition):
+        return read_at_events(
+            names, phrase, operands, condition, lambda o: _meant(names, o.phrase, o.condition, o.at_start, path)
+        )
+    events = {o.condition for o in operands.phrases.values()} - {None}
+    condition = next(iter(events), condition)
     if condition is None and any(q.scope == "whole motion" for q in read.values()):
         return _of_motion(names, phrase, operands, read, at_start)
     starts = [o.at_start for o in operands.phrases.values()]

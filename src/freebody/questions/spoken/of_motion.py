@@ -79,7 +79,8 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     ):  # of a rod without mass: of the line from one of its ends to the other
         yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in joining.turned_with(names, name)]
     yield [f"{quantity} of {name}{end}"]
-    if relative and not along and quantity in ("velocity", "acceleration"):  # of measures along the same line
+    is_measure = name in names.measures and name not in names.bodies
+    if relative and not along and is_measure and quantity in ("velocity", "acceleration"):  # along the same line
         other = relative.removeprefix(" relative to ")
         yield [f"{quantity} of {a} - {quantity} of {b}" for a, b in lookup.alike(names, name, other)]
     if quantity == "speed":
@@ -147,9 +148,10 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
 
 @said_of("relative velocity")
 def _relative(names: Names, quantity: str, rest: Clause) -> Groups:
-    """The velocity of one thing less that of another, along a line on which both are measured."""
+    """The velocity of one thing less that of another: of points, or along a line on which both are measured."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) == 2:
+        yield [f"velocity of {of[0]} relative to {of[1]}"] if all(one in names.bodies for one in of) else []
         yield [f"(velocity of {one} - velocity of {other})" for one, other in lookup.alike(names, of[0], of[1])]
 
 

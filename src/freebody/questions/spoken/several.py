@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
 MOST = 6  # questions in one
 _BORROWED = 6  # words that a part may take from another
+_GOES_ON = re.compile(r"\s*[+*/^=)]")  # what calculates with the part before it is no question of its own
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
 
 
@@ -55,6 +56,8 @@ def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     for language in languages():
         told = several(language, "lead_in").sub("", spelt_out(elements, text, language))
         for pieces in _pieces(told.strip().rstrip(".?! "), language):
+            if any(_GOES_ON.match(piece) for piece in pieces):
+                continue
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
 
 

@@ -10,6 +10,7 @@ from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.questions.arithmetic import AtStart
+from freebody.questions.at_events import AtEvent
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
@@ -89,6 +90,10 @@ def number_at(setup: Setup, quantity: Quantity, event: AskedEvent | None, draw: 
         from freebody.study.answering.of_answers import number_at_draw
 
         def number(part: Quantity) -> float | tuple[float, ...]:
+            if isinstance(part, AtEvent):
+                if part.transition is not None:
+                    raise CannotAnswer(Message("numbers alone tell nothing of an event of contacts and strings"))
+                return number_at(setup, part.of, part.event, draw)
             return number_at(setup, part.of if isinstance(part, AtStart) else part, None, draw)
 
         return float(number_at_draw(quantity, draw, number))

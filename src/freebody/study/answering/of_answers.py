@@ -1,4 +1,4 @@
-"""What is calculated from extremes of a motion and values at its start: (greatest y) - (y at start).
+"""What is calculated from extremes of a motion and values at its start: (greatest y) - (y at start); or at its events.
 
 Each operand is a question of its own, and the answers are calculated with, in formulas and in numbers.
 """
@@ -13,6 +13,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate
 from freebody.language.sentences import Message
 from freebody.questions.arithmetic import AtStart, Functions, Joined, OfParameters, OnTheWay, refuse_vectors
+from freebody.questions.at_events import AtEvent
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, made, of_all
@@ -27,17 +28,17 @@ from freebody.system.system import System
 
 def questions_in(question: Question) -> tuple[Question, ...]:
     """A question for each operand that is more than parameters."""
-    alone = replace(question, options={}, key=None, event=None, transition=None)
-    return tuple(
-        replace(
-            alone,
-            id=f"{question.id} {k}",
-            quantity=q.of if isinstance(q, AtStart) else q,
-            at_start=isinstance(q, AtStart),
-        )
-        for k, q in enumerate(question.quantity.inner)
-        if not isinstance(q, OfParameters)
-    )
+    alone = replace(question, options={}, key=None, event=None, at_start=False, transition=None)
+    asked: list[Question] = []
+    for k, q in enumerate(question.quantity.inner):
+        part = replace(alone, id=f"{question.id} {k}", quantity=q)
+        if isinstance(q, AtEvent):
+            part = replace(part, quantity=q.of, event=q.event, at_start=q.at_start, transition=q.transition)
+        elif isinstance(q, AtStart):
+            part = replace(part, quantity=q.of, at_start=True)
+        if not isinstance(q, OfParameters):
+            asked.append(part)
+    return tuple(asked)
 
 
 def calculated(system: System, question: Question, answers: Mapping[str, Answer]) -> Answer:

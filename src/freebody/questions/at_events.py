@@ -1,0 +1,92 @@
+"""What is calculated from quantities at different events of one motion.
+
+    (time when x = 2 m) - (time when x = 1 m)        (speed of ball when y = 0) / (speed of ball at start)
+
+Each operand is a question of its own; the answers are calculated with, on the conditions of both.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.language.sentences import Message
+from freebody.language.units import Dimension
+from freebody.questions.arithmetic import read_calculated
+from freebody.questions.base import Quantity
+from freebody.questions.course import Transition
+from freebody.questions.event import AskedEvent
+from freebody.questions.operands import TIME_ALONE, Operand, Operands
+from freebody.questions.reading_when import Meant
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_BETWEEN = re.compile(
+    r"^(?:the )?(?:time|duration) (?:that passes |that elapses |elapsed )?(?:"
+    r"between (?:when )?(?P<first>.+?) and (?:when )?(?P<last>.+)"
+    r"|from when (?P<begin>.+?) (?:to|until) when (?P<end>.+))$"
+)
+
+
+@dataclass(frozen=True)
+class AtEvent(Quantity):
+    """A quantity at an event, or at the start, where others of what is calculated are meant at another."""
+
+    of: Quantity
+    event: AskedEvent | None
+    at_start: bool
+    transition: Transition | None
+
+    scope = "whole motion"
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+
+def between_events(phrase: str) -> str:
+    """The time between two events as the difference of their times."""
+    found = _BETWEEN.match(phrase)
+    if found is None:
+        return phrase
+    first, last = found["first"] or found["begin"], found["last"] or found["end"]
+    return f"(time when {last}) - (time when {first})"
+
+
+def is_at_several(operands: Operands, condition: str | None) -> bool:
+    """Whether operands are meant at different events, or one is the time of an event."""
+    events = {o.condition for o in operands.phrases.values() if o.condition is not None}
+    is_timed = any(TIME_ALONE.fullmatch(o.phrase) for o in operands.phrases.values())
+    return len({*events, *({condition} - {None})}) > 1 or is_timed
+
+
+def read_at_events(
+    names: Names, phrase: str, operands: Operands, last_condition: str | None, meant: Callable[[Operand], Meant | None]
+) -> Meant | None:
+    """What is calculated from operands that each say when they are meant. meant: how one of them is read;
+    last_condition: an event at the very end, which is that of the last one."""
+    read: dict[int, Quantity] = {}
+    for k, operand in operands.phrases.items():
+        own = operand.condition
+        if own is None and not operand.at_start and k == max(operands.phrases):
+            own = last_condition
+        if own is None and not operand.at_start:
+            names.problem(Message("say of each quantity in '{text}' when it is meant", text=phrase), "find")
+            return None
+        placed = meant(Operand(operand.phrase, own, operand.at_start))
+        if placed is None:
+            return None
+        read[k] = AtEvent(placed.quantity, placed.event, placed.at_start, placed.transition)
+    quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
+    return None if quantity is None else Meant(quantity)
