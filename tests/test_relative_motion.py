@@ -72,6 +72,7 @@ def test_ends_of_a_rod_move_round_each_other() -> None:
     [
         ("velocity of left relative to pulley", "pulley turns, so its points move differently"),
         ("velocity of left relative to left", "left has no motion relative to itself"),
+        ("velocity of pulley relative to pulley.center", "has no motion relative to itself"),
     ],
 )
 def test_what_is_not_one_motion_is_refused(asked: str, told: str) -> None:

@@ -14,7 +14,7 @@ from freebody.language.units import LENGTH, TIME, Dimension
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.state import State
 from freebody.questions.base import POINT, Described, Found, Path, Quantity, asked
-from freebody.questions.vectors import IN_BASIS, Basis, component, has_name, place, read_basis, said_along
+from freebody.questions.vectors import IN_BASIS, ORIGIN, Basis, component, has_name, place, read_basis, said_along
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -91,10 +91,10 @@ _ORDERS: dict[str, Literal[1, 2]] = {"velocity": 1, "speed": 1, "acceleration": 
     rank=RANK,
 )
 def _relative(names: Names, found: Found, path: Path) -> Quantity | None:
-    point, other = (_seen(names, str(found[part]), path) for part in ("of", "rel"))
-    if point is None or other is None:
+    point, other = names.point(str(found["of"]), *path), _seen_from(names, str(found["rel"]), path)
+    if other is None:
         return None
-    if point == other:
+    if (point.body, point.offset) == (other.body, other.offset):
         names.problem(Message("{point} has no motion relative to itself; name another point", point=str(point)), *path)
     what = str(found["what"])
     if what == "speed" and (found["along"] or found["basis"] or found["size"]):
@@ -104,16 +104,16 @@ def _relative(names: Names, found: Found, path: Path) -> Quantity | None:
     return RelativeMotion(point, other, _ORDERS[what], along, is_size, read_basis(names, found["basis"], path))
 
 
-def _seen(names: Names, text: str, path: Path) -> Point | None:
-    """A point, or the body that does not turn as a whole."""
+def _seen_from(names: Names, text: str, path: Path) -> Point | None:
+    """A point, or a body that does not turn as a whole."""
+    if text == GROUND:
+        return ORIGIN
     body, _, place_on_it = text.partition(".")
     if body in names.bodies and body != GROUND and not place_on_it and names.bodies[body].turns:
         points = ", ".join(f"{body}.{name}" for name in list(names.bodies[body].points)[:4])
-        names.problem(
-            Message(
-                "{body} turns, so its points move differently: name one of them ({points})", body=body, points=points
-            ),
-            *path,
+        told = Message(
+            "{body} turns, so its points move differently: name one of them ({points})", body=body, points=points
         )
+        names.problem(told, *path)
         return None
     return names.point(text, *path)
