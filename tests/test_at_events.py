@@ -69,3 +69,9 @@ def test_what_is_gained_between_two_places() -> None:
 def test_what_is_not_said_of_one_quantity_is_asked_for() -> None:
     with pytest.raises(ModelError, match="say of each quantity"):
         fb.System.from_text(FALL).solve("(velocity of y) + (speed of ball when y = 0) + (speed of ball when y = b)")
+
+
+def test_one_event_has_no_time_between_it_and_itself() -> None:
+    """Where it comes twice, as what is thrown up, the time between is not zero, and each is the first one."""
+    with pytest.raises(ModelError, match="meant twice"):
+        fb.System.from_text(FALL).solve("time between y = b and y = b")

@@ -76,6 +76,11 @@ def read_at_events(
 ) -> Meant | None:
     """What is calculated from operands that each say when they are meant. meant: how one of them is read;
     last_condition: an event at the very end, which is that of the last one."""
+    times = [o.condition for o in operands.phrases.values() if TIME_ALONE.fullmatch(o.phrase) and o.condition]
+    if len({*times}) < len(times):
+        told = Message("{event} is meant twice, and each time as it comes first: name two events", event=times[0] or "")
+        names.problem(told, "find")
+        return None
     read: dict[int, Quantity] = {}
     for k, operand in operands.phrases.items():
         own = operand.condition
