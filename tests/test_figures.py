@@ -495,3 +495,17 @@ def test_what_cannot_move_looks_the_same_at_every_instant() -> None:
     system = fb.System.from_text(truss)
     here, there = instant_of(system, 0.0), instant_of(system, 1e9)
     assert [here.snapshot.q.tolist()] == [there.snapshot.q.tolist()]
+
+
+@pytest.mark.parametrize(("rate", "label"), [("2 m/s", "2\u2009m/s"), ("-2 m/s", "2\u2009m/s"), ("v", "v")])
+def test_a_velocity_at_the_start_that_is_a_number_has_its_unit(rate: str, label: str) -> None:
+    """The arrow points back where the rate is negative, and says the size."""
+    text = f"""
+parameters: {{v: 2 m/s}}
+bodies: {{ball: {{particle: {{mass: 1 kg}}}}}}
+measures: {{x: x of ball}}
+start: {{x: 0, rate(x): {rate}}}
+"""
+    svg = fb.System.from_text(text).draw().svg()
+    assert label in re.sub(r"<[^>]*>", "", svg)
+    assert "\u22122" not in svg

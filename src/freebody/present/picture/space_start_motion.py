@@ -16,7 +16,7 @@ from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.shapes import Shape
 from freebody.present.picture.signs import HEAD, across, arc, arrow, cross, head
 from freebody.present.picture.sketch import Sketch
-from freebody.present.picture.start_motion import INK, size_label, symbol_of
+from freebody.present.picture.start_motion import INK, SPEED, SPIN, size_label, symbol_of
 from freebody.present.places import Places
 from freebody.present.space.drawing import SpatialDrawing
 from freebody.present.space.looks import OF_BODIES
@@ -61,7 +61,7 @@ class SpaceStartMotion:
             if parts is None or found is None or size < 1e-12:
                 continue
             along = self.drawing.poses.heading(Heading(axes, *map(float, found / size)), 0)
-            yield _Vector(along, self._label(parts, found, called), is_spin)
+            yield _Vector(along, self._label(parts, found, called, SPIN if is_spin else SPEED), is_spin)
 
     def _numbers(self, parts: Sequence[Expr]) -> Array | None:
         try:
@@ -69,11 +69,11 @@ class SpaceStartMotion:
         except (ArithmeticError, ValueError):  # parameters without values
             return None
 
-    def _label(self, parts: Sequence[Expr], values: Array, called: str) -> Label:
+    def _label(self, parts: Sequence[Expr], values: Array, called: str, unit: str) -> Label:
         """Its size: along an axis as it is stated, else the parameter that it is, else a symbol of its own."""
         stated = [(part, value) for part, value in zip(parts, values, strict=True) if part != ZERO]
         if len(stated) == 1:
-            return size_label(stated[0][0], is_back=bool(stated[0][1] < 0.0))
+            return size_label(stated[0][0], unit, is_back=bool(stated[0][1] < 0.0))
         found = symbol_of(self.system, parts, lambda *sizes: float(np.linalg.norm(sizes)), is_angle=False)
         return name(called) if found is None else formula(Symbol(found))
 

@@ -28,7 +28,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Place, positions
-from freebody.present.picture.label import Label, beside, formula, name
+from freebody.present.picture.label import Label, beside, formula, name, words
 from freebody.present.picture.placer import Wish
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.signs import across, arc, arrow, curved_arrow, unit
@@ -37,6 +37,7 @@ from freebody.present.places import Places
 from freebody.system.system import System
 
 INK = Ink("velocity")
+SPEED, SPIN = "m/s", "rad/s"
 _LENGTH = 30.0  # [points] of an arrow
 _RADIUS = 30.0  # [points] of the arc of an angle at it
 _SAMPLES = (0.31, 0.47, 0.23, 0.53, 0.41), (0.52, 0.27, 0.44, 0.33, 0.61)
@@ -101,7 +102,7 @@ class StartMotion:
         """Along one line, against it where the rate is negative."""
         value = self._number(rate)
         if value is not None:
-            self._straight(place, way if value >= 0.0 else -way, size_label(rate, is_back=value < 0.0))
+            self._straight(place, way if value >= 0.0 else -way, size_label(rate, SPEED, is_back=value < 0.0))
 
     def _arrow(self, velocity: Velocity) -> None:
         """In the plane, with the size and the angle by their symbols where the components say them."""
@@ -160,7 +161,13 @@ class StartMotion:
             way, radius = ways[k % len(ways)], radii[k // len(ways)]
             spot = middle + radius * way
             self.sketch.wish(
-                Wish(size_label(rate, called, is_back=value < 0.0), ((spot, way), (spot, -way)), 10.5, INK, weight=4.2)
+                Wish(
+                    size_label(rate, SPIN, called, is_back=value < 0.0),
+                    ((spot, way), (spot, -way)),
+                    10.5,
+                    INK,
+                    weight=4.2,
+                )
             )
 
     def _swing(self, measure: Bearing, rate: Expr, sense: int, called: str) -> None:
@@ -175,7 +182,7 @@ class StartMotion:
         self.sketch.add(curved_arrow(foot, radius, begin + 0.3 * sweep, sweep, INK, 1.5))
         end = unit(begin + 0.9 * sweep)
         places = ((foot + radius * end, end), (foot + radius * end, -end))
-        self.sketch.wish(Wish(size_label(rate, called, is_back=value < 0.0), places, 10.5, INK, weight=4.2))
+        self.sketch.wish(Wish(size_label(rate, SPIN, called, is_back=value < 0.0), places, 10.5, INK, weight=4.2))
 
     def _number(self, expr: Expr) -> float | None:
         try:
@@ -203,13 +210,15 @@ def _plain(measure: Measure | None) -> tuple[Measure | None, int]:
             return measure, 1
 
 
-def size_label(rate: Expr, called: str = "", *, is_back: bool) -> Label:
-    """The size of a rate: without its sign where the arrow points back. called: an angle, whose rate is named where it
-    is a formula, which by itself might be anything."""
-    if not is_back:
-        is_plain = not called or isinstance(rate, Number | Symbol)
-        return formula(rate) if is_plain else beside(formula(Call("rate", Symbol(called))), formula(rate), " = ")
-    return formula(Number(-rate.value) if isinstance(rate, Number) else -rate)
+def size_label(rate: Expr, unit: str, called: str = "", *, is_back: bool) -> Label:
+    """The size of a rate: without its sign where the arrow points back, a number with its unit. called: an angle, whose
+    rate is named where it is a formula, which by itself might be anything."""
+    if isinstance(rate, Number):
+        return beside(formula(Number(abs(rate.value) if is_back else rate.value)), words(unit), "\u2009")
+    if is_back:
+        return formula(-rate)
+    is_plain = not called or isinstance(rate, Symbol)
+    return formula(rate) if is_plain else beside(formula(Call("rate", Symbol(called))), formula(rate), " = ")
 
 
 def _steepness(vx: float, vy: float) -> float:
