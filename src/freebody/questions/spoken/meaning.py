@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
+from freebody.questions.spoken.between_events import time_between
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
 from freebody.questions.spoken.events import GOES_ON
@@ -89,6 +90,7 @@ def meanings(names: Names, words: list[Word]) -> Groups:
             timed,
         ):
             yield from told(names, sentence)
+    yield from time_between(names, said)
     yield from efficiency_of_planets(names, said)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
