@@ -94,6 +94,35 @@ SLIDER = TABLE.replace("mu: 0.2, ", "").replace(
 )
 
 
+RAMP = """
+parameters: {m: 20 kg, M: 30 kg, alpha: 30 deg, mu: 0.3, R: 5 cm, d: 2 m, g: 9.81 m/s^2}
+ground:
+  points: {P: [d*cos(alpha) + R*sin(alpha), d*sin(alpha) - R*cos(alpha)]}
+  lines: {ramp: {along: alpha}}
+bodies: {crate: {particle: {mass: m}}, load: {particle: {mass: M}}, pulley: {pulley: {radius: R}}}
+connections:
+  feet: {contact: {between: [crate, ramp], friction: mu}}
+  axle: {pin: [ground.P, pulley]}
+  rope: {string: [crate, pulley, load]}
+loads: {weight: {gravity: g}}
+measures: {s: travel of crate along alpha}
+start: {s: 0}
+"""
+
+
+@pytest.mark.parametrize("place", ["crate", "crate.center"])
+def test_a_crate_that_a_measure_puts_on_a_ramp_is_towed_up_to_the_pulley(place: str) -> None:
+    """a = g (M - m (sin alpha + mu cos alpha))/(m + M), and d = a t^2/2; the rope runs along the ramp, whose direction
+    is no axis of the ground."""
+    system = fb.System.from_text(RAMP.replace("of crate", f"of {place}"))
+    found = system.solve("time when crate reaches pulley")["q1"].expression
+    assert isinstance(found, Expr)
+    a = "(g*(M - m*(sin(alpha) + mu*cos(alpha)))/(m + M))"
+    assert_same_function(
+        to_python(found), f"sqrt(2*d/{a})", {"g": 9.81, "alpha": 0.5, "mu": 0.3, "m": 20, "M": 30, "d": 2}
+    )
+
+
 def expression(model: str, question: str) -> str:
     answer = fb.System.from_text(model).solve(question)["q1"]
     assert isinstance(answer.expression, Expr), answer

@@ -8,12 +8,12 @@ read from the model alone, in its parameters.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, add, evaluate, multiply, negate
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, Direction, Point
+from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.elements import RigidBody
 from freebody.tolerances import ROUND_OFF
 
@@ -90,9 +90,10 @@ def begins_at(names: Names, point: Point, along: Direction) -> Expr | None:
     """How far along a direction of the ground the file lets a named measure of a point start."""
     for name, begun in names.placed_at_start.items():
         measure = names.measures.get(name)
-        if not isinstance(measure, Displacement) or measure.of != point or measure.origin.body != GROUND:
+        if not isinstance(measure, Displacement) or measure.origin.body != GROUND:
             continue
-        if is_parallel(names, measure.along, along):
+        is_of_point = (measure.of.body, measure.of.offset) == (point.body, point.offset)
+        if is_of_point and is_parallel(names, measure.along, along):
             sense = ONE if same_way(names, measure.along, along) else negate(ONE)
             return add(along_of(measure.origin.offset, along), multiply(sense, begun))
     return None
@@ -133,7 +134,7 @@ def is_near(length: float, other: float) -> bool:
 
 def is_parallel(names: Names, first: Direction, second: Direction) -> bool:
     """Whether two directions of the ground are on one line."""
-    return first.body == second.body and is_zero(names, _cross(first, second))
+    return first.body == second.body and all(is_zero(names, x) for x in _cross(first, second))
 
 
 def same_way(names: Names, first: Direction, second: Direction) -> bool:
@@ -141,9 +142,11 @@ def same_way(names: Names, first: Direction, second: Direction) -> bool:
     return number_of(names, along_of(first.components, second)) > 0
 
 
-def _cross(first: Direction, second: Direction) -> Expr:
-    (ax, ay, *_), (bx, by, *_) = first.components, second.components
-    return add(multiply(ax, by), -multiply(ay, bx))
+def _cross(first: Direction, second: Direction) -> Iterator[Expr]:
+    """The components of the vector product, which in the plane is the last one."""
+    a, b = ((*d.components, ZERO)[:3] for d in (first, second))
+    for i, j in ((1, 2), (2, 0), (0, 1)):
+        yield add(multiply(a[i], b[j]), -multiply(a[j], b[i]))
 
 
 def is_zero(names: Names, x: Expr) -> bool:

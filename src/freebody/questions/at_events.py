@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
@@ -18,7 +18,7 @@ from freebody.questions.arithmetic import read_calculated
 from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
 from freebody.questions.event import AskedEvent
-from freebody.questions.operands import TIME_ALONE, Operand, Operands
+from freebody.questions.operands import TIME_ALONE, Operand, Operands, between_bars
 from freebody.questions.reading_when import Meant
 
 if TYPE_CHECKING:
@@ -72,26 +72,28 @@ def is_at_several(operands: Operands, condition: str | None) -> bool:
 
 
 def read_at_events(
-    names: Names, phrase: str, operands: Operands, last_condition: str | None, meant: Callable[[Operand], Meant | None]
+    names: Names, phrase: str, operands: Operands, at_end: Operand, meant: Callable[[Operand], Meant | None]
 ) -> Meant | None:
-    """What is calculated from operands that each say when they are meant. meant: how one of them is read;
-    last_condition: an event at the very end, which is that of the last one."""
+    """What is calculated from operands that each say when they are meant. at_end: what is said of that at the very end,
+    which belongs to the last one; meant: how one of them is read."""
     times = [o.condition for o in operands.phrases.values() if TIME_ALONE.fullmatch(o.phrase) and o.condition]
     if len({*times}) < len(times):
         told = Message("{event} is meant twice, and each time as it comes first: name two events", event=times[0] or "")
         names.problem(told, "find")
         return None
     read: dict[int, Quantity] = {}
+    last = max(operands.phrases)
     for k, operand in operands.phrases.items():
-        own = operand.condition
-        if own is None and not operand.at_start and k == max(operands.phrases):
-            own = last_condition
-        if own is None and not operand.at_start:
+        said = operand
+        if k == last and operand.condition is None and not operand.at_start:
+            said = replace(at_end, phrase=operand.phrase)
+        if said.condition is None and not said.at_start:
             names.problem(Message("say of each quantity in '{text}' when it is meant", text=phrase), "find")
             return None
-        placed = meant(Operand(operand.phrase, own, operand.at_start))
+        placed = meant(said)
         if placed is None:
             return None
-        read[k] = AtEvent(placed.quantity, placed.event, placed.at_start, placed.transition)
+        quantity = between_bars(names, operands, k, placed.quantity)
+        read[k] = AtEvent(quantity, placed.event, placed.at_start, placed.transition)
     quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
     return None if quantity is None else Meant(quantity)

@@ -13,7 +13,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import parse_quantity
 from freebody.language.units.quantity import Quantity as Number
 from freebody.model.phrases import PHRASES
-from freebody.questions.base import FORMS
+from freebody.questions.base import FORMS, Quantity
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -230,3 +230,10 @@ def _is_quantity(names: Names, phrase: str) -> bool:
     if phrase in names.measures or re.fullmatch(r"rate\(\s*\w+\s*\)", phrase) or TIME_ALONE.fullmatch(phrase):
         return True
     return any(p.pattern.match(phrase) for p in PHRASES) or any(f.pattern.match(phrase) for f in FORMS)
+
+
+def between_bars(names: Names, operands: Operands, k: int, quantity: Quantity) -> Quantity:
+    """A quantity, of which the size is meant where it stands alone between bars."""
+    runs = operands.runs
+    is_sized = 0 < k < len(runs) - 1 and runs[k - 1] == runs[k + 1] == "|"
+    return quantity.sized(space=names.space) if is_sized else quantity

@@ -29,7 +29,9 @@ from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.motion import OfMeasure
 from freebody.questions.operands import (
     TIME_ALONE,
+    Operand,
     Operands,
+    between_bars,
     event_at_end,
     operands_of,
     ratio_as_quotient,
@@ -106,13 +108,6 @@ def _size(names: Names, of: Quantity, text: str, path: Path) -> Quantity | None:
     """The size of a vector, or of what has a sign."""
     sized = of.sized(space=names.space)
     return sized if sized is not of else read_calculated(names, f"|{text}|", {1: of}, path, ("|", text, "|"))
-
-
-def _between_bars(names: Names, operands: Operands, k: int, quantity: Quantity) -> Quantity:
-    """A quantity, of which the size is meant where it stands alone between bars."""
-    runs = operands.runs
-    is_sized = 0 < k < len(runs) - 1 and runs[k - 1] == runs[k + 1] == "|"
-    return quantity.sized(space=names.space) if is_sized else quantity
 
 
 def read_calculation(names: Names, text: str, path: Path) -> Quantity | None:
@@ -319,12 +314,13 @@ def _calculated(
         quantity = read_quantity(names, operand.phrase, ("find",))
         if quantity is None:
             return None
-        read[k] = _between_bars(names, operands, k, quantity)
+        read[k] = between_bars(names, operands, k, quantity)
     if any(map(is_of_start, read.values())):
         return _with_blow(names, phrase, operands, read, condition, at_start)
     if is_at_several(operands, condition):
+        at_end = Operand("", condition, at_start)
         return read_at_events(
-            names, phrase, operands, condition, lambda o: _meant(names, o.phrase, o.condition, o.at_start, path)
+            names, phrase, operands, at_end, lambda o: _meant(names, o.phrase, o.condition, o.at_start, path)
         )
     events = {o.condition for o in operands.phrases.values()} - {None}
     condition = next(iter(events), condition)

@@ -287,10 +287,8 @@ def _heading(
 def _where(names: Names, node: StringNode) -> tuple[float, float] | None:
     """Where a place of a string is in numbers: as it is put, else as it is held, else as it is guessed to be; a drum is
     at the origin as long as nobody has put it elsewhere."""
-    found, near = (
-        node.place or place_of(names, node.point) or _started(names, node.point),
-        names.known(node.body).start.near,
-    )
+    found = node.place or place_of(names, node.point) or _started(names, node.point)
+    near = names.known(node.body).start.near
     if found is not None or near is None or near.at is None:
         return found if found is not None or node.way != "drum" else (0.0, 0.0)
     (x, y), known = near.at[1][:2], names.known(node.body).points[near.at[0]] == node.point.offset
@@ -298,9 +296,13 @@ def _where(names: Names, node: StringNode) -> tuple[float, float] | None:
 
 
 def _started(names: Names, point: Point) -> tuple[float, float] | None:
-    """Where a point that is put nowhere starts by what it lies on and by its measures."""
-    x, y = starts_at(names, point, RIGHT), starts_at(names, point, UP)
-    return None if x is None or y is None else (number_of(names, x), number_of(names, y))
+    """Where a point that is put nowhere starts: along the line on which it lies, and aside of that."""
+    along = ground_line_under(names, point.body) or RIGHT
+    far, aside = starts_at(names, point, along), starts_at(names, point, along.normal())
+    if far is None or aside is None:
+        return None
+    (ex, ey), (u, v) = _in_numbers(names, along), (number_of(names, far), number_of(names, aside))
+    return u * ex - v * ey, u * ey + v * ex
 
 
 def _in_numbers(names: Names, direction: Direction) -> tuple[float, float]:

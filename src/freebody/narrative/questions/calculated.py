@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Symbol
+from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
@@ -16,18 +16,8 @@ from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Sc
 from freebody.questions.arithmetic import Joined
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.of_answers import operands_of, questions_in
+from freebody.study.answering.of_answers import AsWritten, operands_of, questions_in
 from freebody.study.answering.solve import solve
-
-
-class _Written:
-    """Functions of formulas as they are written."""
-
-    def sqrt(self, x: Any) -> Expr:
-        return Call("sqrt", x)
-
-    def absolute(self, x: Any) -> Expr:
-        return Call("abs", x)
 
 
 def derive_calculated(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
@@ -53,7 +43,7 @@ def derive_calculated(context: Context, question: Question, answer: Answer, meth
     context.next_number = first
     with script.stage("stage.value"):
         assert isinstance(question.quantity, Joined)
-        left: Any = question.quantity.made_of(operands_of(question, found), _Written())
+        left: Any = question.quantity.made_of(operands_of(question, found), AsWritten())
         assert answer.expression is not None
         script.line(left, answer.expression, why="turned.together", args={"lines": tuple(lines)}, when="start")
     return [*stages, *script.stages]

@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, evaluate
+from freebody.language.expression import Call, Expr, evaluate, n_operations
 from freebody.language.sentences import Message
 from freebody.questions.arithmetic import AtStart, Functions, Joined, OfParameters, OnTheWay, refuse_vectors
 from freebody.questions.at_events import AtEvent
@@ -54,14 +54,26 @@ def calculated(system: System, question: Question, answers: Mapping[str, Answer]
     formulas = operands_of(question, [part.expression for part in parts])
     refuse_vectors(formulas)
     found = _made(question, tuple(map(setup.model.geometry.scalar, formulas)), setup.state)
+    whole = tidy(setup.model.field.lowest_terms(setup.model.field.element(found)))
+    written = _made(question, formulas, AsWritten())
     return made(
         question,
-        tidy(setup.model.field.lowest_terms(setup.model.field.element(found))),
+        min(whole, written, key=n_operations),  # over one denominator roots of fractions become long
         number(setup, question, answers),
         conditions=tuple(dict.fromkeys(c for part in parts for c in part.conditions)),
         notes=tuple(dict.fromkeys(n for part in parts for n in part.notes)),
         evidence=of_all([part.evidence for part in parts]),
     )
+
+
+class AsWritten:
+    """Functions of formulas as they are written."""
+
+    def sqrt(self, x: Any) -> Expr:
+        return Call("sqrt", x)
+
+    def absolute(self, x: Any) -> Expr:
+        return Call("abs", x)
 
 
 Found = Callable[[Question], tuple[Finding, list[Condition]]]

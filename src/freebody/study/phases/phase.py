@@ -137,7 +137,7 @@ class Phase:
     @property
     def course(self) -> ClosedFormMotion:
         if isinstance(self._course, CannotAnswer):
-            raise self._course
+            raise self._course.with_traceback(None)  # or each time would add where it was raised
         return self._course
 
     @cached_property
