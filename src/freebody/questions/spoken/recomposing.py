@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 _AFTER, _WHEN, _UNTIL = Word("mark", "after"), Word("mark", "when"), Word("mark", "until")
 _AT_START, _ONLY, _TO = Word("instant", "at start"), Word("part", "only"), Word("preposition", "to")
 _RATIO = Word("quantity", "ratio")
+_TELLS_WHEN = ("when", "until", "after", "while")  # what leads clauses: others say of a choice what is to be so
 _LETS_GO = {"start", "exert", "leave", "fall"}  # it is released, thrown, jumps: what begins the motion
 _LIGHT = {*GOES_ON, "exert", "act", "carry", "reach", "become"}  # verbs of what something does all the time
 _CHANGES = {"fall", "rise", "grow", "shrink", "change", "accelerate", "lost"}
@@ -52,7 +53,7 @@ def recomposed(names: Names, words: list[Word], again: Callable[[Names, list[Wor
     if put != words:
         yield from again(names, put)
     sentence = parted(put)
-    if sentence is None:
+    if sentence is None or any(mark not in _TELLS_WHEN for mark, _ in sentence.others):
         return
     yield from _driven(names, sentence)
     yield from _changed(names, sentence)
@@ -132,6 +133,7 @@ def _changed(names: Names, sentence: Sentence) -> Groups:
     main = sentence.main
     asked, verbs = main.all("quantity"), set(main.all("verb"))
     is_change = len(asked) == 2 and "change" in asked and not verbs
+    is_change &= main.has("ask", *_BY) or any(mark == "until" for mark, _ in sentence.others)
     asked = [quantity for quantity in asked if quantity != "change"]
     is_change |= len(asked) == 1 and main.has("ask", *_BY) and bool(verbs) and verbs <= _CHANGES
     if not is_change or {*asked[-1:]} & {*_NO_CHANGE} or main.has("degree"):
@@ -173,13 +175,16 @@ def _in_any_order(names: Names, sentence: Sentence) -> Groups:
     """One quantity with its owner and its instant, without verbs that say no more than that something moves or acts."""
     main, others = sentence.main, sentence.others
     asked, verbs = main.all("quantity"), main.all("verb")
-    if len(asked) != 1 or not main.only("ask", "quantity", "name", "verb", "instant", "part", *SILENT):
+    known = ("ask", "quantity", "name", "verb", "instant", "part", *SILENT)
+    if len(asked) != 1 or asked == ["rate"] or not main.only(*known):
         return
+    if main.words[0].kind == "preposition" or main.has("preposition", "between"):
+        return  # between which angles: no single value
     if any(one.kind == "preposition" and other.kind == "verb" for one, other in pairwise(main.words)):
         return  # relative to the lower one: a thing, and nothing that is done
     if set(main.all("ask")) - {"what", "with", "large", "much", "for"} or (len(verbs) > 1 and others):
         return
-    comes = [verb for verb in verbs if verb in HAPPENS and verb not in _LIGHT]
+    comes = [verb for verb in verbs if verb in HAPPENS and verb not in (*_LIGHT, "vanish")]
     if set(verbs) - _LIGHT - {*comes} or len(comes) > 1 or (comes and (others or main.has("instant"))):
         return
     of = [word for word in main.words if word.kind == "name"]
