@@ -58,6 +58,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
     if turned := TURNED_ROUND.match(text):
+        if _is_of_another_force(names, words, text):
+            return False
         return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)
     if _is_extreme(text) and _is_to_be_so(words, text):
         return False
@@ -90,6 +92,16 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     is_place = Word("ask", "where") in words and not asked
     return not (is_place and _is_extreme(text))
+
+
+def _is_of_another_force(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether a force that is to be so is of a connection that nobody names, where another force is named: that of the
+    buffer, whose stiffness is asked for, is no force of the rail."""
+    pushing = {*names.connections, *names.loads}
+    named = {word.what for word in words if word.kind == "name"} & pushing
+    forces = {word.what for word in words if word.kind == "quantity"} & {"force", "contact force", "reaction"}
+    found = {*re.findall(r"[^\W\d]\w*", text)} & pushing
+    return bool(forces and named and found) and not named & found
 
 
 def _is_extreme(text: str) -> bool:

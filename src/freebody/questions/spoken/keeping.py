@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
@@ -38,6 +39,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     if not is_accounted_for(names, words, text):
         return False
     things = {thing for thing in _THING.findall(text) if _is_thing(names, thing)}
+    if _counts_from(names, words, text, things):
+        return False
     numbers = {float(number) for number in _NUMBER.findall(text)}
     told = [float(number) for word in words if word.kind == "value" for number in _NUMBER.findall(word.what)]
     is_of_all = _OF_ALL.search(text) is not None
@@ -51,6 +54,16 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
+
+
+def _counts_from(names: Names, words: Sequence[Word], text: str, things: set[str]) -> bool:
+    """Whether a time is asked for that counts from something else than the start: from the catch until it hangs."""
+    said = [word for word in words if word.kind != "filler"]
+    begins = (after for before, after in pairwise(said) if before == Word("preposition", "from"))
+    return text.startswith("time when ") and any(
+        after.kind == "verb" or (after.kind == "name" and after.what in names.connections and after.what not in things)
+        for after in begins
+    )
 
 
 def _begin_of_state(names: Names, words: Sequence[Word]) -> int:

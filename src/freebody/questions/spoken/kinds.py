@@ -54,8 +54,11 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
     main = list(words) if sentence is None else sentence.main.words
     said = [word for word in main if word.kind in ("quantity", "ask")]
     is_named = turned is not None and Word("name", turned["parameter"]) in main  # other words say what it is for
-    if is_named or Word("ask", "where") in main or text.startswith(_VERDICTS):
+    is_ratio = Word("verb", "compare") in main and text.startswith("ratio ")
+    if is_named or is_ratio or Word("ask", "where") in main or text.startswith(_VERDICTS):
         return True
+    if (named := _named_behind_ask(names, main)) is not None:  # at which y is it fastest: y is asked for
+        return all(names.measures[named].dimension == quantity.dimension for quantity in asked)
     allowed: set[Dimension] = {dimension for word in said for dimension in _dimensions(word)}
     if turned and Word("quantity", "friction force") in said:  # the friction with which it holds
         allowed.add(DIMENSIONLESS)
@@ -68,6 +71,13 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
     if _is_about_angles(names, words):
         allowed |= {_OF_ANGLE[of] for of in allowed & _OF_ANGLE.keys()}
     return all(quantity.scope == "every motion" or quantity.dimension in allowed for quantity in asked)
+
+
+def _named_behind_ask(names: Names, main: Sequence[Word]) -> str | None:
+    """The measure that is asked for by its name: at which y, for what theta."""
+    said = [word for word in main if word.kind != "filler"]
+    is_asked = len(said) > 1 and said[0].kind == "ask" and said[0].what in ("with", "for", "what")
+    return said[1].what if is_asked and said[1].kind == "name" and said[1].what in names.measures else None
 
 
 def _dimensions(word: Word) -> tuple[Dimension, ...]:

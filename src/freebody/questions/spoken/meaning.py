@@ -19,6 +19,7 @@ from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.limits import limits
 from freebody.questions.spoken.of_motion import MASS_CENTER
+from freebody.questions.spoken.recomposing import recomposed
 from freebody.questions.spoken.sentence import Sentence, parted, told_who
 from freebody.questions.spoken.stated import stated
 from freebody.questions.spoken.words import Clause
@@ -43,7 +44,14 @@ _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat
 
 
 def meanings(names: Names, words: list[Word]) -> Groups:
-    """What words can ask for."""
+    """What words can ask for, as they stand; then with their parts put in the order of the grammar."""
+    yield from _as_they_stand(names, words)
+    said = [word for word in words if word.kind != "filler"]
+    if not any(word.kind == "other" or _leads_nowhere(said, k) or _asks_more(said, k) for k, word in enumerate(said)):
+        yield from recomposed(names, said, _as_they_stand)
+
+
+def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     if any(word.kind == "other" for word in words):
         return
     words = rewording.rates(_at_mass_center(names, _at_free_ends(names, words)))
@@ -112,13 +120,13 @@ def _stretched(names: Names, words: list[Word]) -> list[Word]:
 
 def _leads_nowhere(words: list[Word], k: int) -> bool:
     """Whether behind a preposition there is no thing, where one has to be: relative to, but to nothing."""
-    leads = words[k].kind == "preposition" and words[k].what in ("relative", "between")
+    leads = words[k].kind == "preposition" and words[k].what in ("relative", "between") and k + 1 < len(words)
     return leads and words[k + 1].kind not in ("name", "pronoun", "value", "quantity", "part", "preposition", "other")
 
 
 def _asks_more(words: list[Word], k: int) -> bool:
     """Whether a second question begins: how long does it take, and how far does it get."""
-    begins = words[k] == Word("preposition", "and") and words[k + 1].kind == "ask"
+    begins = words[k] == Word("preposition", "and") and k + 1 < len(words) and words[k + 1].kind == "ask"
     return begins and any(word.kind == "ask" for word in words[:k])
 
 

@@ -91,7 +91,9 @@ def elements_of(names: Names) -> Elements:
     said_once = Counter(said for _, said in touching)
     for name in names.connections:
         said = (*names.called.get(name, ()), *_stems(name))
-        found.add(name, (*said, *_alike(name, *said), *_JOINT_WORDS))
+        pulls = {*_ROPES} & {*said, name.lower()}
+        alike = [word for word in _alike(name, *said) if pulls or word not in _ROPES]  # a guide called line is no rope
+        found.add(name, (*said, *alike, *_JOINT_WORDS))
         found.touching[name] = frozenset(names.connections[name].mentions(names))
     for name, said in touching:  # the bearing of the pulley, where it has one
         if said_once[said] == 1:
