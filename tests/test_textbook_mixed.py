@@ -9,7 +9,7 @@ import pytest
 
 import freebody as fb
 from conftest import assert_same_function
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, n_operations
 from freebody.language.notation import to_python
 from freebody.numeric.engine.course import Status
 
@@ -121,6 +121,16 @@ def test_a_crate_that_a_measure_puts_on_a_ramp_is_towed_up_to_the_pulley(place: 
     assert_same_function(
         to_python(found), f"sqrt(2*d/{a})", {"g": 9.81, "alpha": 0.5, "mu": 0.3, "m": 20, "M": 30, "d": 2}
     )
+
+
+def test_roots_of_fractions_are_not_brought_over_one_denominator() -> None:
+    """sqrt(2 (d/2)/a) - sqrt(2 (d/4)/a): two roots, not a wall of their products."""
+    found = fb.System.from_text(RAMP).solve("time between s = d/4 and s = d/2")["q1"].expression
+    assert isinstance(found, Expr)
+    assert n_operations(found) < 50
+    a = "(g*(M - m*(sin(alpha) + mu*cos(alpha)))/(m + M))"
+    numbers = {"g": 9.81, "alpha": 0.5, "mu": 0.3, "m": 20.0, "M": 30.0, "d": 2.0}
+    assert_same_function(to_python(found), f"(1 - 1/sqrt(2))*sqrt(d/{a})", numbers)
 
 
 def expression(model: str, question: str) -> str:
