@@ -21,6 +21,9 @@ _OF_QUANTITY = ("stroke", "time ratio", "extremes", "steady amplitude", "phase l
 __all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
 
 
+_OF_MODE = {"first": "lowest", "least": "lowest", "greatest": "highest"}  # which of the natural frequencies
+
+
 def quantities(names: Names, clause: Clause) -> Groups:
     """The quantities that a clause without an event can ask for."""
     clause = (
@@ -60,6 +63,8 @@ def quantities(names: Names, clause: Clause) -> Groups:
             yield [f"range of {text}" for text in group]
         return
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
+    if clause.all("quantity") == ["natural frequency"] and clause.only("quantity", "degree", *SILENT):
+        yield from ([f"{_OF_MODE[which]} natural frequency"] for which in degrees if which in _OF_MODE)
     if degrees:
         yield from _extreme(names, clause.without("degree"), degrees)
         return
