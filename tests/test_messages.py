@@ -27,10 +27,47 @@ from freebody.narrative.words import tables_of
 
 SOURCES = Path(fb.__file__).parent
 PLACE = re.compile(r"\{(\w*)(?::([^}]*))?\}")
+EXAMPLES = Path(__file__).parent.parent / "examples"
 LANGUAGES = ("de",)
 german = Catalogue("de")
 GAP = Message("at best {worst}", worst=Message("{name} is off by {gap:.3g} {unit}", name="pin.x", gap=0.5, unit="m"))
 CLOSED = Message("the start cannot be assembled: {why}", why=GAP)
+
+
+# -- a file with a hole ------------------------------------------------------------------------
+def told_by(text: str) -> str:
+    with pytest.raises(fb.FreebodyError) as raised:
+        fb.System.from_text(text)
+    return str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("example", "hole"),
+    [
+        ("chain_off_a_table", "parameters: {rho: 0.5 kg/m, L: 2 m, b: 0.4 m, g: 9.81 m/s^2}"),
+        ("ball_in_a_spherical_bowl", "parameters: {m: 0.5 kg, r: 5 cm, R: 40 cm, g: 9.81 m/s^2}"),
+        ("belt_tightened", "  points: {A: [0, 0], B: [d, 0]}"),
+    ],
+)
+def test_a_line_left_out_is_told_and_nothing_that_follows_from_it(example: str, hole: str) -> None:
+    text = (EXAMPLES / f"{example}.yaml").read_text()
+    assert hole in text
+    told = told_by(text.replace(hole, ""))
+    assert "is not a parameter" in told or "no position" in told or "has no point" in told
+    assert "does not fit" not in told
+    assert "is 0" not in told
+
+
+def test_a_belt_around_two_wheels_in_one_place_is_refused_for_its_length_of_nothing() -> None:
+    text = (EXAMPLES / "belt_tightened.yaml").read_text()
+    told = told_by(text.replace("B: [d, 0]", "B: [0, 0]"))
+    assert "a length, a distance or a mass that belt needs is 0" in told
+
+
+def test_what_is_left_empty_is_nothing() -> None:
+    text = (EXAMPLES / "cruise_control.yaml").read_text()
+    assert "freebody: 1" in text
+    assert "file format nothing" in told_by(text.replace("freebody: 1", "freebody:"))
 
 
 # -- the text ---------------------------------------------------------------------------------

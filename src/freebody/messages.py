@@ -53,6 +53,11 @@ def _as_text(of: object) -> str:
     return text if isinstance(text, Message) else Shown(text, of)
 
 
+def as_found(value: object) -> str:
+    """What a file has where something else belongs, as it stands in a message."""
+    return Message("nothing") if value is None else repr(value)
+
+
 def listed(parts: Sequence[str], joined: str = "{first} and {second}") -> str:
     """a, b and c; joined: how the last two stand together, as a template. Messages that are joined stay messages."""
     if not parts:

@@ -170,8 +170,8 @@ start: {x: 0.4 m, rate(x): 0}
         """At a point that it runs over; of a wheel before and behind it."""
         with names.quietly():
             run = self._run(names)
-        if run is None:
-            return {}
+        if run is None or run.length == ZERO:
+            return {}  # a length of 0 is told where it is read
         me, fields = self.own_name(names), sorted(names.fields, key=repr)
         found: dict[str, CutTension] = {}
         behind: tuple[str, ...] = () if self.to is None else (f"{me}.last end",)

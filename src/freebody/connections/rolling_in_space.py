@@ -63,7 +63,10 @@ def rows_on_sphere(names: Names, body: RigidBody, sphere: RigidBody, *, inside: 
     if _starts_beyond(names, body, sphere, pole):
         pole = tuple(-c for c in pole)
     text = f"{INSIDE}{sphere.name}" if inside else sphere.name
-    (place,) = places_on_body(names, body.name, text, (pole, perpendiculars(pole)))
+    places = places_on_body(names, body.name, text, (pole, perpendiculars(pole)))
+    if not places:
+        return []  # a radius that is missing, which is told where it is read
+    (place,) = places
     return [
         ConstraintRow("contact", "normal force", place.measure, place.target, place.sign, unilateral=True),
         *(

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from freebody.language.expression import Expr
-from freebody.messages import Message, further, in_turn, lines, listed, turns
+from freebody.messages import Message, as_found, further, in_turn, lines, listed, turns
 
 
 @dataclass(frozen=True)
@@ -25,4 +25,4 @@ class Sentence:
 Argument = str | int | Expr | Sentence | tuple["Argument", ...]
 NOTHING: Argument = ""
 
-__all__ = ["NOTHING", "Argument", "Message", "Sentence", "further", "in_turn", "lines", "listed", "turns"]
+__all__ = ["NOTHING", "Argument", "Message", "Sentence", "as_found", "further", "in_turn", "lines", "listed", "turns"]

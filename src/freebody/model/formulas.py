@@ -25,7 +25,7 @@ from freebody.language.expression import (
     substitute,
 )
 from freebody.language.parser import parse
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, as_found
 from freebody.language.units import (
     ACCELERATION,
     ANGULAR_VELOCITY,
@@ -106,7 +106,7 @@ class Formulas(Noting):
         if isinstance(value, str) and (mixed := self._with_quantities(value, dimension, known)) is not None:
             return mixed
         if isinstance(value, bool) or not isinstance(value, (str, int, float)):
-            self.problem(Message("expected a number or an expression, found {value}", value=repr(value)), *path)
+            self.problem(Message("expected a number or an expression, found {value}", value=as_found(value)), *path)
             return ZERO
         if isinstance(value, (int, float)):
             if not math.isfinite(value):
@@ -292,7 +292,7 @@ class Formulas(Noting):
                 example = f"[{', '.join(str(each) for each in (value, *[0] * (len(self.origin) - 1)))}]"
                 hint = Message(", e.g. {example}", example=example)
             self.problem(
-                Message("expected {wanted}, found {value}{hint}", wanted=wanted, value=f"{value!r}", hint=hint),
+                Message("expected {wanted}, found {value}{hint}", wanted=wanted, value=as_found(value), hint=hint),
                 *path,
             )
             return self.origin

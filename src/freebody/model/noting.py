@@ -56,10 +56,15 @@ class Noting:
 
     @contextmanager
     def reading(self, section: str, name: str, *path: str | int) -> Generator[None]:
-        """As `at`; a name of which a problem is noted inside is broken."""
+        """As `at`; a name of which a problem is noted inside is broken. Where a length of 0 stands under a fraction,
+        reading it ends there: it is told, unless it only stands for what is told to be missing."""
         n_before = len(self.problems)
         with self.at(section, name, *path):
-            yield
+            try:
+                yield
+            except ZeroDivisionError:
+                if not self.problems:
+                    self.problem(Message("a length, a distance or a mass that {name} needs is 0", name=name))
         if len(self.problems) > n_before:
             self.broken.add(name)
 

@@ -13,7 +13,7 @@ from typing import Any, cast
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols, number
 from freebody.language.parser import parse
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, as_found
 from freebody.language.units import DIMENSIONLESS, dimension_of
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -360,7 +360,7 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
     if text is None:
         if isinstance(value, dict) and set(cast("dict[str, Any]", value)) == {"expression"}:
             return composed(names, str(cast("dict[str, Any]", value)["expression"]), *path, "expression")
-        names.problem(Message("expected a phrase such as 'height of A', found {value}", value=f"{value!r}"), *path)
+        names.problem(Message("expected a phrase such as 'height of A', found {value}", value=as_found(value)), *path)
         return None
     if text in names.measures:
         return names.measures[text]

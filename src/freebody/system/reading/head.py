@@ -9,7 +9,7 @@ from typing import Any, cast
 from freebody.connections.base import Connection
 from freebody.language.document.writer import flow_text
 from freebody.language.plain_text import plain
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, as_found
 from freebody.loads.base import Load
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT
@@ -56,7 +56,7 @@ def check_sections(source: Source) -> None:
     version = source.data.get("freebody", 1)
     if version != 1:
         source.names.problem(
-            Message("this is freebody's file format {version}; this version reads format 1", version=repr(version)),
+            Message("this is freebody's file format {version}; this version reads format 1", version=as_found(version)),
             "freebody",
         )
     if not source.data.get("bodies") and not source.names.is_cut_short:

@@ -62,6 +62,7 @@ def striking_when(names: Names, loads: Mapping[str, Load]) -> dict[str, AskedEve
     found: dict[str, AskedEvent] = {}
     for name, load in loads.items():
         if load.strikes_when:
+            event = None
             with names.reading("loads", name, load.kind):
                 event = read_event(names, happening(load.strikes_when), ("when",))
             if event is not None:

@@ -21,6 +21,7 @@ def read_measures(source: Source) -> dict[str, Measure]:
         if name in names.parameters:
             names.problem(Message("{name} is a parameter already; choose another name", name=name), "measures", name)
             continue
+        measure = None
         with names.reading("measures", name):
             measure = read_measure(names, value)
         if measure is None:

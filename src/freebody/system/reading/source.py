@@ -15,7 +15,7 @@ from freebody.language.document import Document
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
 from freebody.language.parser import in_ascii
-from freebody.language.sentences import Message, in_turn, listed
+from freebody.language.sentences import Message, as_found, in_turn, listed
 from freebody.loads.base import Load
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
@@ -207,7 +207,7 @@ class Source:
                     "{what}: expected {wanted}, found {value}",
                     what=str(where[0]) if where else "",
                     wanted=listed(list(dict.fromkeys(wanted)), "{first} or {second}"),
-                    value=repr(fault["input"]),
+                    value=as_found(fault["input"]),
                 )
                 self.names.problem(message, *path, *where)
             return None
