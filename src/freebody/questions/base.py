@@ -216,6 +216,10 @@ class Quantity:
         """Whether it is the tangential force of teeth, which is the same on whichever flank they bear."""
         return False
 
+    def place_of(self, names: Names, value: Expr) -> tuple[Measure, Expr] | None:
+        """The measure, and its value, at which the quantity has a value, where a place alone decides it."""
+        return None
+
     @property
     def is_of_parameters(self) -> bool:
         """Whether it is a number of the parameters alone, whatever touches, slips or moves."""

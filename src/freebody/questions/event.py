@@ -146,6 +146,8 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
             names.problem(Message("give the place of the motion a name among the measures first"), *path)
             return None
         value = names.formula(target, of.dimension, *path)
+        if (place := of.place_of(names, value)) is not None:
+            return QuestionEvent(place[0], 0, place[1], text)
         return QuantityEvent(measure, 0, Symbol(""), text, of, value, found["what"].strip(), target)
     measure = measure_of(names, what, *path)
     if measure is None:

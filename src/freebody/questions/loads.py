@@ -6,9 +6,20 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, differentiate, free_symbols, negate, substitute
+from freebody.language.expression import (
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    divide,
+    free_symbols,
+    multiply,
+    negate,
+    substitute,
+)
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ENERGY, LENGTH, POWER, TORQUE, Dimension
+from freebody.measures.base import Measure
 from freebody.model.elements import VALUE, AppliedLoad
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
@@ -49,6 +60,10 @@ questions: {it: force in spring}
     def sized(self, *, space: bool) -> Quantity:
         return replace(self, is_thrust=True) if self.only_pushes else self
 
+    def place_of(self, names: Names, value: Expr) -> tuple[Measure, Expr] | None:
+        found = _spring(names, self.load)
+        return None if found is None else found.length_at(negate(value) if self.is_thrust else value)
+
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.thrust" if self.is_thrust else "what.load", {"load": self.load})
 
@@ -76,8 +91,39 @@ questions: {it: extension of spring at start}
         """l - l0 = F/k, with the law F = k (l - l0) of a spring; a preload F0 at l_1 is one at another l0."""
         return (-1 if self.is_compression else 1) * force / state.scalar(self.stiffness)
 
+    def place_of(self, names: Names, value: Expr) -> tuple[Measure, Expr] | None:
+        found = _spring(names, self.force.load)
+        force = multiply(self.stiffness, negate(value) if self.is_compression else value)
+        return None if found is None else found.length_at(force)
+
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.compression" if self.is_compression else "what.extension", {"load": self.force.load})
+
+
+@dataclass(frozen=True)
+class _Spring:
+    """What pulls with F = k (l - l0) at every length l."""
+
+    length: Measure
+    stiffness: Expr
+    pull_at_zero: Expr  # -k l0
+
+    def length_at(self, force: Expr) -> tuple[Measure, Expr]:
+        return self.length, divide(add(force, negate(self.pull_at_zero)), self.stiffness)
+
+
+def _spring(names: Names, load: str) -> _Spring | None:
+    """The load, if it is one linear spring that pulls and pushes."""
+    pushes = [p for p in names.applied_loads if p.load == load]
+    if len(pushes) != 1 or "spring" not in names.called.get(load, ()) or pushes[0].one_sided is not None:
+        return None
+    (push,) = pushes
+    stiffness = stiffness_of(push)
+    return (
+        None
+        if stiffness is None
+        else _Spring(push.measure, stiffness, negate(substitute(push.law, {VALUE.name: ZERO})))
+    )
 
 
 def stiffness_of(push: AppliedLoad) -> Expr | None:

@@ -232,6 +232,10 @@ def shown(field: Field, index: int) -> Expr:
     generator = field.generators[index]
     if generator.kind == "root" and generator.made_of:
         return root_shown(tidy(field.radicand(index)))
+    if generator.kind in ("cos", "sin"):
+        angle = field.angles.get(index if generator.kind == "cos" else index - 1)
+        if angle is not None and any(field.generators[g].kind == "root" for g in angle.generators()):
+            return Call(generator.kind, tidy(angle))
     if index in field.moduli:
         phi, k = field.moduli[index]
         modulus = tidy(k)

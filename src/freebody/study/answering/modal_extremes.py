@@ -3,15 +3,18 @@
     x = m + A cos(w t) + (B/w) sin(w t),     m - sqrt(A^2 + B^2/w^2) <= x <= m + sqrt(A^2 + B^2/w^2).
 
 Two carts that are joined by a spring: their common motion is uniform, and each is fastest as the spring goes through
-its natural length.
+its natural length. The size of such a quantity, as a speed, is at most |m| + sqrt(...), and at least
+|m| - sqrt(...) or 0.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
@@ -20,11 +23,20 @@ from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.motion_values import extremes_between
 from freebody.study.answering.repeated import checked, held_throughout
 from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.coupled import ModalWave
 from freebody.symbolic.field import Ratio
 
 
-def wave_of(setup: Setup, of: Quantity) -> ModalWave | None:
+@dataclass(frozen=True)
+class Swing:
+    """A quantity that is a wave, or the size of one."""
+
+    wave: ModalWave
+    is_size: bool
+
+
+def wave_of(setup: Setup, of: Quantity) -> Swing | None:
     """How a quantity swings, where it is that of coupled coordinates. Raises CannotAnswer where several modes do."""
     model, f = setup.model, setup.model.field
     if len(model.coordinates) < 2 or model.dependent:
@@ -33,6 +45,18 @@ def wave_of(setup: Setup, of: Quantity) -> ModalWave | None:
     if isinstance(value, tuple):
         return None
     x = f.lowest_terms(model.in_independent_speeds(f.element(value)))
+    wave = _wave(setup, x)
+    if wave is not None:
+        return Swing(wave, is_size=False)
+    if not any(f.generators[g].kind == "root" for g in f.ingredients(x)):
+        return None
+    base = f.sqrt(f.lowest_terms(x * x), lambda _factor: False)
+    wave = _wave(setup, f.lowest_terms(base))
+    return None if wave is None else Swing(wave, is_size=True)
+
+
+def _wave(setup: Setup, x: Ratio) -> ModalWave | None:
+    model, f = setup.model, setup.model.field
     inside = f.ingredients(x)
     moving = [c for c in model.coordinates if {c.index, c.speed} & inside]
     if not moving or any(f.generators[g].kind == "time" for g in inside):
@@ -43,22 +67,45 @@ def wave_of(setup: Setup, of: Quantity) -> ModalWave | None:
     return coupled.wave_of(x)
 
 
-def find(setup: Setup, question: str, of: Quantity, wave: ModalWave, sides: Sequence[int]) -> Finding:
+def _size_at(setup: Setup, mean: Ratio, size: Ratio, side: int, conditions: list[Condition]) -> Ratio:
+    """The greatest (side 1) or least |x| of m - S <= x <= m + S: |m| + S, and |m| - S, or 0 where x changes sign."""
+    f, samples = setup.model.field, setup.model.samples
+    middle = setup.state.absolute(mean)
+    if side > 0:
+        return f.lowest_terms(middle + size)
+    gap = f.lowest_terms(middle - size)
+    is_apart = not samples.is_negative(gap)
+    needed, possible = require(
+        gap if is_apart else -gap, ">=", Message("it keeps its sign") if is_apart else Message("it changes its sign")
+    )
+    if not possible:
+        raise CannotAnswer(Message("which value is the extreme one was not decided"))
+    if needed is not None:
+        conditions.append(needed)
+    return gap if is_apart else f.zero
+
+
+def find(setup: Setup, question: str, of: Quantity, swing: Swing, sides: Sequence[int]) -> Finding:
     """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted."""
-    f = setup.model.field
+    f, wave = setup.model.field, swing.wave
     if wave.cosine.is_zero() or wave.sine.is_zero():
         size = setup.state.absolute(wave.cosine if wave.sine.is_zero() else wave.sine)
         size = size if wave.sine.is_zero() else size / f.sqrt(wave.square, setup.model.samples.is_negative)
     else:
         inside = wave.cosine * wave.cosine + wave.sine * wave.sine / wave.square
         size = f.sqrt(f.lowest_terms(inside), setup.model.samples.is_negative)
-    values = tuple(f.lowest_terms(wave.mean + side * size) for side in sides)
-    conditions = held_throughout(setup)
+    conditions = list(held_throughout(setup))
+    if swing.is_size:
+        values = tuple(_size_at(setup, wave.mean, size, side, conditions) for side in sides)
+    else:
+        values = tuple(f.lowest_terms(wave.mean + side * size) for side in sides)
 
     def numbers(draw: Draw) -> tuple[float, ...]:
         square = setup.model.samples.numbers(draw.sample(draw.start()))
         period = 2 * np.pi / np.sqrt(float(f.evaluate(wave.square, square)))
         low, high = extremes_between(setup, draw, of, 0.0, 1.5 * float(period))
+        if swing.is_size and low * low <= MOTION_TOLERANCE * high * high:
+            low = 0.0  # seen by its square: a size has a kink where it vanishes
         return tuple(low if side < 0 else high for side in sides)
 
     check = CrossCheck(question, Message("numerical integration over a cycle of the motion"), MOTION_TOLERANCE)

@@ -305,9 +305,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     followed = measure_followed(setup, of)
     if followed is not None:
         return find_linear(setup, question, of, followed, sides)
-    wave = wave_of(setup, of)
-    if wave is not None:
-        return find_modal(setup, question, of, wave, sides)
+    swing = wave_of(setup, of)
+    if swing is not None:
+        return find_modal(setup, question, of, swing, sides)
     damped = damped_of(setup, of)
     if damped is not None:
         return find_damped(setup, question, of, damped, sides)
