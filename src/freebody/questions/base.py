@@ -221,6 +221,11 @@ class Quantity:
         return None
 
     @property
+    def reason(self) -> Sentence | None:
+        """Why it is what it is, said before it is written in the forces that are known by then."""
+        return None
+
+    @property
     def is_of_parameters(self) -> bool:
         """Whether it is a number of the parameters alone, whatever touches, slips or moves."""
         return False
@@ -412,6 +417,11 @@ NAME = r"[A-Za-z_]\w*"
 POINT = PLACE = rf"{NAME}(?:\.\w+)?"
 Found = dict[str, Any]  # the named groups of a pattern, a text or None
 Reader = Callable[["Names", Found, Path], Quantity | None]
+Fits = Callable[["Names", Found], bool]
+
+
+def _always(_names: Names, _found: Found) -> bool:
+    return True
 
 
 @dataclass(frozen=True)
@@ -423,6 +433,13 @@ class Form:
     read: Reader
     rank: int
     example: str = ""  # a model that asks so, where the example of no kind does
+    fits: Fits = _always  # whether it is meant of what is named
+
+    def found_in(self, text: str, names: Names) -> Found | None:
+        """What the words of a question name, where they ask so."""
+        found = self.pattern.match(text)
+        named = None if found is None else found.groupdict()
+        return named if named is not None and self.fits(names, named) else None
 
     @cached_property
     def openings(self) -> tuple[str, ...]:
@@ -454,12 +471,14 @@ FORMS: list[Form] = []  # in the order in which they are tried and listed
 COMMON = 50
 
 
-def asked(form: str, pattern: str, *, rank: int = COMMON, example: str = "") -> Callable[[Reader], Reader]:
+def asked(
+    form: str, pattern: str, *, rank: int = COMMON, example: str = "", fits: Fits = _always
+) -> Callable[[Reader], Reader]:
     """Registers a reader of words that ask for a quantity: the form as it is listed, and the whole text's pattern. Of
     forms that fit the one with the highest rank reads. Each form has an example: that of a kind, or its own."""
 
     def register(read: Reader) -> Reader:
-        added = Form(form, re.compile(rf"^(?:the )?(?:{pattern})$"), read, rank, example)
+        added = Form(form, re.compile(rf"^(?:the )?(?:{pattern})$"), read, rank, example, fits)
         place = next((k for k, other in enumerate(FORMS) if other.rank < rank), len(FORMS))
         FORMS.insert(place, added)
         return read

@@ -246,7 +246,7 @@ def _quantity(names: Names, measure: str, phrase: str, path: Path) -> Quantity |
     if measure in names.measures or measure in names.broken or any(p.pattern.match(measure) for p in PHRASES):
         return None
     for form in FORMS:
-        if found := form.pattern.match(phrase):
-            quantity = form.read(names, found.groupdict(), path)
+        if (found := form.found_in(phrase, names)) is not None:
+            quantity = form.read(names, found, path)
             return quantity.sized(space=names.space) if quantity is not None and quantity.scope == "instant" else None
     return None

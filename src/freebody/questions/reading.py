@@ -81,9 +81,9 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
         if inner is not None and inner.scope == "instant":  # others have words of their own for it
             return _size(names, inner, of, path)
     for form in FORMS:
-        found = form.pattern.match(text)
-        if found:
-            return form.read(names, found.groupdict(), path)
+        found = form.found_in(text, names)
+        if found is not None:
+            return form.read(names, found, path)
     words = text.split(" of ", maxsplit=1)[0]
     openings = {opening: form.form for form in FORMS for opening in form.openings}
     close = difflib.get_close_matches(words, openings, n=1, cutoff=0.8)

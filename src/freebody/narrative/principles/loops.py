@@ -23,8 +23,12 @@ def however_long(x: Ratio) -> Ratio:
 
 
 def closed_loops(setup: Setup, script: Script, *, in_rates: bool = False, limit: Limit = readable) -> list[int]:
-    """The equation of every loop, differentiated where rates are wanted; the last line of each."""
+    """The equation of every loop, differentiated where rates are wanted and something moves; the last line of each."""
     found: list[int] = []
+    model = setup.model
+    in_rates = in_rates and not all(
+        model.field.lowest_terms(model.dependent_speed(c)).is_zero() for c in model.dependent
+    )
     for loop in setup.model.loops:
         args: dict[str, Argument] = {"row": f"@{loop.name}"}
         line = script.line(*balanced(tidy(limit(primitive_part(loop.value)))), why="loops.equation", args=args)

@@ -128,6 +128,8 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
             symbol: Expr = known
         else:
             symbol = asked_symbol(context, question)
+            if (reason := question.quantity.reason) is not None:
+                script.say(reason.key, **reason.args)
             script.add(asked_entry(symbol, question))
             before = tidy(f.lowest_terms(general[0]))
             is_found = any((parts[0] - f.variable(u)).is_zero() for u in found)

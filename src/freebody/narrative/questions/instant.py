@@ -101,6 +101,8 @@ def finish(
     if not is_there:
         stage = _last_stage(None if before is None else before.total) if drawn_back is None else ("stage.counted", "")
         with script.stage(*stage):
+            if (reason := question.quantity.reason) is not None:
+                script.say(reason.key, **reason.args)
             script.add(asked_entry(name, question, n=len(parts)))
             shown = written(general)
             sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]

@@ -1,0 +1,309 @@
+"""Questions about what the two parts of a cut rod exert on each other: axial force, shear force, bending moment.
+
+The part from the cut to `end` is a body by itself, with its share of the mass, rho = m/L, of the length l. With e along
+the rod from `start` to `end`, n = e turned by +90 degrees and s from the cut to the middle of the part,
+
+    N = e . (sum F + W - rho l a),    V = -n . (sum F + W - rho l a),
+    M = sum (M_i + r_i x F_i) + s x (W - rho l a) - rho l^3/12 alpha,
+
+where F_i and M_i are the forces and couples of connections and loads that act beyond the cut, W its weight, a the
+acceleration of its middle. N > 0 is tension; V > 0 turns an element clockwise and M > 0 bends a rod that lies to the
+right so that it sags: dM/dx = V. Source: Gere & Goodno, Mechanics of Materials, sec. 4.3; for moving bodies Beer &
+Johnston, Vector Mechanics for Engineers: Dynamics, sec. 16.1 (d'Alembert).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO, Expr, add, divide, free_symbols, multiply, negate, number
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence
+from freebody.language.units import FORCE, TORQUE, Dimension
+from freebody.measures.angle import Angle
+from freebody.measures.geometry import ONE, Direction, Point
+from freebody.measures.turned import points_in
+from freebody.model.elements import RigidBody
+from freebody.model.solids import ROD
+from freebody.model.state import State
+from freebody.questions.base import NAME, PLACE, Described, Found, Path, Quantity, asked
+from freebody.questions.vectors import Vector, added, axes_of, components_of, cross, dot, place
+from freebody.tolerances import ROUNDED
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+Part = Literal["axial", "shear", "bending"]
+Field = tuple[Direction, Expr]  # of gravity: where it pulls to, and its strength
+
+
+@dataclass(frozen=True)
+class SectionForce(Quantity, kind="section force"):
+    """What is transmitted through a section of a rod at `offset` from its middle. named: the point, nothing where it is
+    the same in every section."""
+
+    body: str
+    part: Part
+    offset: Expr
+    named: str
+    fields: tuple[Field, ...]
+    weights: frozenset[str]  # the loads that pull every part of the mass
+    is_thrust: bool = False
+    may_lie_beside: bool = False  # whether it depends on lengths that the section is one of the rod
+
+    is_reaction = True
+    example = """
+bodies: {beam: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}}}
+connections: {clamp: {weld: [ground.A, beam.start]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: bending moment of beam at beam.center}
+"""
+
+    @property
+    def dimension(self) -> Dimension:
+        return TORQUE if self.part == "bending" else FORCE
+
+    @property
+    def letter(self) -> str:
+        return {"axial": "N", "shear": "V", "bending": "M"}[self.part]
+
+    @property
+    def may_jump(self) -> bool:
+        return True
+
+    @property
+    def reason(self) -> Sentence:
+        at: Argument = Sentence("what.section.at", {"point": self.named}) if self.named else NOTHING
+        return Sentence("value.section", {"body": self.body, "at": at})
+
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        if not self.may_lie_beside:
+            return ()
+        return (Message("the section lies between {body}.start and {body}.end", body=self.body),)
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        rod, axes = system.bodies[self.body], axes_of(system)
+        along = components_of(Direction(self.body, (ONE, *(ZERO,) * (len(axes) - 1))), state, len(axes))
+        force, moment = self._own(system, state, rod)
+        for pull in _pulls(system, state, rod, self.weights):
+            if self._is_beyond(state, rod, pull):
+                arm = _between(system, state, self._cut(rod), pull.at)
+                force = added(force, pull.force)
+                moment = added(moment, added(pull.couple, cross(arm, pull.force)))
+        if self.part == "bending":
+            return moment[0]
+        if self.part == "shear":
+            return along[1] * force[0] - along[0] * force[1]
+        return -dot(along, force) if self.is_thrust else dot(along, force)
+
+    def _cut(self, rod: RigidBody) -> Point:
+        return _on_axis(rod, self.offset)
+
+    def _own(self, system: Described, state: State[Any], rod: RigidBody) -> tuple[Vector, Vector]:
+        """Weight and inertia of the part beyond the cut, and their moment about the cut."""
+        n = len(axes_of(system))
+        if rod.mass == ZERO:
+            return (0,) * n, (0,) * (3 if system.space else 1)
+        length = rod.sizes[0]
+        part = add(divide(length, number(2)), negate(self.offset))
+        share = divide(multiply(rod.mass, part), length)
+        middle = _on_axis(rod, divide(add(divide(length, number(2)), self.offset), number(2)))
+        mass = state.scalar(share)
+        force = tuple(-mass * a for a in place(system, state, middle, order=2))
+        for along, strength in self.fields:
+            weight = mass * state.scalar(strength)
+            force = added(force, tuple(weight * c for c in components_of(along, state, n)))
+        moment = cross(_between(system, state, self._cut(rod), middle), force)
+        if self.part == "bending":
+            inertia = state.scalar(divide(multiply(share, multiply(part, part)), number(12)))
+            moment = (moment[0] - inertia * state.acceleration(Angle(rod.name)),)
+        return force, moment
+
+    def _is_beyond(self, state: State[Any], rod: RigidBody, pull: Pull) -> bool:
+        """Whether a pull acts between the cut and the end; a section at the start, or the end, is just inside of it."""
+        if pull.at is None:
+            if self.part != "bending" and all(_is_zero(f) for f in pull.force):
+                return False
+            if pull.has_couple:
+                raise CannotAnswer(
+                    Message("where on {body} the couple of {name} acts is not said", body=rod.name, name=pull.name)
+                )
+            told = Message("at which point of {body} {name} acts does not stay the same", body=rod.name, name=pull.name)
+            raise CannotAnswer(told)
+        is_at_an_end = pull.at.offset[0] in (rod.points["start"][0], rod.points["end"][0])
+        if not (self.named or is_at_an_end):
+            told = Message(
+                "{name} acts between the ends of {body}, so the axial force changes there; say where: axial force of "
+                "{body} at POINT",
+                name=pull.name,
+                body=rod.name,
+            )
+            raise CannotAnswer(told)
+        if is_at_an_end:
+            return pull.at.offset[0] == rod.points["end"][0]
+        ahead = state.scalar(add(pull.at.offset[0], negate(self.offset)))
+        if _is_zero(ahead):
+            if self.part == "bending" and not pull.has_couple:
+                return True  # without an arm it has no moment
+            raise CannotAnswer(Message("{name} acts in that very section, where it jumps", name=pull.name))
+        size = state.absolute(ahead)
+        if not (_is_zero(size - ahead) or _is_zero(size + ahead)):
+            told = Message("whether {name} acts before or behind the section depends on lengths", name=pull.name)
+            raise CannotAnswer(told)
+        return _is_zero(size - ahead)
+
+    def sentence(self, system: Described) -> Sentence:
+        at: Argument = Sentence("what.section.at", {"point": self.named}) if self.named else NOTHING
+        part = "thrust" if self.is_thrust else self.part
+        return Sentence(f"what.section.{part}", {"body": self.body, "at": at})
+
+
+# -- what acts on the rod -------------------------------------------------------------------------
+@dataclass(frozen=True)
+class Pull:
+    """What one connection or load exerts on the rod: a force at a point, and a couple. at: None where it has no point
+    that stays the same."""
+
+    name: str
+    force: Vector
+    couple: Vector
+    at: Point | None
+    has_couple: bool
+
+
+def _pulls(system: Described, state: State[Any], rod: RigidBody, weights: frozenset[str]) -> Iterator[Pull]:
+    rows = [row for row in system.constraint_rows if rod.name in set(row.measure.bodies())]
+    for name in dict.fromkeys(row.connection for row in rows):
+        own = [row for row in rows if row.connection == name]
+        yield _pull(system, state, rod, name, [(row.measure, state.multiplier(row)) for row in own])
+    for push in system.applied_loads:
+        if push.load not in weights and rod.name in set(push.measure.bodies()):
+            yield _pull(system, state, rod, push.load, [(push.measure, state.law(push))])
+
+
+def _pull(system: Described, state: State[Any], rod: RigidBody, name: str, pushes: Sequence[tuple[Any, Any]]) -> Pull:
+    n = len(axes_of(system))
+    force: Vector = (0,) * n
+    moment: Vector = (0,) * (3 if system.space else 1)
+    slopes = [state.gradient(measure, rod.name) for measure, _push in pushes]
+    for slope, (_measure, push) in zip(slopes, pushes, strict=True):
+        force = tuple(f + g * push for f, g in zip(force, slope[:n], strict=True))
+        moment = tuple(m + g * push for m, g in zip(moment, slope[n:], strict=True))
+    has_couple = any(all(_is_zero(f) for f in slope[:n]) for slope in slopes)
+    points = dict.fromkeys(p for measure, _push in pushes for p in points_in(measure) if p.body == rod.name)
+    for point in points:
+        arm = _between(system, state, rod.mass_center, point)
+        if all(_acts_there(slope[:n], slope[n:], arm) for slope in slopes):
+            couple = tuple(m - c for m, c in zip(moment, cross(arm, force), strict=True))
+            return Pull(name, force, couple, point, has_couple)
+    return Pull(name, force, moment, None, has_couple)
+
+
+def _acts_there(force: Vector, moment: Vector, arm: Vector) -> bool:
+    """Whether a force with its moment about the mass centre acts at the end of an arm, or is a couple alone."""
+    return all(_is_zero(f) for f in force) or all(
+        _is_zero(m - c) for m, c in zip(moment, cross(arm, force), strict=True)
+    )
+
+
+def _on_axis(rod: RigidBody, offset: Expr) -> Point:
+    return Point(rod.name, (offset, *rod.points["end"][1:]), f"{rod.name} at a section")
+
+
+def _between(system: Described, state: State[Any], first: Point, second: Point) -> Vector:
+    here, there = place(system, state, first), place(system, state, second)
+    return tuple(b - a for a, b in zip(here, there, strict=True))
+
+
+def _is_zero(x: Any) -> bool:
+    return bool(abs(x) < ROUNDED) if isinstance(x, float) else bool(x == 0)
+
+
+# -- how it is asked ------------------------------------------------------------------------------
+_PARTS: dict[str, Part] = {"shear": "shear", "shearing": "shear", "bending": "bending"}
+
+
+def _is_of_a_body(names: Names, found: Found) -> bool:
+    """Not of a rope, a spring or a load, whose force or tension others read."""
+    return str(found["of"]) in names.bodies or " " in str(found["part"])
+
+
+@asked(
+    "axial force | shear force | bending moment | tension | compression of ROD at POINT",
+    r"(?P<part>(?:axial|shear|shearing) force|bending moment|tension|compression) (?:of|in) (?:the )?"
+    rf"(?P<of>{NAME}) at (?:the )?(?P<at>{PLACE})",
+    rank=61,
+    fits=_is_of_a_body,
+)
+def _at_a_point(names: Names, found: Found, path: Path) -> Quantity | None:
+    asked_for, of = str(found["part"]), str(found["of"])
+    part = _PARTS.get(asked_for.partition(" ")[0], "axial")
+    rod = _rod(names, of, path)
+    if rod is None:
+        return None
+    text = str(found["at"])
+    point = names.point(text if "." in text or text not in rod.points else f"{rod.name}.{text}", *path)
+    if point.body != rod.name or any(c != ZERO for c in point.offset[1:]):
+        names.problem(Message("{point} is no point on the axis of {body}", point=text, body=rod.name), *path)
+        return None
+    if names.space and part != "axial":
+        names.problem(Message("shear forces and bending moments are told in models of the plane"), *path)
+        return None
+    return _section(names, rod, part, point.offset[0], str(point), is_thrust=asked_for == "compression")
+
+
+@asked(
+    "axial force of ROD; tension, compression, force in ROD",
+    r"(?P<part>(?:axial|shear|shearing|bar|member) force|bending moment|tension|compression|force) (?:of|in) "
+    rf"(?:the )?(?P<of>{NAME})",
+    rank=61,
+    example="""
+bodies: {bar: {rod: {length: 2 m}}, load: {particle: {mass: 3 kg}}}
+connections: {a: {pin: [ground.A, bar.start]}, b: {pin: [bar.end, load]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: axial force of bar}
+""",
+    fits=_is_of_a_body,
+)
+def _of_a_bar(names: Names, found: Found, path: Path) -> Quantity | None:
+    part, of = str(found["part"]), str(found["of"])
+    rod = _rod(names, of, path)
+    if rod is None:
+        return None
+    if part.startswith(("shear", "bending")):
+        told = Message("{what} changes along {body}; say where: {what} of {body} at {body}.center", what=part, body=of)
+        names.problem(told, *path)
+        return None
+    if rod.mass != ZERO:
+        told = Message(
+            "{body} has mass, so its axial force changes along it; say where: axial force of {body} at {body}.center",
+            body=rod.name,
+        )
+        names.problem(told, *path)
+        return None
+    return _section(names, rod, "axial", ZERO, "", is_thrust=part == "compression")
+
+
+def _rod(names: Names, name: str, path: Path) -> RigidBody | None:
+    if name in names.broken:
+        return None
+    rod = names.body(name, *path)
+    if rod.is_placeholder:
+        return None
+    if rod.solid is not ROD:
+        told = Message("sections are cut through rods; {body} is none", body=rod.name)
+        names.problem(told, *path)
+        return None
+    return rod
+
+
+def _section(
+    names: Names, rod: RigidBody, part: Part, offset: Expr, named: str, *, is_thrust: bool = False
+) -> SectionForce:
+    fields = tuple(sorted(names.fields, key=repr))
+    weights = frozenset(name for name in names.loads if "gravity" in names.called.get(name, ()))
+    share = divide(offset, rod.sizes[0])
+    return SectionForce(rod.name, part, offset, named, fields, weights, is_thrust, bool(free_symbols(share)))

@@ -1,0 +1,212 @@
+"""Axial force, shear force and bending moment in rods: at rest, in bars of trusses, and with inertia.
+
+Sources: Gere & Goodno, Mechanics of Materials, ch. 4 (beams); Hibbeler, Statics, ch. 6 (trusses); the falling chimney,
+which breaks where M is greatest, at a third of its height: Bundy, J. Appl. Phys. 11 (1940) 112; the rotating rod:
+Meriam & Kraige, Dynamics, ch. 3.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, radians, sin
+
+import pytest
+
+import freebody as fb
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.questions.section import SectionForce
+
+
+def formula(system: fb.System, question: str) -> Expr:
+    (answer,) = system.solve(question).answers
+    assert answer.expression is not None, answer.reason
+    assert not isinstance(answer.expression, tuple)
+    assert answer.evidence is not None
+    return answer.expression
+
+
+def value(system: fb.System, question: str, **others: float) -> float:
+    numbers = {name: p.value for name, p in system.parameters.items() if p.value is not None} | others
+    return float(evaluate(formula(system, question), numbers, FLOAT_FUNCTIONS))
+
+
+# -- beams at rest ----------------------------------------------------------------------------
+BEAM = fb.System.from_text("""
+parameters: {L: 2 m, F: 5 kN, m: 10 kg, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], B: [L, 0]}}
+bodies: {beam: {rod: {mass: m, length: L}, points: {C: [-L/4, 0], D: [L/4, 0]}}}
+connections: {left: {pin: [ground.A, beam.start]}, right: {slot: {pin: beam.end, along: right, through: ground.B}}}
+loads: {weight: {gravity: g}, load: {force: {at: beam.center, along: down, magnitude: F}}}
+""")
+L, F, W = 2.0, 5e3, 98.1
+
+
+def test_a_beam_on_two_supports_bends_most_under_the_load_in_its_middle() -> None:
+    assert value(BEAM, "bending moment of beam at beam.center") == pytest.approx(F * L / 4 + W * L / 8, rel=1e-12)
+
+
+@pytest.mark.parametrize(("point", "x"), [("C", L / 4), ("D", 3 * L / 4)])
+def test_shear_force_and_bending_moment_are_those_of_the_part_to_the_left(point: str, x: float) -> None:
+    A = (F + W) / 2
+    beyond = F if x > L / 2 else 0.0
+    M = A * x - W / L * x * x / 2 - beyond * (x - L / 2)
+    assert value(BEAM, f"shear force of beam at {point}") == pytest.approx(A - W * x / L - beyond, rel=1e-12)
+    assert value(BEAM, f"bending moment of beam at {point}") == pytest.approx(M, rel=1e-12)
+
+
+def test_the_shear_force_under_a_load_is_not_told() -> None:
+    (answer,) = BEAM.solve("shear force of beam at center").answers
+    assert answer.expression is None
+    assert "load acts in that very section" in str(answer.reason)
+
+
+CANTILEVER = fb.System.from_text("""
+parameters: {L: 2 m, T: 30 N m, m: 10 kg, g: 9.81 m/s^2}
+bodies: {beam: {rod: {mass: m, length: L}, angle: 0, at: {start: [0, 0]}}}
+connections: {clamp: {weld: [ground.O, beam.start]}}
+loads: {weight: {gravity: g}}
+""")
+
+
+def test_a_cantilever_is_bent_most_where_it_is_clamped_and_not_at_its_end() -> None:
+    assert value(CANTILEVER, "bending moment of beam at beam.start") == pytest.approx(-W * L / 2, rel=1e-12)
+    assert value(CANTILEVER, "shear force of beam at beam.start") == pytest.approx(W, rel=1e-12)
+    assert value(CANTILEVER, "bending moment of beam at center") == pytest.approx(-W * L / 8, rel=1e-12)
+    assert value(CANTILEVER, "bending moment of beam at end") == 0
+
+
+def test_the_bending_moment_of_a_clamp_is_the_moment_that_it_exerts_the_other_way_round() -> None:
+    clamp = value(CANTILEVER, "moment of clamp")
+    assert value(CANTILEVER, "bending moment of beam at beam.start") == pytest.approx(-clamp, rel=1e-12)
+
+
+# -- bars of trusses --------------------------------------------------------------------------
+def truss(height: str) -> fb.System:
+    """A load F hangs from, or rests on, two bars whose feet are 2 a apart."""
+    return fb.System.from_text(f"""
+parameters: {{a: 2 m, h: 1.5 m, F: 10 kN}}
+ground: {{points: {{A: [0, 0], B: [2*a, 0]}}}}
+bodies:
+  AC: {{rod: {{length: sqrt(a^2 + h^2)}}, at: {{end: [a, {height}]}}}}
+  BC: {{rod: {{length: sqrt(a^2 + h^2)}}}}
+connections: {{pA: {{pin: [ground.A, AC.start]}}, pB: {{pin: [ground.B, BC.start]}}, pC: {{pin: [AC.end, BC.end]}}}}
+loads: {{load: {{force: {{at: AC.end, along: down, magnitude: F}}}}}}
+""")
+
+
+@pytest.mark.parametrize(("height", "sign"), [("-h", 1), ("h", -1)])
+@pytest.mark.parametrize("question", ["axial force of AC", "force in BC", "tension in AC", "bar force of BC"])
+def test_two_bars_carry_a_load_by_tension_below_their_feet_and_by_compression_above(
+    height: str, sign: int, question: str
+) -> None:
+    # 2 N sin(alpha) = F, sin(alpha) = h/sqrt(a^2 + h^2)
+    expected = sign * 10e3 * 2.5 / (2 * 1.5)
+    assert value(truss(height), question) == pytest.approx(expected, rel=1e-12)
+
+
+def test_compression_is_counted_the_other_way_round() -> None:
+    assert value(truss("h"), "compression in AC") == pytest.approx(10e3 * 2.5 / 3.0, rel=1e-12)
+
+
+def test_a_truss_that_cannot_move_has_a_derivation() -> None:
+    text = truss("-h").explain().to_text()
+    assert "There is no derivation" not in text
+
+
+def test_a_load_between_the_ends_of_a_bar_is_told() -> None:
+    text = truss("h").to_yaml().replace("at: AC.end, along: down", "at: AC.center, along: down")
+    (answer,) = fb.System.from_text(text).solve("axial force of AC").answers
+    assert "load acts between the ends of AC" in str(answer.reason)
+
+
+def test_the_force_in_a_rod_with_mass_is_asked_at_a_point() -> None:
+    for what in ("axial force", "bending moment"):
+        with pytest.raises(fb.ModelError, match=rf"{what} of beam at beam\.center"):
+            BEAM.solve(f"{what} of beam")
+
+
+# -- rods that move ---------------------------------------------------------------------------
+CHIMNEY = fb.System.from_text("""
+parameters: {m: 3 kg, L: 2 m, x: 0.6 m, g: 9.81 m/s^2}
+bodies: {chimney: {rod: {mass: m, length: L}, points: {P: [x - L/2, 0], Q: [L/3 - L/2, 0]}}}
+connections: {foot: {pin: [ground.O, chimney.start]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of chimney from up clockwise}
+start: {theta: 10 deg, rate(theta): 0}
+""")
+
+
+def test_a_chimney_that_falls_as_a_rigid_body_is_bent_most_at_a_third_of_its_height() -> None:
+    m, length, x, g, theta = 3.0, 2.0, 0.6, 9.81, radians(60)
+    M = m * g * sin(theta) * x * (length - x) ** 2 / (4 * length**2)
+    event = "when theta = 60 deg"
+    assert value(CHIMNEY, f"bending moment of chimney at P {event}") == pytest.approx(M, rel=1e-12)
+    greatest = value(CHIMNEY, f"bending moment of chimney at Q {event}")
+    assert greatest == pytest.approx(m * g * length * sin(theta) / 27, rel=1e-12)
+    assert greatest > value(CHIMNEY, f"bending moment of chimney at P {event}")
+    # V = dM/dx vanishes there
+    assert value(CHIMNEY, f"shear force of chimney at Q {event}") == 0
+
+
+def test_what_the_section_at_the_foot_transmits_is_the_reaction_of_the_foot() -> None:
+    angle = radians(60)
+    event = "when theta = 60 deg"
+    axial, shear = (value(CHIMNEY, f"{part} force of chimney at chimney.start {event}") for part in ("axial", "shear"))
+    x, y = (value(CHIMNEY, f"{side} reaction of foot {event}") for side in ("horizontal", "vertical"))
+    along, across = (sin(angle), cos(angle)), (-cos(angle), sin(angle))
+    assert axial == pytest.approx(-(x * along[0] + y * along[1]), rel=1e-12)
+    assert shear == pytest.approx(x * across[0] + y * across[1], rel=1e-12)
+
+
+def test_a_chimney_is_told_to_have_its_section_within_it() -> None:
+    (answer,) = CHIMNEY.solve("bending moment of chimney at P").answers
+    assert any("between chimney.start and chimney.end" in str(note) for note in answer.notes)
+
+
+@pytest.mark.parametrize("question", ["axial force of rod at P", "tension of rod at P"])
+def test_a_rod_that_is_driven_round_is_pulled_by_what_lies_further_out(question: str) -> None:
+    system = fb.System.from_text("""
+parameters: {m: 3 kg, L: 2 m, x: 0.6 m, omega: 20 rad/s}
+bodies: {rod: {rod: {mass: m, length: L}, points: {P: [x - L/2, 0]}}}
+connections: {foot: {pin: [ground.O, rod.start]}, drive: {driver: {measure: phi, follows: omega*t}}}
+measures: {phi: angle of rod from right}
+""")
+    assert value(system, question) == pytest.approx(3 * 400 * (4 - 0.36) / 4, rel=1e-12)
+    (answer,) = system.solve("bending moment of rod at P").answers
+    assert "couple of drive" in str(answer.reason)
+
+
+def test_in_space_a_rod_is_pulled_as_in_the_plane() -> None:
+    system = fb.System.from_text("""
+space: true
+parameters: {m: 3 kg, L: 2 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {guide: {weld: [ground.O, rod.start]}}
+loads: {weight: {gravity: {strength: g, along: x}}}
+""")
+    assert value(system, "axial force of rod at center") == pytest.approx(3 * 9.81 / 2, rel=1e-12)
+
+
+def test_the_pendulum_of_a_massless_rod_is_pulled_as_one_on_a_string() -> None:
+    rod, string = (
+        fb.System.from_text(f"""
+parameters: {{m: 2 kg, L: 1 m, g: 9.81 m/s^2}}
+bodies: {{bob: {{particle: {{mass: m}}}}{body}}}
+connections: {{{joints}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{theta: angle of line from ground.O to bob from down}}
+start: {{theta: 40 deg, rate(theta): 0}}
+""")
+        for body, joints in (
+            (", arm: {rod: {length: L}}", "hinge: {pin: [ground.O, arm.start]}, knot: {pin: [arm.end, bob]}"),
+            ("", "arm: {link: [ground.O, bob, L]}"),
+        )
+    )
+    question = "tension of arm when theta = 0"
+    assert value(rod, question) == pytest.approx(value(string, question), rel=1e-12)
+    assert value(rod, question) == pytest.approx(2 * 9.81 * (3 - 2 * cos(2 * pi / 9)), rel=1e-12)
+
+
+def test_a_question_of_a_section_has_its_own_letter() -> None:
+    quantity = BEAM.question("shear force of beam at C").quantity
+    assert isinstance(quantity, SectionForce)
+    assert quantity.letter == "V"
