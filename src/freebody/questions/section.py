@@ -19,7 +19,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, add, divide, free_symbols, multiply, negate, number
+from freebody.language.expression import (
+    FLOAT_FUNCTIONS,
+    ZERO,
+    Expr,
+    add,
+    divide,
+    evaluate,
+    free_symbols,
+    multiply,
+    negate,
+    number,
+)
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import FORCE, TORQUE, Dimension
 from freebody.measures.angle import Angle
@@ -306,4 +317,12 @@ def _section(
     fields = tuple(sorted(names.fields, key=repr))
     weights = frozenset(name for name in names.loads if "gravity" in names.called.get(name, ()))
     share = divide(offset, rod.sizes[0])
-    return SectionForce(rod.name, part, offset, named, fields, weights, is_thrust, bool(free_symbols(share)))
+    return SectionForce(rod.name, part, offset, named, fields, weights, is_thrust, not _is_fixed(share))
+
+
+def _is_fixed(share: Expr) -> bool:
+    """Whether a share of the length does not depend on any parameter: the same number for two sets of them."""
+    used = sorted(free_symbols(share))
+    sets = ({name: first + step * k for k, name in enumerate(used)} for first, step in ((1.0, 0.37), (1.3, 0.71)))
+    one, other = (float(evaluate(share, values, FLOAT_FUNCTIONS)) for values in sets)
+    return abs(one - other) < ROUNDED
