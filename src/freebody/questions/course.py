@@ -15,7 +15,8 @@ from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.measures.base import Measure
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, RIGHT, UP
+from freebody.model.elements import RigidBody
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.model.solids import ROPE
@@ -271,19 +272,30 @@ def _runs_off(names: Names, name: str) -> bool:
 
 
 def _refuse_rolling(names: Names, of: tuple[str, ...], path: Path) -> None:
-    """A round body that no longer slips has not come to rest: it rolls on."""
+    """A round body that no longer slips has not come to rest: it rolls on. One alone on an axle that stays where it is
+    cannot: what rubs on it does not turn."""
     touching = [row for row in names.constraint_rows if not of or row.connection in of]
     rough = {row.connection for row in touching if row.reaction == "friction force"}
     pressed = [row for row in touching if row.reaction == "normal force" and row.connection in rough]
     ends = {end.partition(".")[0] for row in pressed for end in (*row.ends, *row.measure.bodies())}
-    for body in (names.bodies[end] for end in sorted(ends & names.bodies.keys())):
-        if body.turns and not body.fixed and (body.radius is not None or body.round):
+    touching_bodies = (names.bodies[end] for end in sorted(ends & names.bodies.keys()))
+    round_ones = [b for b in touching_bodies if b.turns and not b.fixed and (b.radius is not None or b.round)]
+    for body in round_ones:
+        if len(round_ones) > 1 or not _is_on_a_fixed_axle(names, body):
             told = Message(
                 "{body} may roll on when it no longer slips; say 'slipping ends', or which rate is zero: rate(x) = 0",
                 body=body.name,
             )
             names.problem(told, *path)
             return
+
+
+def _is_on_a_fixed_axle(names: Names, body: RigidBody) -> bool:
+    """Whether its centre is kept in its place on the ground."""
+    return all(
+        any(c.keeps_at(names, body.center, along, frozenset()) is not None for c in names.connections.values())
+        for along in (RIGHT, UP)
+    )
 
 
 def connections_of(names: Names, name: str, path: Path) -> tuple[str, ...]:
