@@ -477,3 +477,9 @@ questions: [natural frequencies, period of small oscillations]
         omega = math.sqrt((m * g * L / 2 + k * a * L * (1 - l0 / abs(a - L))) / (m * L**2 / 3))
         assert evaluate(frequency, values) == pytest.approx(omega)
         assert evaluate(period, values) == pytest.approx(2 * math.pi / omega)
+
+
+def test_the_critical_value_of_what_damps_nothing_is_not_that_of_damping(agrees: Agree) -> None:
+    agrees(ask(FORCED, "critical value of c"), "q1", "2*sqrt(k*m)")
+    with pytest.raises(fb.ModelError, match="k damps nothing, so say for what its value is critical"):
+        ask(FORCED, "critical value of k")

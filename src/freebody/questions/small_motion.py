@@ -11,10 +11,11 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.language.expression import Symbol, number
+from freebody.language.expression import Symbol, free_symbols, number
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
+from freebody.model.elements import RATE
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import measure_of
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
@@ -339,7 +340,7 @@ def _damping(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked(
     "critical damping of PARAMETER",
-    rf"critical (?:damping|value) of (?P<of>{NAME})",
+    rf"critical (?P<what>damping|value) of (?P<of>{NAME})",
     rank=75,
     example="""
 parameters: {m: 2 kg, k: 200 N/m, c: 4 N s/m}
@@ -359,6 +360,16 @@ def _critical(names: Names, found: Found, path: Path) -> Quantity | None:
             "{name} is no parameter.{hint}", name=found["of"], hint=did_you_mean(found["of"], names.parameters)
         )
         names.unknown(found["of"], told, *path)
+        return None
+    if found["what"] == "value" and not any(
+        {parameter.name, RATE.name} <= free_symbols(p.law) for p in names.applied_loads
+    ):
+        told = Message(
+            "{name} damps nothing, so say for what its value is critical, e.g. range of {name} for which the "
+            "equilibrium is stable",
+            name=parameter.name,
+        )
+        names.problem(told, *path)
         return None
     unit = str(parameter.dimension)
     return ValueFor(parameter.name, Damping("ratio"), number(1), parameter.dimension, unit, "damping ratio")

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, substitute
+from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, replace_rates, substitute
 from freebody.language.notation import stated_plain
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow
@@ -278,9 +278,25 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
 
 
 def _with_places(tree: PhaseTree, e: Expr) -> Expr:
-    """Without the symbols that stand for angles and times at which later phases begin."""
+    """Without the symbols that stand for angles and times at which later phases begin: cos(asin(u)) is sqrt(1 - u^2).
+    What moves stands there as a symbol meanwhile."""
     met = sorted(free_symbols(e) & tree.later.keys())
-    return substitute(e, {name: readable(tree.later[name]) for name in met})
+    if not met:
+        return e
+    model, f = tree.home.model, tree.home.model.field
+    moving = sorted(free_symbols(e) - {*met, *model.geometry.names})
+    rates = {f"@rate of {name}": name for name in moving}
+    places = {f"@place of {name}": name for name in moving}
+    plain = replace_rates(e, {name: Symbol(stand_in) for stand_in, name in rates.items()})
+    values = {stand_in: f.parameter(stand_in) for stand_in in rates} | {
+        name: f.parameter(stand_in) for stand_in, name in places.items()
+    }
+    try:
+        shown = readable(f.lowest_terms(model.geometry.apply(plain, {**values, **tree.later})))
+    except (CannotAnswer, ArithmeticError):
+        return substitute(e, {name: readable(tree.later[name]) for name in met})
+    back = {stand_in: Call("rate", Symbol(name)) for stand_in, name in rates.items()}
+    return substitute(shown, back | {stand_in: Symbol(name) for stand_in, name in places.items()})
 
 
 def _course(phase: Phase) -> ClosedFormMotion | None:
