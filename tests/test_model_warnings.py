@@ -100,6 +100,15 @@ ON_RAIL = "slider: {body: wheel, along: right}"
 SLIDE, SLOT = "slider: {body: rod.end, along: right}", "slot: {pin: rod.end, along: right}"
 
 
+TOGGLE = """
+parameters: {a: 0.5 m, F: 400 N}
+ground: {points: {A: [0, 0.9 m], D: [0, 0]}}
+bodies: {upper: {rod: {length: a}NEAR}, lower: {rod: {length: a}}}
+connections: {A: {pin: [ground.A, upper.start]}, B: {pin: [upper.end, lower.start]}, C: {pin: [lower.end, ground.D]}}
+loads: {push: {force: {at: upper.end, along: left, magnitude: F}}}
+"""
+
+
 def warned(text: str) -> list[tuple[str, str]]:
     return [(w.kind, w.text()) for w in fb.System.from_text(text).warnings]
 
@@ -126,6 +135,7 @@ def warned(text: str) -> list[tuple[str, str]]:
             "ends meet",
             "s acts between ground.O and bob, which start at the",
         ),
+        (TOGGLE.replace("NEAR", ""), "elbow open", "fit with upper.end on either side"),
         (MAN.replace("PLACE", "6 m"), "off the rod", "S lies 1 m beyond the end of ladder"),
     ],
 )
@@ -204,3 +214,14 @@ def test_the_program_tells_warnings_on_stderr_and_in_json(tmp_path: Path) -> Non
     german = CliRunner().invoke(commands(), ["explain", str(file), "--language", "de"])
     assert "Warnung:" in german.stderr
     assert "60 deg schreiben" in german.stderr
+
+
+@pytest.mark.parametrize(("side", "sign"), [("240 deg", 1), ("300 deg", -1)])
+def test_the_side_of_an_elbow_is_taken_as_it_is_said_and_decides_between_tension_and_compression(
+    side: str, sign: int
+) -> None:
+    system = fb.System.from_text(TOGGLE.replace("NEAR", f", near: {{angle: {side}}}"))
+    assert not system.warnings
+    # 2 N sin(t) = F, cos(t) = 0.9 m/(2 a)
+    (answer,) = system.solve("tension in upper").answers
+    assert answer.value == pytest.approx(sign * 400 / (2 * (1 - 0.81) ** 0.5), rel=1e-9)

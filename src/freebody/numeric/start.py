@@ -138,8 +138,16 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             return as_given
         if as_given is None or as_given.error > ACCEPTED:
             guess = placed_outward(reference, guess, equations)
+    compromise: Fit | None = None
     for wish in wishes:
         fit = reference.placing.fit(guess, [*equations, *wish], 0.0, {})
+        if fit is not None and _stands(reference, fit):
+            return _nearest(reference, fit, guess)
+        compromise = compromise or fit
+
+    # else from the best compromise with what is guessed: bodies of which nothing is said do not pull to the other side
+    if near and compromise is not None:
+        fit = reference.placing.fit(compromise.q, equations, 0.0, compromise.branches)
         if fit is not None and _stands(reference, fit):
             return _nearest(reference, fit, guess)
 
