@@ -1,8 +1,8 @@
-"""A structure whose loop closes with a joint on either side of the line between its ends.
+"""A loop that closes with a joint on either side of the line between its ends.
 
 Two bodies that are pinned to each other, and by another point each to what cannot move, stand like the bars of an
-elbow: mirrored in the line through those points they fit as well. Where nothing moves and the file says nothing of
-their pose, nothing decides between the two, and the signs of forces depend on it.
+elbow: mirrored in the line through those points they fit as well. Where nothing is free to move and the file says
+nothing of their pose, nothing decides between the two, and the signs of forces depend on it.
 """
 
 from __future__ import annotations
@@ -26,19 +26,20 @@ _APART = 1e-3  # of the size of the system: less is the same pose
 
 
 class ElbowOpen(WarningKind, name="elbow open"):
-    """Nothing moves, and two bars could as well stand on the other side."""
+    """Two bars could as well stand on the other side."""
 
     def look(self, model: Opened) -> Iterator[ModelWarning]:
         system = model.system
-        open_bodies = {body.name for body in system.moving if body.turns and not _is_told(body)}
-        if system.space or system.start or len(open_bodies) < 2 or model.free(model.start).shape[1]:
+        told = {body for name in system.start for body in system.measures[name].bodies()}
+        open_bodies = {body.name for body in system.moving if body.turns and not _is_told(body)} - told
+        if system.space or len(open_bodies) < 2 or model.free(model.start).shape[1]:
             return
         for first, second in combinations([b.name for b in system.moving if b.name in open_bodies], 2):
             elbow = _joint(system.constraint_rows, first, second)
             if elbow is None or not self._fits_mirrored(model, (first, second), elbow):
                 continue
             place = _place(model.start, elbow)
-            told = Message(
+            message = Message(
                 "{first} and {second} fit with {joint} on either side: it is taken to be at {place} m. Say it with "
                 "near: {{angle: {turn} deg}} in {first}, or with the angle of the other side",
                 first=first,
@@ -47,7 +48,7 @@ class ElbowOpen(WarningKind, name="elbow open"):
                 turn=f"{np.degrees(model.start.q[list(model.reference.columns(first))[2]]) % 360.0:.0f}",
                 place="[" + ", ".join(f"{x:.4g}" for x in place) + "]",
             )
-            yield self.warning(told, "bodies", first, about=frozenset({first, second}))
+            yield self.warning(message, "bodies", first, about=frozenset({first, second}))
 
     def _fits_mirrored(self, model: Opened, pair: tuple[str, str], elbow: Point) -> bool:
         """Whether everything holds with both bodies mirrored in the line through their other joints."""
