@@ -10,6 +10,8 @@ Dynamics, sec. 6/2 and 6/4; Mitschke & Wallentowitz, Dynamik der Kraftfahrzeuge,
 
 from __future__ import annotations
 
+from math import cos, radians, sin
+
 import numpy as np
 import pytest
 
@@ -109,3 +111,35 @@ def test_a_car_stops_by_its_brakes_while_its_wheels_roll() -> None:
     a = 2 * 800.0 / R / (M + 2 * J / R**2)
     assert deceleration.value == pytest.approx(-a, rel=1e-12)
     assert way.value == pytest.approx(20.0**2 / (2 * a), rel=1e-12)
+
+
+PARKED = """
+parameters: {m: 1200 kg, I: 1500 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 2500 N m, alpha: 10 deg,
+  g: 9.81 m/s^2}
+ground: {lines: {road: {along: alpha}}}
+bodies:
+  car: {body: {mass: m, inertia: I}, points: {rear: [-b, r - h], front: [a, r - h]}, angle: alpha}
+  front: {body: {inertia: 1.5 kg m^2, radius: r}}
+  rear: {body: {inertia: 1.5 kg m^2, radius: r}}
+connections:
+  front_axle: {pin: [car.front, front]}
+  rear_axle: {pin: [car.rear, rear]}
+  front_tyre: {contact: {between: [front, ground.road], friction: mu, touching: true}}
+  rear_tyre: {contact: {between: [rear, ground.road], friction: mu, touching: true}}
+  fb: {brake: {between: [front, car], torque: T}}
+  rb: {brake: {between: [rear, car], torque: T}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.slow
+def test_a_car_parked_on_both_brakes_has_the_axle_loads_of_rest_and_no_unique_friction() -> None:
+    m, a, b, h, alpha = 1200.0, 1.2, 1.4, 0.5, radians(10)
+    system = fb.System.from_text(PARKED)
+    load, rub = system.solve(["normal force of front_tyre", "friction force of front_tyre"]).answers
+    assert load.value == pytest.approx(m * 9.81 * (b * cos(alpha) - h * sin(alpha)) / (a + b), rel=1e-12)
+    assert "while it stays at rest" in load.notes
+    # a formula of another case does not stand on top
+    assert rub.expression is None
+    assert rub.value is None
+    assert "not unique" in str(rub.reason)
