@@ -135,6 +135,10 @@ class Catalogue:
         kinds = (_FIRST[place], GENERAL) if place in _FIRST else (GENERAL,)
         return next((said for kind in kinds if (said := self._phrases.said(text, kind)) is not None), text)
 
+    def parts(self, text: str) -> list[str]:
+        """A message said in this language, in parts: a formula in it is one that still knows what it is."""
+        return [*self._phrases.parts(text, GENERAL)]
+
     def pieces(self, text: str, place: str = "") -> list[Piece]:
         """The same with its formulas and units as such."""
         if not isinstance(text, Message | Stated):

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from freebody.language.notation import Stated
+from freebody.language.sentences import Message
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import (
     Block,
@@ -62,7 +64,11 @@ class _Words:
         self.catalogue = catalogue
 
     def said(self, words: str) -> str:
-        return self.catalogue.said(words)
+        """With the formulas that a message remembers still in it."""
+        if not isinstance(words, (Message, Stated)):
+            return self.catalogue.said(words)
+        parts = self.catalogue.parts(words)
+        return Message("".join(f"{{p{k}}}" for k in range(len(parts))), **{f"p{k}": p for k, p in enumerate(parts)})
 
     def blocks(self, blocks: Iterable[Block]) -> tuple[Block, ...]:
         return tuple(self.block(block) for block in blocks)

@@ -37,6 +37,7 @@ from freebody.present.report.blocks import (
     Text,
     Unbroken,
 )
+from freebody.present.report.typeset import typeset
 from freebody.present.report.words import word
 
 Written = TypeVar("Written")  # what a block becomes: markup, or lines of a terminal
@@ -71,6 +72,8 @@ in_its_decimals = in_decimals_of(_decimal_of)
 
 class BlockWriter(ABC, Generic[Written]):
     """Writes the blocks of one report in one format; texts and formulas in them are always strings."""
+
+    sets_formulas: ClassVar[bool] = True  # not on a terminal, where they are as words have them
 
     def __init__(self, report: Report) -> None:
         self.report = report
@@ -172,7 +175,7 @@ class BlockWriter(ABC, Generic[Written]):
     def piece(self, piece: Piece) -> str:
         match piece:
             case str():
-                return self.words(piece)
+                return self.said(piece) if self.sets_formulas else self.words(piece)
             case Formula():
                 return self.formula(piece)
             case Emphasis():
@@ -181,6 +184,10 @@ class BlockWriter(ABC, Generic[Written]):
                 return self.equation_link(number)
             case Reference(number, _):
                 return self.figure_link(number)
+
+    def said(self, text: str) -> str:
+        """Words with the formulas that they remember set as such."""
+        return "".join(self.words(p) if isinstance(p, str) else self.piece(p) for p in typeset(text))
 
     @abstractmethod
     def words(self, text: str) -> str:

@@ -18,6 +18,7 @@ from freebody.present.report.blocks import (
     Block,
     Columns,
     Emphasis,
+    Entries,
     Equation,
     Figure,
     Formula,
@@ -239,6 +240,14 @@ class _Writer(BlockWriter[str]):
         anchor = f' id="{self.prefix}eq-{number}"' if number is not None else ""
         kind = "equation result" if equation.is_result else "equation"
         return f'<div class="{kind}"{anchor}>{cells}</div>'
+
+    def entries(self, entries: Entries) -> str:
+        """Labels beside their texts; a formula too wide for its column scrolls by itself, and the words stay."""
+        inner = ""
+        for entry in entries.entries:
+            texts = "".join(f"<dd>{self.text(text)}</dd>" for text in entry.texts)
+            inner += f"<div><dt>{_words(entry.label)}</dt>{texts}</div>"
+        return f'<dl class="entries">{inner}</dl>'
 
     def table(self, table: Table) -> str:
         marked = any(table.marks)

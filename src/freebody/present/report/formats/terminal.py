@@ -65,6 +65,8 @@ def columns(text: str) -> int:
 
 
 class _Writer(BlockWriter[list[str]]):
+    sets_formulas = False
+
     def __init__(self, report: Report, width: int) -> None:
         super().__init__(report)
         self.width = width
