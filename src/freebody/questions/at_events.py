@@ -20,6 +20,7 @@ from freebody.questions.course import Transition
 from freebody.questions.event import AskedEvent
 from freebody.questions.operands import TIME_ALONE, Operand, Operands, between_bars
 from freebody.questions.reading_when import Meant
+from freebody.questions.sudden import IMPACT, NTH
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -29,6 +30,8 @@ _BETWEEN = re.compile(
     r"between (?:when )?(?P<first>.+?) and (?:when )?(?P<last>.+)"
     r"|from when (?P<begin>.+?) (?:to|until) when (?P<end>.+))$"
 )
+_NTH_ALONE = re.compile(rf"^(?:the )?{NTH}$")
+_NTH_OF = re.compile(rf"^(?:the )?{NTH} (?P<what>{IMPACT}.*)$")
 
 
 @dataclass(frozen=True)
@@ -61,6 +64,8 @@ def between_events(phrase: str) -> str:
     if found is None:
         return phrase
     first, last = found["first"] or found["begin"], found["last"] or found["end"]
+    if _NTH_ALONE.match(first) and (impact := _NTH_OF.match(last)) is not None:  # the first and the second impact
+        first = f"{first} {impact['what']}"
     return f"(time when {last}) - (time when {first})"
 
 

@@ -47,6 +47,14 @@ from freebody.questions.turned_round import EXTREME_FOR, LIMIT, OVER_PARAMETER, 
 
 
 @dataclass(frozen=True)
+class FoundAt:
+    """Where the event of a question was found to be: the conditions under which it is there, and how that is told."""
+
+    conditions: tuple[str, ...]
+    told: str
+
+
+@dataclass(frozen=True)
 class Question:
     """A quantity that is asked for, when it is meant, and the options to choose from."""
 
@@ -61,6 +69,7 @@ class Question:
     understood: str = ""  # the question in the words of the grammar
     words: str = ""  # in which a sheet asks it, where its author has written them
     points: float | None = None
+    found_at: FoundAt | None = None  # of an event that was asked for by what is so there
 
 
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
