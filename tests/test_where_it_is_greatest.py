@@ -102,3 +102,48 @@ def test_it_is_derived_and_put_as_an_exercise() -> None:
     assert "m⋅g⋅(3 - 2⋅cos(a))" in told["en"]
     system = System.from_text(SPRING + "questions: [acceleration of x when x is least]\n")
     assert "when x is least" in Catalogue("en").plain(asking(system, system.questions[0]))
+
+
+SHIPS = """
+parameters: {a: 10 km, b: 3 km, vA: 5 m/s, vB: 4 m/s}
+bodies:
+  A: {particle: {mass: 1 kg}, at: [0, 0], velocity: [vA, 0]}
+  B: {particle: {mass: 1 kg}, at: [a, b], velocity: [0, -vB]}
+"""
+# one ball is dropped as the other is thrown at it: seen from the one the other flies straight
+MONKEY = """
+parameters: {a: 4 m, b: 3 m, u: 8 m/s, g: 9.81 m/s^2}
+bodies:
+  A: {particle: {mass: 1 kg}, at: [0, 0], velocity: [u, 0]}
+  B: {particle: {mass: 1 kg}, at: [a, b]}
+loads: {weight: {gravity: g}}
+"""
+
+
+# r = (a, b) and w = (-vA, -vB) from A to B: the least distance is |r x w|/|w|, at t = -r.w/w^2
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        (SHIPS, "least distance of A and B", "abs(a*vB - b*vA)/sqrt(vA^2 + vB^2)"),
+        (SHIPS, "When are A and B closest?", "(a*vA + b*vB)/(vA^2 + vB^2)"),
+        (SHIPS, "x of A when distance from A to B is least", "vA*(a*vA + b*vB)/(vA^2 + vB^2)"),
+        (SHIPS, "Wie nahe kommen sich A und B?", "abs(a*vB - b*vA)/sqrt(vA^2 + vB^2)"),
+        (MONKEY, "least distance from A to B", "b"),
+        (MONKEY, "speed of B when distance from A to B is least", "g*a/u"),
+        (STONE, "least speed of stone", "v0*cos(b)"),
+        (STONE, "y when speed of stone is least", "(v0*sin(b))^2/(2*g)"),
+    ],
+)
+def test_what_is_accelerated_evenly_turns_once(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula, factors=(1.0, 1.02, 0.98))
+
+
+def test_ships_that_part_are_closest_at_the_start() -> None:
+    text = SHIPS.replace("[vA, 0]", "[-vA, 0]").replace("[0, -vB]", "[0, vB]")
+    is_formula(text, "least distance from A to B", "sqrt(a^2 + b^2)", factors=(1.0, 1.02))
+    assert "without bound" in str(posed(text, "greatest distance from A to B").reason)
+
+
+def test_the_least_speed_is_derived_at_its_instant() -> None:
+    told = is_derived(STONE, "least speed of stone")
+    assert "v = v₀⋅cos(b)" in told["en"]

@@ -414,8 +414,12 @@ class QuestionSolver:
             # what a momentum leads along with one coordinate, as a bowl in which a ball slides, turns where that does
             if len(self.model.coordinates) < 2:
                 raise
-            with suppress(CannotAnswer):
+            try:
                 return self._extreme(q.of_motion)
+            except NeverHappens:
+                raise
+            except CannotAnswer:
+                pass
             raise
 
     @_found.register(ExtremeOfMotion)

@@ -1,9 +1,9 @@
-"""Extremes of a quantity of several coordinates that are all accelerated evenly: the least distance of two ships, of two
-thrown balls, the least speed of a ball in flight.
+"""Extremes of a quantity of several coordinates that are all accelerated evenly: the least distance of two ships, or of
+two thrown balls, the least speed of a ball in flight.
 
 Where the quantity, or the square of a size, is P(t) = c0 + c1 t + c2 t^2, its only turn is at t = -c1/(2 c2), with the
-value c0 - c1^2/(4 c2); if that instant is before the start, the start is the place. It is the least value for c2 > 0, and
-then there is no greatest one. Source: Meriam & Kraige, Dynamics, 8th ed. 2015, sec. 2/8 (relative motion).
+value c0 - c1^2/(4 c2); if that instant is before the start, the start is the place. It is the least value for c2 > 0,
+and then there is no greatest one. Source: Meriam & Kraige, Dynamics, 8th ed. 2015, sec. 2/8 (relative motion).
 """
 
 from __future__ import annotations
@@ -84,8 +84,8 @@ def even_turn(setup: Setup, of: Quantity) -> EvenTurn | None:
 
 
 def find(setup: Setup, question: str, of: Quantity, turn: EvenTurn, sides: Sequence[int]) -> Finding:
-    """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted. Raises
-    NeverHappens where it grows without bound on that side."""
+    """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted.
+    Raises NeverHappens where it grows without bound on that side."""
     (side,) = sides if len(sides) == 1 else (0,)
     if not side:
         raise CannotAnswer(Message("it turns once only"))
