@@ -154,6 +154,8 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
         return None
     what = found["what"].strip()
+    if (sides := _with_measures(names, what, found["value"].strip())) is not None:
+        return QuestionEvent(sides[0], sides[1], -sides[2], text)
     if (several := _of_several(names, what)) is not None:
         measure, order, constant = several
         value = names.formula(found["value"].strip(), measure.dimension / TIME**order, *path)
@@ -239,6 +241,17 @@ def _of_several(names: Names, text: str) -> tuple[Measure, Literal[0, 1], Expr] 
     with names.quietly():
         measure = composed(names, to_python(add(*(slope * Symbol(name) for name, slope in slopes.items()))))
     return None if measure is None else (measure, 1, constant)
+
+
+def _with_measures(names: Names, what: str, value: str) -> tuple[Measure, Literal[0, 1], Expr] | None:
+    """What vanishes where a measure is as great as an expression in others, as y = x*tan(b); None where no measure
+    stands in the value, or nothing but a multiple of one."""
+    try:
+        used = free_symbols(parse(value)) & names.measures.keys()
+    except ExpressionError:
+        return None
+    is_plain = what in names.measures and used and _other_side(names, value, 0) is None
+    return _of_several(names, f"({what}) - ({value})") if is_plain and "rate" not in value else None
 
 
 _FACTOR = r"(?:(?P<factor>[^()=]+?)\s*\*\s*)?"

@@ -33,6 +33,26 @@ def wave_of(setup: Setup, of: Quantity) -> ModalWave | None:
     if isinstance(value, tuple):
         return None
     x = f.lowest_terms(model.in_independent_speeds(f.element(value)))
+    return _wave(setup, x)
+
+
+def wave_of_size(setup: Setup, of: Quantity) -> ModalWave | None:
+    """The rate that swings about zero of which a quantity is the size, as the speed of one of two carts."""
+    model, f = setup.model, setup.model.field
+    value = of.value(setup.system, setup.state)
+    if len(model.coordinates) < 2 or model.dependent or isinstance(value, tuple):
+        return None
+    x = f.lowest_terms(model.in_independent_speeds(f.element(value)))
+    for c in model.coordinates:
+        factor = f.lowest_terms(x * x / (f.variable(c.speed) * f.variable(c.speed)))
+        if factor.is_constant() and not factor.is_zero():
+            wave = _wave(setup, f.sqrt(factor, model.samples.is_negative) * f.variable(c.speed))
+            return wave if wave is not None and wave.mean.is_zero() else None
+    return None
+
+
+def _wave(setup: Setup, x: Ratio) -> ModalWave | None:
+    model, f = setup.model, setup.model.field
     inside = f.ingredients(x)
     moving = [c for c in model.coordinates if {c.index, c.speed} & inside]
     if not moving or any(f.generators[g].kind == "time" for g in inside):
@@ -43,8 +63,11 @@ def wave_of(setup: Setup, of: Quantity) -> ModalWave | None:
     return coupled.wave_of(x)
 
 
-def find(setup: Setup, question: str, of: Quantity, wave: ModalWave, sides: Sequence[int]) -> Finding:
-    """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted."""
+def find(
+    setup: Setup, question: str, of: Quantity, wave: ModalWave, sides: Sequence[int], *, is_size: bool = False
+) -> Finding:
+    """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted.
+    is_size: whether the quantity is the size of what swings, about zero."""
     f = setup.model.field
     if wave.cosine.is_zero() or wave.sine.is_zero():
         size = setup.state.absolute(wave.cosine if wave.sine.is_zero() else wave.sine)
@@ -52,7 +75,7 @@ def find(setup: Setup, question: str, of: Quantity, wave: ModalWave, sides: Sequ
     else:
         inside = wave.cosine * wave.cosine + wave.sine * wave.sine / wave.square
         size = f.sqrt(f.lowest_terms(inside), setup.model.samples.is_negative)
-    values = tuple(f.lowest_terms(wave.mean + side * size) for side in sides)
+    values = tuple(f.lowest_terms(wave.mean + (max(side, 0) if is_size else side) * size) for side in sides)
     conditions = held_throughout(setup)
 
     def numbers(draw: Draw) -> tuple[float, ...]:

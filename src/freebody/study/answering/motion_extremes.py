@@ -31,7 +31,7 @@ from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.linear_extremes import find as find_linear
 from freebody.study.answering.linear_extremes import measure_followed
 from freebody.study.answering.modal_extremes import find as find_modal
-from freebody.study.answering.modal_extremes import wave_of
+from freebody.study.answering.modal_extremes import wave_of, wave_of_size
 from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.study.answering.repeated import checked, taken_throughout
 from freebody.study.answering.uniform_extremes import even_turn
@@ -310,6 +310,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     wave = wave_of(setup, of)
     if wave is not None:
         return find_modal(setup, question, of, wave, sides)
+    rate = wave_of_size(setup, of)
+    if rate is not None:
+        return find_modal(setup, question, of, rate, sides, is_size=True)
     damped = damped_of(setup, of)
     if damped is not None:
         return find_damped(setup, question, of, damped, sides)
