@@ -73,7 +73,8 @@ _WORDS = {
 }
 _INEQUALITY = re.compile(r"^(?P<left>.+?)\s*(?P<sign>>=|<=|>|<)\s*(?P<right>.+)$")
 REACHES_PLACE = re.compile(
-    rf"^(?:it|(?:the )?(?P<who>{NAME})) (?:reaches|gets to|comes to|gets as far as|passes) (?P<what>{NAME}) ?= ?(?P<value>.+)$"
+    rf"^(?:it|(?:the )?(?P<who>{NAME})) (?:reaches|gets to|comes to|gets as far as|passes) "
+    rf"(?P<what>{NAME}) ?= ?(?P<value>.+)$"
 )
 _REACHES = re.compile(r"^(?P<what>.+?) (?:reaches|gets to|comes to|gets as far as) (?P<value>.+)$")
 # an equation, or what is zero; the sign stands before an event, which has one of its own
