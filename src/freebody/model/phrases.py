@@ -145,7 +145,7 @@ def _parameter(names: Names, found: Found, path: Path) -> Measure:
 
 @_phrase(
     "distance from POINT to POINT",
-    rf"distance (?:from|of) (?P<start>{_POINT}) (?:to|from) (?P<end>{_POINT})",
+    rf"distance (?:(?:from|of) (?P<start>{_POINT}) (?:to|from)|(?:of|between) (?P<one>{_POINT}) and) (?P<end>{_POINT})",
     """
 bodies: {a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}, at: [1 m, 0]}}
 measures: {d: distance from a to b}
@@ -153,7 +153,7 @@ measures: {d: distance from a to b}
 )
 def _distance(names: Names, found: Found, path: Path) -> Measure:
     """The distance between two points, never negative."""
-    return Distance(names.point(found["start"], *path), names.point(found["end"], *path))
+    return Distance(names.point(found["start"] or found["one"], *path), names.point(found["end"], *path))
 
 
 @_phrase(

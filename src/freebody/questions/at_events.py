@@ -15,11 +15,12 @@ from typing import TYPE_CHECKING
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.questions.arithmetic import read_calculated
-from freebody.questions.base import Quantity
+from freebody.questions.base import NAME, Quantity
 from freebody.questions.course import Transition
 from freebody.questions.event import AskedEvent
 from freebody.questions.operands import TIME_ALONE, Operand, Operands, between_bars
 from freebody.questions.reading_when import Meant
+from freebody.questions.sudden import IMPACT, NTH
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -29,6 +30,13 @@ _BETWEEN = re.compile(
     r"between (?:when )?(?P<first>.+?) and (?:when )?(?P<last>.+)"
     r"|from when (?P<begin>.+?) (?:to|until) when (?P<end>.+))$"
 )
+_AVERAGE = re.compile(
+    rf"^(?:the )?(?:average|mean) (?:power of (?:the )?(?P<load>{NAME})|(?P<rate>speed|velocity) (?:of|along) "
+    rf"(?:the )?(?P<of>{NAME})) until (?:when )?(?P<until>.+)$"
+)
+_COUNTED = {"speed": "distance travelled along", "velocity": "change of"}
+_NTH_ALONE = re.compile(rf"^(?:the )?{NTH}$")
+_NTH_OF = re.compile(rf"^(?:the )?{NTH} (?P<what>{IMPACT}.*)$")
 
 
 @dataclass(frozen=True)
@@ -56,11 +64,17 @@ class AtEvent(Quantity):
 
 
 def between_events(phrase: str) -> str:
-    """The time between two events as the difference of their times."""
+    """The time between two events as the difference of their times, an average up to an event as a quotient."""
+    if (average := _AVERAGE.match(phrase)) is not None:
+        until = average["until"]
+        counted = f"work of {average['load']}" if average["load"] else f"{_COUNTED[average['rate']]} {average['of']}"
+        return f"({counted} until {until}) / (time when {until})"
     found = _BETWEEN.match(phrase)
     if found is None:
         return phrase
     first, last = found["first"] or found["begin"], found["last"] or found["end"]
+    if _NTH_ALONE.match(first) and (impact := _NTH_OF.match(last)) is not None:  # the first and the second impact
+        first = f"{first} {impact['what']}"
     return f"(time when {last}) - (time when {first})"
 
 

@@ -8,7 +8,7 @@ NAME hits the stop
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.language.expression import Symbol
@@ -22,7 +22,7 @@ from freebody.model.phrases import read_measure
 from freebody.model.solids import ROPE
 from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
 from freebody.questions.event import leads_to
-from freebody.questions.sudden import side_of_blow
+from freebody.questions.sudden import IMPACT, NTH, ORDINALS, side_of_blow, which_blow
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -36,11 +36,12 @@ _RANK_OF_ONE = 55  # below that of what is lost in a blow
 class Transition:
     """A change of the state of a contact: it begins to roll (or to stick), stops slipping, begins to slip, opens, is
     touched; or the instant just before or just after a blow or an impact. `of` are the connections (of a blow also the
-    impulses) that are meant; none means any."""
+    impulses) that are meant; none means any. count: which of such changes, counted from the start."""
 
     kind: TransitionKind
     of: tuple[str, ...]
     text: str
+    count: int = 1
 
 
 class Counted(Quantity):
@@ -220,6 +221,10 @@ _WORDS: tuple[tuple[str, TransitionKind], ...] = (
     (rf"{_SUBJECT} (?:touch(?:es)?|hits?|strikes?|lands?){_ON}", "touches"),
     (rf"{_SUBJECT} (?:closes?|(?:goes?|becomes?|is) taut|is (?:reached|touched|met))", "touches"),
 )
+_NTH_IMPACT = re.compile(
+    rf"^(?:the )?(?P<nth>{NTH}) {IMPACT}(?: (?:of|with|by|at) (?:the )?{_NAME})?(?: (?:comes|happens))?$"
+)
+_NTH_TIME = re.compile(rf"^(?P<what>.+?) (?:for )?(?:a|the) (?P<nth>{NTH}) time$")
 _TRANSITIONS: list[tuple[re.Pattern[str], TransitionKind]] = [
     (re.compile(rf"^{pattern}$"), kind) for pattern, kind in _WORDS
 ]
@@ -231,7 +236,14 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
     if sided is not None:
         side, name = sided
         of = () if name is None else (name,) if name in names.impulses else connections_of(names, name, path)
-        return Transition("before" if side == "before" else "after", of, text)
+        return Transition("before" if side == "before" else "after", of, text, which_blow(text))
+    if (nth := _NTH_IMPACT.match(text.strip())) is not None:
+        of = () if nth["of"] is None else connections_of(names, nth["of"], path)
+        return Transition("touches", of, text, ORDINALS[nth["nth"]])
+    if (again := _NTH_TIME.match(text.strip())) is not None:
+        once = read_transition(names, again["what"], path)
+        is_impact = once is not None and once.kind == "touches"
+        return replace(once, text=text, count=ORDINALS[again["nth"]]) if once is not None and is_impact else None
     for pattern, kind in _TRANSITIONS:
         found = pattern.match(text.strip())
         if found is None:

@@ -24,9 +24,11 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
+from freebody.measures.geometry import GROUND
 from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.base import FORMS, NAME, POINT, Path, Quantity
 from freebody.questions.clock import ENDLESS, Clock, SaidEvent, time_asked
+from freebody.questions.ends import GREATEST, LEAST
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -88,6 +90,29 @@ class ChangeEvent(QuestionEvent):
 
 
 @dataclass(frozen=True)
+class ExtremeEvent(QuestionEvent):
+    """A measure, or a quantity of the state, is at its greatest or least of all of the motion, as it is asked, before
+    it is found where that is (`study/answering/places_of_extremes.py`): `measure` and `value` mean nothing yet.
+    quantity: None where a measure is meant; phrase: what is meant in the words of the question."""
+
+    end: Literal["greatest", "least"]
+    phrase: str
+    quantity: Quantity | None
+
+
+@dataclass(frozen=True)
+class FarthestPlace(QuestionEvent):
+    """A measure is at the place of its extreme: `value` is what it is there, or, of order 1, it is where it first
+    turns. side: +1 where that is the greatest."""
+
+    side: int
+
+    @property
+    def comes(self) -> Message:
+        return Message("it turns there")
+
+
+@dataclass(frozen=True)
 class Peak(QuestionEvent):
     """A quantity of the state stops growing, or falling: its slope along the motion vanishes. `measure` and `value`
     mean nothing."""
@@ -120,6 +145,8 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         if moved is None or by is None:
             return None
         return ChangeEvent(moved, 0, Symbol(""), text, by, changed["what"], changed["by"])
+    if (extreme := _EXTREME.match(text)) is not None:
+        return _extreme(names, text, extreme, path)
     if (met := _meeting(names, text, path)) is not None:
         return met if isinstance(met, Meeting) else None
     found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
@@ -127,6 +154,8 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
         return None
     what = found["what"].strip()
+    if (sides := _with_measures(names, what, found["value"].strip())) is not None:
+        return QuestionEvent(sides[0], sides[1], -sides[2], text)
     if (several := _of_several(names, what)) is not None:
         measure, order, constant = several
         value = names.formula(found["value"].strip(), measure.dimension / TIME**order, *path)
@@ -159,6 +188,33 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
 
 
+_EXTREME = re.compile(
+    rf"^(?:the )?(?P<what>.+?) (?:is|becomes|has|takes|reaches|is at)(?: at)?(?: (?:its|the|a))? "
+    rf"(?:(?P<greatest>{GREATEST})|{LEAST})(?: value)?$"
+)
+_SPEED = re.compile(r"^(?P<kind>(?:angular )?speed)$")
+
+
+def _extreme(names: Names, text: str, found: re.Match[str], path: Path) -> ExtremeEvent | None:
+    """The event that something is at its greatest or least."""
+    what = found["what"].strip()
+    end: Literal["greatest", "least"] = "greatest" if found["greatest"] else "least"
+    if _SPEED.match(what):  # of the only thing that moves
+        moving = [b.name for b in names.bodies.values() if b.name != GROUND and not b.fixed]
+        what = f"{what} of {moving[0]}" if len(moving) == 1 else what
+    if what in names.measures or any(p.pattern.match(what) for p in PHRASES):
+        measure = measure_of(names, what, *path)
+        return None if measure is None else ExtremeEvent(measure, 0, Symbol(""), text, end, what, None)
+    of, measure = _quantity(names, what, what, path), next(iter(names.measures.values()), None)
+    if of is None:
+        names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
+        return None
+    if measure is None:
+        names.problem(Message("give the place of the motion a name among the measures first"), *path)
+        return None
+    return ExtremeEvent(measure, 0, Symbol(""), text, end, what, of)
+
+
 def _of_several(names: Names, text: str) -> tuple[Measure, Literal[0, 1], Expr] | None:
     """An expression in measures and parameters, as cos(theta), or what is linear in rates, as rate(x2) - rate(x1): the
     rate of the same in the measures, and a constant. None where a text is none of them."""
@@ -187,6 +243,17 @@ def _of_several(names: Names, text: str) -> tuple[Measure, Literal[0, 1], Expr] 
     with names.quietly():
         measure = composed(names, to_python(add(*(slope * Symbol(name) for name, slope in slopes.items()))))
     return None if measure is None else (measure, 1, constant)
+
+
+def _with_measures(names: Names, what: str, value: str) -> tuple[Measure, Literal[0, 1], Expr] | None:
+    """What vanishes where a measure is as great as an expression in others, as y = x*tan(b); None where no measure
+    stands in the value, or nothing but a multiple of one."""
+    try:
+        used = free_symbols(parse(value)) & names.measures.keys()
+    except ExpressionError:
+        return None
+    is_plain = what in names.measures and used and _other_side(names, value, 0) is None
+    return _of_several(names, f"({what}) - ({value})") if is_plain and "rate" not in value else None
 
 
 _FACTOR = r"(?:(?P<factor>[^()=]+?)\s*\*\s*)?"

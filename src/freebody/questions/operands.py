@@ -14,6 +14,7 @@ from freebody.language.units import parse_quantity
 from freebody.language.units.quantity import Quantity as Number
 from freebody.model.phrases import PHRASES
 from freebody.questions.base import FORMS, Quantity
+from freebody.questions.ends import GREATEST, LEAST
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -27,9 +28,6 @@ TIME_ALONE = re.compile(r"(?:the )?time")  # of an event
 _PLAIN = re.compile(r"\d+(?:\.\d+)?(?:[eE]\d+)?|[A-Za-z_]\w*")
 _RATIO = re.compile(r"^(?:the )?ratio of (?P<top>.+) to (?:the )?(?P<bottom>.+)$")
 
-
-GREATEST = "greatest|largest|maximum|maximal|highest"
-LEAST = "least|smallest|minimum|minimal|lowest"
 # what belongs to a quantity stands before what is an operator: greatest |acceleration of x|, rate(x), [1, 0]
 _OPERATORS = re.compile(
     rf"(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?(?:the )?\|[^|]*\||rate\(\s*\w+\s*\)|\[[^\]]*\]|\*\*|[-+*/^()|]"

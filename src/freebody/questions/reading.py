@@ -43,7 +43,23 @@ from freebody.questions.reading_when import Meant, as_timed, is_of_start, placed
 from freebody.questions.rest import asks_for_rest
 from freebody.questions.spoken.understanding import understood
 from freebody.questions.sudden import side_of_blow
-from freebody.questions.turned_round import EXTREME_FOR, LIMIT, OVER_PARAMETER, REACHED, VALUE_FOR, RangeFor
+from freebody.questions.turned_round import (
+    EXTREME_FOR,
+    LIMIT,
+    OVER_PARAMETER,
+    PARAMETER_FOR,
+    REACHED,
+    VALUE_FOR,
+    RangeFor,
+)
+
+
+@dataclass(frozen=True)
+class FoundAt:
+    """Where the event of a question was found to be: the conditions under which it is there, and how that is told."""
+
+    conditions: tuple[str, ...]
+    told: str
 
 
 @dataclass(frozen=True)
@@ -61,15 +77,18 @@ class Question:
     understood: str = ""  # the question in the words of the grammar
     words: str = ""  # in which a sheet asks it, where its author has written them
     points: float | None = None
+    found_at: FoundAt | None = None  # of an event that was asked for by what is so there
 
 
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     if text in names.measures:
         return OfMeasure(names.measures[text], 0, text)
+    rate = re.fullmatch(r"rate\((\w+)\)", text)
+    if rate is not None and rate[1] in names.measures:
+        return OfMeasure(names.measures[rate[1]], 1, rate[1])
     if text in names.states:
         state = names.states[text]
         return OfMeasure(state.integral, 1, state.carrier)
-    rate = re.fullmatch(r"rate\((\w+)\)", text)
     if (text if rate is None else rate[1]) in names.broken:
         return None
     if any(phrase.pattern.match(text) for phrase in PHRASES) and not text.startswith("angle of"):
@@ -87,11 +106,7 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     words = text.split(" of ", maxsplit=1)[0]
     openings = {opening: form.form for form in FORMS for opening in form.openings}
     close = difflib.get_close_matches(words, openings, n=1, cutoff=0.8)
-    if rate is not None and rate[1] in names.measures:
-        names.problem(
-            Message("cannot read '{text}'. Did you mean: velocity of {measure}", text=text, measure=rate[1]), *path
-        )
-    elif close:
+    if close:
         told = Message("cannot read '{text}'. Did you mean: {form}", text=text, form=openings[close[0]])
         names.problem(told, *path)
     elif any(isinstance(p.message, Message) and "askable" in p.message.arguments for p in names.problems):
@@ -257,7 +272,7 @@ def _complete(names: Names, phrase: str, when: object) -> Meant | None:
 def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
     extreme = EXTREME_FOR.match(phrase)
-    turned = extreme or VALUE_FOR.match(phrase)
+    turned = extreme or VALUE_FOR.match(phrase) or _of_parameter(names, phrase)
     if turned is not None and not asks_for_rest(phrase):
         least = extreme is not None and extreme["least"] is not None
         end = "" if extreme is None else "least" if least else "largest"
@@ -287,6 +302,12 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     if operands is not None:
         return _calculated(names, phrase, operands, condition, at_start, path)
     return _meant(names, phrase, condition, at_start, path)
+
+
+def _of_parameter(names: Names, phrase: str) -> re.Match[str] | None:
+    """`T for which ...`, `mu so that ...`: the value of a parameter."""
+    found = PARAMETER_FOR.match(phrase)
+    return found if found is not None and found["parameter"] in names.parameters else None
 
 
 def _reaching(names: Names, parameter: Parameter, event: str, end: End) -> Meant | None:

@@ -23,6 +23,7 @@ from freebody.questions.turned_round import (
     INFINITE,
     IS_EXTREMAL,
     REACHED,
+    REACHES_PLACE,
     SO,
     ExtremalFor,
     ExtremalForOnTheWay,
@@ -65,6 +66,8 @@ def read_turned_round(
     relation, is_just = without_just(as_timed(locking(steadily(relation))))
     if when is None and event_at_end(names, relation)[1] is None and without_start(relation) == relation:
         relation = over_the_motion(relation)
+    if when is None and (at := REACHES_PLACE.match(relation)) is not None and _moves(names, at["who"], at["what"]):
+        relation = f"{at['what']} reaches {at['value']}"  # the sled reaches x = L
     extremal = IS_EXTREMAL.match(relation)
     if extremal is not None and not end:
         return read_extremal(read, names, parameter, extremal, when, asks_place=True)
@@ -93,6 +96,11 @@ def read_turned_round(
         return None
     # else an equation
     return _value(read, names, parameter, relation, when)
+
+
+def _moves(names: Names, who: str | None, measure: str) -> bool:
+    """Whether a measure tells where a body is."""
+    return measure in names.measures and (who is None or who in names.measures[measure].bodies())
 
 
 def _value(read: Read, names: Names, parameter: Parameter, relation: str, when: object) -> Meant | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from freebody.language.sentences import Message
@@ -11,6 +12,8 @@ from freebody.questions.clock import by_the_clock
 from freebody.questions.course import Transition, read_transition
 from freebody.questions.event import AskedEvent, read_event
 from freebody.questions.sudden import by_blows
+
+_BEHIND = re.compile(r"^(?P<event>.+) when (?P<blow>just after the .*blow.*)$")
 
 
 def as_timed(phrase: str) -> str:
@@ -37,6 +40,8 @@ def placed_at(names: Names, quantity: Quantity, condition: str | None, at_start:
         told = Message("impulses act in a blow; leave out 'when' and 'until'")
         names.problem(told, *path)
         return None
+    if (behind := _BEHIND.match(condition)) is not None:
+        return _behind_blow(names, quantity, behind["event"], behind["blow"], path)
     transition = read_transition(names, condition, path)
     if transition is not None and transition.kind == "after" and _is_at_start(names, transition):
         return Meant(quantity, at_start=True)
@@ -44,6 +49,16 @@ def placed_at(names: Names, quantity: Quantity, condition: str | None, at_start:
     if event is None and transition is None:
         return None
     return Meant(quantity, event, at_start, transition)
+
+
+def _behind_blow(names: Names, quantity: Quantity, event: str, blow: str, path: Path) -> Meant | None:
+    """A quantity at an event, the first one behind a blow or an impact."""
+    transition, then = read_transition(names, blow, path), read_event(names, event, path)
+    if transition is None or then is None:
+        return None
+    if _is_at_start(names, transition):
+        return Meant(quantity, then)
+    return Meant(quantity, then, transition=transition)
 
 
 def _is_at_start(names: Names, transition: Transition) -> bool:

@@ -29,6 +29,7 @@ FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EV
     value of PARAMETER for which MEASURE just reaches VALUE"""
 _SO_THAT = "(?:for which|so that|such that|with which|at which)"
 VALUE_FOR = re.compile(rf"^(?:the )?(?:values?|range) of (?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$")
+PARAMETER_FOR = re.compile(rf"^(?P<parameter>{NAME}) {_SO_THAT} (?P<relation>.+)$")
 _LEAST = r"(?P<least>least|smallest|minimum|minimal|lowest|shortest)"
 _LARGEST = r"(?P<largest>largest|greatest|maximum|maximal|highest|longest)"
 EXTREME_FOR = re.compile(
@@ -71,6 +72,10 @@ _WORDS = {
     "≤": "<=",
 }
 _INEQUALITY = re.compile(r"^(?P<left>.+?)\s*(?P<sign>>=|<=|>|<)\s*(?P<right>.+)$")
+REACHES_PLACE = re.compile(
+    rf"^(?:it|(?:the )?(?P<who>{NAME})) (?:reaches|gets to|comes to|gets as far as|passes) "
+    rf"(?P<what>{NAME}) ?= ?(?P<value>.+)$"
+)
 _REACHES = re.compile(r"^(?P<what>.+?) (?:reaches|gets to|comes to|gets as far as) (?P<value>.+)$")
 # an equation, or what is zero; the sign stands before an event, which has one of its own
 RELATION = re.compile(

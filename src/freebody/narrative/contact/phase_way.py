@@ -74,7 +74,7 @@ class PhaseSequence:
         self.system = system
         self.question = question
         try:
-            self.tree = tree_of(system)
+            self.tree = tree_of(system, question)
             self.piece: AnswerBranch = pieces(self.tree, question)[0]
         except NO_FORM as error:
             raise CannotAnswer(why(system, error)) from None

@@ -38,7 +38,10 @@ def derive_calculated(context: Context, question: Question, answer: Answer, meth
         stages, lines = [*stages, *own], [*lines, *([last] if last else [])]
         context.next_number = max(context.next_number, last + 1)
         name = asked_name(context, part)  # as it is called there, where it has got a name
-        found.append(Symbol(name) if name in context.glossary.meanings else given.expression)
+        # what is gathered up to an event has no value at the instant at which the parts are put together
+        is_gathered = part.quantity.scope == "course" and not part.quantity.is_of_event
+        is_named = name in context.glossary.meanings and not is_gathered
+        found.append(Symbol(name) if is_named else given.expression)
     script = Script(context.glossary, context.next_number)
     context.next_number = first
     with script.stage("stage.value"):

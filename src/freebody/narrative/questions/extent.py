@@ -16,6 +16,7 @@ from freebody.narrative.questions.course_by_energy import first_integral, say_fi
 from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.questions.base import Quantity
+from freebody.questions.clock import Clock
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
@@ -23,6 +24,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.extent import extent_in_numbers, goes_one_way, kept_on_the_way, turn_of
 from freebody.study.answering.solve import solve
+from freebody.study.answering.uniform_extremes import instant_of_turn
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.tidy import tidy
 
@@ -51,6 +53,8 @@ def _of_extent(
 ) -> list[DerivationStage]:
     """By the turn of its coordinate where it goes one way with it, else as an extreme of the motion."""
     setup = context.setup
+    if (turned := _evenly(quantity.of_motion, context, question, method)) is not None:
+        return turned
     if not setup.model.coordinates or not goes_one_way(setup, quantity.measure):
         return _extreme(quantity.of_motion, context, question, answer, method)
     return _turning(quantity, context, question, answer, method)
@@ -108,11 +112,24 @@ def _first_turn(
     return derivation_of(context.system, asked)(context, asked, given, method)
 
 
+def _evenly(q: ExtremeOfMotion, context: Context, question: Question, method: Method) -> list[DerivationStage] | None:
+    """Of what turns where all is accelerated evenly: its value at that instant; None where it turns otherwise."""
+    time = instant_of_turn(context.setup, q.of)
+    if time is None:
+        return None
+    asked = replace(question, quantity=q.of, event=Clock(time, question.text), options={}, key=None)
+    alone = Context(replace(context.system, questions=(asked,)))
+    (given,) = solve(alone.system, setup=alone.setup).answers
+    return derivation_of(alone.system, asked)(alone, asked, given, method)
+
+
 @_told.register(ExtremeOfMotion)
 def _extreme(
     q: ExtremeOfMotion, context: Context, question: Question, answer: Answer, method: Method
 ) -> list[DerivationStage]:
     """Of a quantity over the motion; what a drive keeps going makes one turn after the other."""
+    if (turned := _evenly(q, context, question, method)) is not None:
+        return turned
     if context.setup.model.coordinates:
         return tell_extreme(context, question, q, method)
     from freebody.narrative.steady.steady import derive as of_turn

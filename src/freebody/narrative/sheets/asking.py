@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import singledispatch
 
 from freebody.errors import ExpressionError
@@ -11,7 +12,7 @@ from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
-from freebody.questions.event import ChangeEvent, OfQuantity
+from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.questions.rest import Holds, RestLimit
@@ -72,6 +73,11 @@ def _when(question: Question, system: System) -> Argument:
     word = "time" if q.is_of_event else "until" if q.scope == "course" else "when"
     if question.at_start and not question.quantity.is_of_start:  # an impact says itself when it is
         return Sentence("ask.at_start")
+    if question.transition is not None and question.event is not None:  # the first such event behind a blow
+        behind = {"when": _when(replace(question, transition=None), system), "n": question.transition.count}
+        return Sentence("ask.behind_blow", behind)
+    if question.transition is not None and question.transition.count > 1 and question.transition.of == ():
+        return Sentence(f"ask.{question.transition.kind}_nth", {"n": question.transition.count})
     if question.transition is not None:
         return Sentence(f"ask.{word}_transition", {"text": question.transition.text})
     if question.event is None:
@@ -79,6 +85,10 @@ def _when(question: Question, system: System) -> Argument:
     if isinstance(question.event, Clock):
         time = question.event.time
         return Sentence("ask.endless") if time is None else Sentence("ask.clock", {"time": time})
+    if isinstance(question.event, ExtremeEvent):
+        of = None if question.event.quantity is None else question.event.quantity.sentence(system)
+        what = parse(question.event.phrase) if question.event.phrase in system.measures else question.event.phrase
+        return Sentence(f"ask.{word}_{question.event.end}", {"what": what if of is None else of})
     if isinstance(question.event, OfQuantity):
         of = question.event.quantity.sentence(system)
         if of is not None:

@@ -14,6 +14,7 @@ from freebody.questions.spoken import dimensions, joining, lookup, losing, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.coming import come_so_far
 from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -34,7 +35,9 @@ def conditions(names: Names, clause: Clause) -> Groups:
     verbs = [verb for verb in clause.all("verb") if verb not in ("act", "exert")]
     if clause.has("ask") or clause.has("quantity", "time"):
         return
-    if clause.has("instant"):
+    if clause.has("degree", "greatest", "least") and clause.only("degree", "quantity", "name", "verb", *SILENT):
+        yield from _extremes(names, clause)
+    elif clause.has("instant"):
         yield from _instants(names, clause)
     elif clause.has("relation"):
         yield from _equations(names, clause)
@@ -71,6 +74,20 @@ def _instants(names: Names, clause: Clause) -> Groups:
             yield [f"{of or 'it'} hits"]
         elif instant in ("at separation", "after engagement"):
             yield (losing.separated if instant == "at separation" else losing.engaged)(names)
+
+
+def _extremes(names: Names, clause: Clause) -> Groups:
+    """x is greatest; the speed is smallest."""
+    ends, of = clause.all("degree"), [name for _, name in clause.names]
+    if len(ends) != 1 or set(clause.all("verb")) - {"become", "reach"}:
+        return
+    if not clause.has("quantity"):
+        yield [f"{name} is {ends[0]}" for name in of if name in names.measures and len(of) == 1]
+        return
+    asked = clause.without("degree").without("verb")
+    said = [Word("quantity", "speed") if w == Word("quantity", "velocity") else w for w in asked.words]
+    for group in quantities(names, Clause(said)):
+        yield [f"{text} is {ends[0]}" for text in group]
 
 
 # -- what is equal to something ---------------------------------------------------------------

@@ -39,6 +39,14 @@ def how_high(names: Names, main: Clause) -> Groups:
         yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
 
 
+def after_bounce(names: Names, main: Clause, instant: str) -> Groups:
+    """How high does it bounce the second time? As high as it is where it first turns behind that impact."""
+    who = next((name for _, name in main.names if name in lookup.moving(names)), "")
+    heights = [name for name, sense in lookup.heights(names, who) if sense > 0]
+    if main.only("ask", "verb", "name", "instant", "degree", "quantity", *SILENT) and len(main.names) <= 1:
+        yield [f"{height} when rate({height}) = 0 {instant}" for height in heights]
+
+
 def how_far(names: Names, main: Clause) -> Groups:
     """How far does it swing, how far up does it slide? As far as where it turns back."""
     lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
 from freebody.questions.spoken.words import Clause
+from freebody.questions.sudden import NTH
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -47,6 +49,7 @@ _PLACES = {
 }
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _BLOWS = ("after the impact", "before the impact")
+_NTH = re.compile(rf"(?P<side>after|before|at) the {NTH} impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
 
 
@@ -97,6 +100,11 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     is_place = main.all("quantity") in (["angle"], ["position"], ["height"], ["distance"]) and main.has("ask", "with")
     if is_place and main.all("verb") == ["hold"]:  # at what angle does it sit
         main = Clause([Word("quantity", "equilibrium"), *(w for w in main.words if w.kind == "name")])
+    if main.has("ask", "high") or main.all("quantity") == ["height"]:
+        after = [one for one in main.all("instant") if (nth := _NTH.fullmatch(one)) and nth["side"] == "after"]
+        if after and not others and main.all("instant") == after and not main.has("degree", "least"):
+            yield from farthest.after_bounce(names, main, after[0])
+            return
     if farthest.is_settled(main) and not others:
         yield from farthest.where_it_settles(names, main)
         return
@@ -237,6 +245,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             tails.append([" at start"])
         elif instant in _TIMED:
             tails.append([_TIMED[instant]])
+        elif _NTH.fullmatch(instant):
+            tails.append([f" {instant}"])
+            main = main.without("instant", instant)
         elif instant in _BLOWS:
             struck = joining.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])

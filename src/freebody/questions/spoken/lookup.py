@@ -22,6 +22,7 @@ _LEVEL = 1e-9  # of a direction that is level, or straight up
 
 
 if TYPE_CHECKING:
+    from freebody.measures.base import Measure
     from freebody.model.names import Names
 
 
@@ -239,8 +240,22 @@ def falling(names: Names, body: str) -> list[str]:
 
 def rises(names: Names, measure: str, sense: int) -> bool:
     """Whether a height grows as the motion begins, at the numbers of the model."""
+    if measure not in names.start_rates and (thrown := _thrown(names, names.measures[measure])) is not None:
+        return sense * thrown > 0.0
     rate = names.numeric(names.start_rates.get(measure, ZERO))
     return rate is not None and sense * rate > 0.0
+
+
+def _thrown(names: Names, measure: Measure) -> float | None:
+    """The rate of a displacement along a direction of the ground, by the velocity that the body itself is given."""
+    body = names.bodies.get(measure.of.body) if isinstance(measure, Displacement) else None
+    velocity = None if body is None else body.start.velocity
+    if not isinstance(measure, Displacement) or velocity is None or measure.along.body != GROUND:
+        return None
+    parts = [(names.numeric(v), names.numeric(c)) for v, c in zip(velocity, measure.along.components, strict=False)]
+    return (
+        None if any(None in part for part in parts) else sum(v * c for v, c in parts if v is not None and c is not None)
+    )
 
 
 def is_known(names: Names, name: str) -> bool:

@@ -91,6 +91,14 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}{end}"]
 
 
+@said_of("tangential acceleration", "normal acceleration", "radius of curvature")
+def along_the_path(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What a point has along its path: of the one that is named, or of each that moves."""
+    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+        of = [name for _, name in rest.names] or lookup.massive(names)
+        yield [f"{quantity} of {'the path of ' if quantity == 'radius of curvature' else ''}{name}" for name in of]
+
+
 def _other_way(names: Names, rest: Clause) -> Clause | None:
     """The words with the other way along the only slope or a line, where that does not point the way that is said."""
     ways = rest.all("updown")

@@ -46,7 +46,14 @@ def tops(names: Names, body: str) -> list[str]:
     rising = [f"rate({name}) = 0" for name, sense in lookup.heights(names, body) if lookup.rises(names, name, sense)]
     turning_back = [f"rate({going.measure}) = 0" for going in _on_lines(names, body)]
     over = [] if lookup.rests(names) and turning_back else uppermost(names, body)  # what is let go does not go over
-    return rising or [*over, *turning_back]
+    return rising or [*over, *turning_back] or _flown(names, body)
+
+
+def _flown(names: Names, body: str) -> list[str]:
+    """That what is thrown is highest, where no measure tells its height."""
+    thrown = [name for name in ([body] if body else lookup.massive(names)) if lookup.flies(names, name)]
+    thrown = [name for name in thrown if name in names.bodies and names.bodies[name].start.velocity is not None]
+    return [f"height of {name} is greatest" for name in thrown]
 
 
 def turning(names: Names, body: str) -> list[str]:

@@ -17,6 +17,7 @@ from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
+from freebody.questions.event import FarthestPlace
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
@@ -32,7 +33,7 @@ from freebody.study.answering.chain import chain_of
 from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, real
 from freebody.study.answering.energy_in_names import answer_by_energy
-from freebody.study.answering.extent import as_reached
+from freebody.study.answering.extent import as_reached, turn_of
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise, answered
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
@@ -339,6 +340,8 @@ class QuestionSolver:
         return found
 
     def _reach(self, event: AskedEvent) -> Reached:
+        if isinstance(event, FarthestPlace) and event.order == 0:
+            return turn_of(self.setup, event.measure, event.side, event.text)[1]
         if isinstance(event, QuestionEvent):
             return self.setup.motion.reach(event)
         time = None if event.time is None else self.model.geometry.scalar(event.time)
@@ -411,8 +414,12 @@ class QuestionSolver:
             # what a momentum leads along with one coordinate, as a bowl in which a ball slides, turns where that does
             if len(self.model.coordinates) < 2:
                 raise
-            with suppress(CannotAnswer):
+            try:
                 return self._extreme(q.of_motion)
+            except NeverHappens:
+                raise
+            except CannotAnswer:
+                pass
             raise
 
     @_found.register(ExtremeOfMotion)

@@ -34,6 +34,8 @@ from freebody.study.answering.modal_extremes import find as find_modal
 from freebody.study.answering.modal_extremes import wave_of
 from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.study.answering.repeated import checked, taken_throughout
+from freebody.study.answering.uniform_extremes import even_turn
+from freebody.study.answering.uniform_extremes import find as find_even
 from freebody.study.setup import Setup
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, closed, require
@@ -311,6 +313,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     damped = damped_of(setup, of)
     if damped is not None:
         return find_damped(setup, question, of, damped, sides)
+    turn = even_turn(setup, of)
+    if turn is not None:
+        return find_even(setup, question, of, turn, sides)
     seen = along(setup, of)
     seen.add_needs()
     found = seen.candidates()

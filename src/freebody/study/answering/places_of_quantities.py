@@ -20,11 +20,12 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
-from freebody.questions.event import ChangeEvent, OfQuantity, QuantityEvent, QuestionEvent
-from freebody.questions.reading import Question
+from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity, QuantityEvent, QuestionEvent
+from freebody.questions.reading import FoundAt, Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.parts import part_for
+from freebody.study.answering.places_of_extremes import at_extreme
 from freebody.study.answering.repeated import cycle_at_all
 from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
@@ -45,10 +46,7 @@ Solver = Callable[[System], Solution]  # what answers the questions of a system
 
 @dataclass(frozen=True)
 class PlacedEvent(OfQuantity):
-    """An event of a quantity, by the place at which it is. conditions: under which it is there."""
-
-    conditions: tuple[str, ...] = ()
-    told: str = ""
+    """An event of a quantity, by the place at which it is."""
 
 
 def placed(system: System, questions: Sequence[Question], solve: Solver) -> tuple[list[Question], dict[str, str]]:
@@ -60,26 +58,36 @@ def placed(system: System, questions: Sequence[Question], solve: Solver) -> tupl
                 q = replace(q, event=_since_start(system, q.event, solve))
             except (CannotAnswer, ModelError) as error:
                 refused[q.id] = str(error)
+        if isinstance(q.event, ExtremeEvent):
+            try:
+                q = at_extreme(system, q, q.event, solve)
+            except (CannotAnswer, ModelError) as error:
+                refused[q.id] = str(error)
         if isinstance(q.event, QuantityEvent):
             try:
                 of_event = replace(q, event=None, quantity=q.event.quantity)
                 part = part_for(system, system.groups, of_event) or system
-                q = replace(q, event=_place(system, part, q.event, solve))
+                event, found_at = _place(system, part, q.event, solve)
+                q = replace(q, event=event, found_at=_both(q.found_at, found_at))
             except (CannotAnswer, ModelError) as error:
                 refused[q.id] = str(error)
         found.append(q)
     return found, refused
 
 
+def _both(first: FoundAt | None, then: FoundAt) -> FoundAt:
+    return then if first is None else FoundAt((*first.conditions, *then.conditions), then.told)
+
+
 def with_place(question: Question, answer: Answer) -> Answer:
     """An answer that says where its event is, and under which conditions that is so."""
-    event = question.event
-    if not isinstance(event, PlacedEvent) or answer.expression is None:
+    found, event = question.found_at, question.event
+    if found is None or answer.expression is None:
         return answer
-    own = [c for c in answer.conditions if not (event.conditions and is_scope(c))]
-    conditions = tuple(dict.fromkeys((*own, *event.conditions))) or answer.conditions
-    is_place = answer.expression == event.value
-    return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, event.told))
+    own = [c for c in answer.conditions if not (found.conditions and is_scope(c))]
+    conditions = tuple(dict.fromkeys((*own, *found.conditions))) or answer.conditions
+    is_place = not found.told or (isinstance(event, QuestionEvent) and answer.expression == event.value)
+    return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, found.told))
 
 
 def _since_start(system: System, event: ChangeEvent, solve: Solver) -> QuestionEvent:
@@ -94,7 +102,7 @@ def _since_start(system: System, event: ChangeEvent, solve: Solver) -> QuestionE
     return QuestionEvent(event.measure, 0, value, f"{event.phrase} = {text}")
 
 
-def _place(system: System, part: System, event: QuantityEvent, solve: Solver) -> PlacedEvent:
+def _place(system: System, part: System, event: QuantityEvent, solve: Solver) -> tuple[PlacedEvent, FoundAt]:
     """part: of the system, in which the event is. Raises CannotAnswer where there is no such place, or no formula."""
     if part.bounds or part.dry_friction or part.blows:
         raise CannotAnswer(Message("events of forces and speeds are told where no contact or friction changes the law"))
@@ -108,7 +116,8 @@ def _place(system: System, part: System, event: QuantityEvent, solve: Solver) ->
             conditions = tuple(c for c in asked.conditions if not is_scope(c))
             equation = compared(Symbol(name), "=", e)
             told = reworded(Message("'{event}' is so at {place}", event=event.text, place=equation), equation)
-            return PlacedEvent(measure, 0, e, event.text, event.quantity, event.target, conditions, told)
+            at = PlacedEvent(measure, 0, e, event.text, event.quantity, event.target)
+            return at, FoundAt(conditions, told)
     number = Message(
         "'{event}' has no formula; in numbers it is first at {x} = {p:.6g}", event=event.text, x=name, p=own
     )

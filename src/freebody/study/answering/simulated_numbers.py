@@ -52,6 +52,8 @@ def number_with_changes(system: System, question: Question) -> Value:
     quantity, event = question.quantity, question.event
     if not system.has_values or not quantity.is_of_state:
         return None
+    if event is not None and question.transition is not None:
+        return None
     if is_of_start(quantity) and not system.is_struck:  # it belongs to a blow on the way
         return None
     clock = event.time if isinstance(event, Clock) else None
@@ -97,7 +99,7 @@ def _change(system: System, asked: Transition, simulator: Simulator, options: Si
     that are not meant."""
     kinds = _CHANGES.get(asked.kind, ())
     rows = [b.row for b in system.bounds] if asked.kind == "opens" else [rub.row for rub in system.dry_friction]
-    if not kinds or (asked.of and not {row.connection for row in rows} <= set(asked.of)):
+    if not kinds or asked.count > 1 or (asked.of and not {row.connection for row in rows} <= set(asked.of)):
         return None
     for until in _WITHIN:
         course = simulator.run(until, options, outputs=np.array([until]))

@@ -158,7 +158,7 @@ def _of_happening(system: System, question: Question) -> Answer:
     from freebody.study.phases.ask import answer
     from freebody.study.phases.tree import tree_of
 
-    return answered(system, question, lambda: answer(tree_of(system), question))
+    return answered(system, question, lambda: answer(tree_of(system, question), question))
 
 
 def _is_before_start(system: System, question: Question) -> bool:
@@ -235,7 +235,7 @@ def _by_cases(setup: Setup, question: Question) -> Answer | None:
 
     if question.event is not None and not (setup.system.space or setup.model.dependent):
         try:
-            found = answer(tree_of(setup.system), question)
+            found = answer(tree_of(setup.system, question), question)
         except NO_FORM:
             return _on_one_side(setup, question)
         if found.expression is not None:
@@ -350,7 +350,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         found = {a.id: a for a in at_pose.answers} | held
         return replace(at_pose, answers=tuple(found.get(q.id) or refused(q, str(error)) for q in questions))
     phases = phases_of(tree)
-    found = [at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions]
+    found = [at_rest(system, q) if q.quantity.scope == "rest" else answer(tree_of(system, q), q) for q in questions]
     answers = with_plain_numbers(system, phases.first_model, found)
     return Solution.of(system, phases.first_model, answers, phases, assumed_at_start(tree.home, answers))
 

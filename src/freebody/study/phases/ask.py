@@ -86,7 +86,8 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     assert turn is not None
     of, event, side = turn
     root = tree.roots[0]
-    behind = question.transition is not None and question.transition.kind == "after"  # from an impact on
+    blow = question.transition
+    behind = blow is not None and blow.kind == "after"  # from an impact on
     question = replace(question, transition=None) if behind else question
     rate = tree.home.model.field.zero if behind else _rate_of(tree, root, event)
     open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
@@ -106,8 +107,11 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     # an impact may turn it: behind one that does the first place without speed is on the other side
     asked = replace(question, quantity=of, event=event)
     with suppress(CannotAnswer):
-        found_first = [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)]
-        take(asked, [(p, rates[-1:]) for p, rates in found_first if len(rates) > 1] if behind else found_first)
+        if behind:
+            take(asked, [(p, (_rate_behind(tree, p, event),)) for p in pieces(tree, asked, blow) if p.nodes[0] is root])
+        else:
+            found_first = [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)]
+            take(asked, found_first)
     struck = replace(question, quantity=of)
     way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
     if not isinstance(event, Peak) and not behind:
@@ -133,6 +137,12 @@ def _rate_of(tree: PhaseTree, node: PhaseNode, event: QuestionEvent) -> Ratio:
         return begins
     second = model.field.substitute(model.rate(model.in_independent_speeds(rate)), model.dynamics.solved_accelerations)
     return tree.to_home(phase, phase.start_instant.here(second))
+
+
+def _rate_behind(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> Ratio:
+    """The rate with which something sets out from the last blow or impact on its way."""
+    struck = [node for node in piece.nodes if node.impact is not None]
+    return _rate_of(tree, struck[-1], event)
 
 
 def _setting_out(

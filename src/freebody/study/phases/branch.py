@@ -37,6 +37,7 @@ class AnswerBranch:
     after: PhaseNode | None = None  # the phase behind the impact that the event is: the value is that just after it
     needs: list[Condition] = field(default_factory=list[Condition])  # without which it has no value, in the same field
     in_blow: bool = False  # it is of the blow with which the last phase begins
+    n_before: int = 0  # phases before the blow or impact from which on the event is meant
 
     @property
     def phase(self) -> Phase:

@@ -294,13 +294,14 @@ def run(
         k,
         None if event is None else event.text,
         repr(piece.first and piece.first.watch.kind),
+        piece.n_before,
     )
     if key not in tree.seen:
         if isinstance(event, Clock) and event.time is None and end is not None:  # when all has settled
             event = replace(event, time=number(end))
         known = longest_times(tree, piece.nodes, piece.first, k) if end is None else [1.5 * end] * len(piece.nodes)
         stages = [stage(tree, n) for n in piece.nodes]
-        tree.seen[key] = follow(tree.system, stages, tree.sets.one(k), known, event)
+        tree.seen[key] = follow(tree.system, stages, tree.sets.one(k), known, event, piece.n_before)
     return tree.seen[key]
 
 

@@ -86,8 +86,10 @@ def follow(
     values: Mapping[str, float],
     until: Sequence[float],
     asked: AskedEvent | None = None,
+    n_before: int = 0,
 ) -> list[PhaseSnapshot]:
-    """The phases one after the other, each to its event or its time in `until`."""
+    """The phases one after the other, each to its event or its time in `until`. n_before: phases in which what is asked
+    for does not count yet."""
     found: list[PhaseSnapshot] = []
     time = 0.0
     mode, q, v = begun(base, stages[0], values)
@@ -96,7 +98,7 @@ def follow(
             near, mode = mode.near, NumericMode(base, stage, values)
             mode.near = near
             v = changed(base, stage, values, q, v, time)
-        seen = mode.run(q, v, time, end, asked)
+        seen = mode.run(q, v, time, end, None if k < n_before else asked)
         found.append(seen)
         time, q, v = seen.time, seen.q, seen.v
     return found

@@ -45,8 +45,9 @@ from freebody.system.modes import ideal_bounds
 from freebody.tolerances import ROUND_OFF
 
 
-def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
-    """The answer, part by part; that of the model's own values first. Raises CannotAnswer where there is none."""
+def pieces(tree: PhaseTree, question: Question, behind: Transition | None = None) -> list[AnswerBranch]:
+    """The answer, part by part; that of the model's own values first. behind: a blow or an impact, from which on an
+    event is meant. Raises CannotAnswer where there is none."""
     roots = [WayToPhase((n,), (), (*tree.assumed, *n.conditions)) for n in tree.roots]
     met: list[str] = []
     if is_of_start(question.quantity) and not _is_of_start_blow(tree, question):
@@ -54,6 +55,12 @@ def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
         if not found:
             reasons, stops = _untold(tree)
             raise not_struck(question.quantity, next(iter((*reasons, *stops)), ""))
+    elif question.event is not None and (behind := behind or question.transition) is not None:
+        found = [
+            replace(piece, n_before=len(way.nodes) - 1)
+            for way in ways_behind(roots, behind)
+            for piece in _at_event(tree, question, question.event, [way], met)
+        ]
     elif question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
     elif isinstance(question.event, Clock) and question.event.time is None:
@@ -136,20 +143,27 @@ def _at_transition(
         yield from _beside_blow(tree, question, asked, ways)
         return
     for way in ways:
-        if not way.edges and (begun := begins_with(tree, asked, way.last)):
+        begun = begins_with(tree, asked, way.last) if not way.edges else ""
+        if begun and asked.count == 1:
             yield _at_the_start(tree, question, way, begun)
             continue
+        left = asked.count - 1 if begun else asked.count  # of such changes, up to the one that is meant
         for edge in way.last.edges:
             if edge.first is None:
                 continue
-            if asked.kind != "rolls" and (meant := meant_of(asked, edge.first)):
+            meant = meant_of(asked, edge.first) if asked.kind != "rolls" else None
+            if meant is not None and left > 1:
+                later = replace(asked, count=left - 1)
+                yield from _at_transition(tree, question, later, [way.on(edge, node) for node in edge.nodes])
+                continue
+            if meant is not None:
                 yield branch_at(tree, question, way, meant, edge.conditions, edge.sets)
                 continue
             for node in edge.nodes:
                 conditions = [*edge.conditions, *node.conditions]
                 meant = event_behind(asked, edge.first, node)
                 if meant is None:
-                    yield from _at_transition(tree, question, asked, [way.on(edge, node)])
+                    yield from _at_transition(tree, question, replace(asked, count=left), [way.on(edge, node)])
                 else:
                     after = node if asked.kind == "opens" and rebounds(node, asked) else None
                     yield branch_at(tree, question, way, meant, conditions, node.sets, after)
@@ -158,16 +172,20 @@ def _at_transition(
 def _beside_blow(
     tree: PhaseTree, question: Question, asked: Transition, ways: list[WayToPhase]
 ) -> Iterator[AnswerBranch]:
-    """Just before or just after the first blow or impact that is meant."""
+    """Just before or just after the blow or impact that is meant, the first or a later one."""
     for way in ways:
         node = way.last
-        if not way.edges and is_struck_in(node, asked.of):
+        begins = not way.edges and is_struck_in(node, asked.of)
+        if begins and asked.count == 1:
             yield _beside_start(tree, question, asked, way)
             continue
+        left = asked.count - 1 if begins else asked.count
         for edge in node.edges:
             for after in edge.nodes:
-                if not is_struck_in(after, asked.of):
-                    yield from _beside_blow(tree, question, asked, [way.on(edge, after)])
+                is_struck = is_struck_in(after, asked.of)
+                if not is_struck or left > 1:
+                    later = replace(asked, count=left - 1 if is_struck else left)
+                    yield from _beside_blow(tree, question, later, [way.on(edge, after)])
                     continue
                 assert edge.first is not None
                 conditions = [*edge.conditions, *after.conditions]
@@ -189,6 +207,16 @@ def _beside_start(tree: PhaseTree, question: Question, asked: Transition, way: W
         value = homes if isinstance(found, tuple) else homes[0]
         note = Message("just before: {event}", event=node.impact.words)
     return AnswerBranch(value, True, [node], None, list(way.conditions), node.sets, zero, [note])
+
+
+def ways_behind(ways: list[WayToPhase], asked: Transition) -> Iterator[WayToPhase]:
+    """The ways up to the phases that begin with the blow or impact that is meant."""
+    for way in ways:
+        if (is_struck := is_struck_in(way.last, asked.of)) and asked.count == 1:
+            yield way
+            continue
+        left = replace(asked, count=asked.count - 1) if is_struck else asked
+        yield from ways_behind([way.on(edge, node) for edge in way.last.edges for node in edge.nodes], left)
 
 
 # -- impulses ---------------------------------------------------------------------------------

@@ -16,6 +16,7 @@ import numpy as np
 from freebody.budgets import allowed
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import UnilateralConstraint
+from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.blown import after_blow
 from freebody.study.phases.consistent import checks, without_slip
@@ -44,6 +45,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 MAX_DEPTH = 5
 MAX_NODES = 24
 MAX_IMPACTS = 2  # one after the other, in formulas
+_BESIDE_IMPACTS = 2  # phases beside those that begin with an impact
 MOST_TERMS = 6  # of a condition behind the jerk of a string
 MOST_OPERATIONS = 1000  # of a state from which others than the model's own values are followed on
 MOST_SIGNS = 4  # ways in which the frictions of one mode are pressed
@@ -53,9 +55,12 @@ _EFFORT = 1000  # what an effort is told by
 class PhaseTree(Home):
     """The phases of a system."""
 
-    def __init__(self, system: System) -> None:
+    def __init__(self, system: System, n_impacts: int = MAX_IMPACTS) -> None:
+        """n_impacts: how many are followed, one after the other."""
         insist_on_phases(system)
         super().__init__(system)
+        self.most_impacts = allowed(n_impacts)
+        self.most_depth = max(allowed(MAX_DEPTH), self.most_impacts + _BESIDE_IMPACTS)
         self.n_nodes = 0
         self.foresight = Foresight(self)
         self.reasons: list[str] = []
@@ -328,7 +333,7 @@ class PhaseTree(Home):
         watch = edge.watch
         assert edge.first is not None
         assert watch is not None
-        if node.depth + 1 >= allowed(MAX_DEPTH) or self.n_nodes >= allowed(MAX_NODES):
+        if node.depth + 1 >= self.most_depth or self.n_nodes >= allowed(MAX_NODES):
             edge.stops = Message(
                 "after {n} phases the search ends; raise the effort (--effort) to go on", n=node.depth + 1
             )
@@ -396,7 +401,7 @@ class PhaseTree(Home):
         """A gap that closes with a speed is an impact. After MAX_IMPACTS of them the formulas end."""
         watch = edge.watch
         assert watch is not None
-        if node.n_impacts >= allowed(MAX_IMPACTS):
+        if node.n_impacts >= self.most_impacts:
             edge.stops = Message(
                 "{contact} touches once more; after {n} impacts the formulas end; raise the effort (--effort) to go on",
                 contact=watch.connection,
@@ -408,15 +413,17 @@ class PhaseTree(Home):
         return self._struck(instant, (watch.name,), edge.sets, node.depth + 1)
 
 
-def tree_of(system: System) -> PhaseTree:
-    """The tree of a system, made once for all that is asked of it. Raises CannotAnswer where there is none."""
-    return _tree(system, allowed(_EFFORT))
+def tree_of(system: System, question: Question | None = None) -> PhaseTree:
+    """The tree of a system, made once for all that is asked of it, but for what comes after many impacts. Raises
+    CannotAnswer where there is none."""
+    asked = None if question is None else question.transition
+    return _tree(system, allowed(_EFFORT), MAX_IMPACTS if asked is None else max(MAX_IMPACTS, asked.count))
 
 
 @lru_cache(maxsize=4)
-def _tree(system: System, _effort: int) -> PhaseTree:
+def _tree(system: System, _effort: int, n_impacts: int) -> PhaseTree:
     """With another effort it is another tree."""
-    return PhaseTree(system)
+    return PhaseTree(system, n_impacts)
 
 
 def _connections(names: Sequence[str]) -> str:
