@@ -432,3 +432,31 @@ measures: {x: x of block}
 """
     reason = str(fb.System.from_text(model).solve("value of P for which acceleration of x = 0")["q1"].reason)
     assert reason.startswith("that is so for P = -F/2 alone, which is negative")
+
+
+WESTON = """
+parameters: {I: 0.05 kg m^2, R: 0.12 m, r: 0.1 m, m: 50 kg, F: 30 N, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {shaft: {body: {inertia: I, radius: R}}, block: {disk: {mass: m, radius: (R + r)/2}}, hand: {particle: {}}}
+connections:
+  axle: {pin: [ground.O, shaft]}
+  chain: {string: {path: [wound on shaft radius R at right, under block, wound on shaft radius r at left]}}
+  pull: {string: {path: [wound on shaft radius R at left, hand]}}
+loads: {weight: {gravity: g}, hand: {force: {at: hand, along: down, magnitude: F}}}
+measures: {y: height of block}
+"""
+
+
+def test_both_runs_of_a_differential_pulley_can_be_asked_for_and_obey_the_laws_of_block_and_shaft() -> None:
+    """m (g + y'') = T_R + T_r and, with phi'' = 2 y''/(R - r), I phi'' = R F - R T_R + r T_r; the chain leads from the
+    larger drum to the block."""
+    asked = [
+        "tension of chain between shaft and block",
+        "tension of chain between block and shaft",
+        "acceleration of y",
+    ]
+    solution = fb.System.from_text(WESTON).solve([*asked, "value of F for which acceleration of y = 0"])
+    larger, smaller, up, least = (answer.value for answer in solution.answers)
+    assert larger + smaller == pytest.approx(50.0 * (9.81 + up), rel=1e-12)
+    assert 0.05 * 2.0 * up / 0.02 == pytest.approx(0.12 * 30.0 - 0.12 * larger + 0.1 * smaller, rel=1e-9)
+    assert least == pytest.approx(50.0 * 9.81 * 0.02 / (2.0 * 0.12), rel=1e-12)

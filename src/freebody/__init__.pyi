@@ -39,6 +39,7 @@ from freebody.connections.rack_and_pinion import RackAndPinion as _RackAndPinion
 from freebody.connections.revolute import Revolute as _Revolute
 from freebody.connections.rolling import Rolling as _Rolling
 from freebody.connections.rolling_on_curve import RollingOnCurve as _RollingOnCurve
+from freebody.connections.rolling_on_surface import RollingOnSurface as _RollingOnSurface
 from freebody.connections.screw import Screw as _Screw
 from freebody.connections.slider import Slider as _Slider
 from freebody.connections.slot import Slot as _Slot
@@ -1021,7 +1022,8 @@ class Rolling(_Rolling):
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one, fixed or moving (3 rows)."""
+    `on` or `inside` another one, fixed or moving (3 rows). On a curve see rolling_on_curve, on a surface z = f(x, y)
+    rolling_on_surface."""
 
     def __init__(
         self,
@@ -1049,6 +1051,22 @@ class RollingOnCurve(_RollingOnCurve):
         through: _Text = ...,
         body: _Text = ...,
         below: bool = ...,
+    ) -> None: ...
+
+class RollingOnSurface(_RollingOnSurface):
+    """`rolling_on_surface: {body: ball, z: k*rho^2}`: a sphere rolls without slip on the surface z = f(x, y) of the
+    ground (or of another body, `on`), counted from its reference point along its axes (3 rows). f is a formula in x, y,
+    parameters and rho, the distance from the z axis, as of a `point_on_surface`. For an axis that points up write
+    `space: {up: z}`. The sphere lies on the side of growing z; `below: true` puts it on the other one. `reach`: how far
+    from the axis the surface is drawn. A sphere that is too large for it is refused with the radius that would do."""
+
+    def __init__(
+        self,
+        body: _Text,
+        z: _Formula,
+        on: _Text = ...,
+        below: bool = ...,
+        reach: _Formula | None = ...,
     ) -> None: ...
 
 class Rope(_Rope):

@@ -21,6 +21,7 @@ from freebody.model.elements import AppliedLoad, Attitude, ConstraintRow, DryFri
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.kinds import Kinds
 from freebody.model.spec import Spec
+from freebody.model.surfaces import SurfacePlace
 from freebody.model.thread import Thread
 from freebody.model.transmitted import CutTension, Transmitted
 
@@ -173,6 +174,10 @@ class Connection(Spec):
     def curve_place(self, names: Names) -> CurvePlace | None:
         """Where it keeps a point beside a curve, if its foot there is a coordinate of its own."""
         return None
+
+    def foot(self, names: Names) -> CurvePlace | SurfacePlace | None:
+        """Where it keeps a point beside a curve or a surface, if its foot there has coordinates of its own."""
+        return self.curve_place(names)
 
     def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Loads that belong to it, by their names: the pull of a pretension."""

@@ -36,7 +36,8 @@ class Rolling(Connection, kind="rolling"):
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one, fixed or moving (3 rows)."""
+    `on` or `inside` another one, fixed or moving (3 rows). On a curve see rolling_on_curve, on a surface z = f(x, y)
+    rolling_on_surface."""
 
     body: str
     on: str | None = None
@@ -49,7 +50,9 @@ class Rolling(Connection, kind="rolling"):
         "friction": Message(
             "what rolls here never slips; where friction may be too little write contact: {{between: [wheel, floor], "
             "friction: mu}}"
-        )
+        ),
+        "z": Message("on a surface z = f(x, y) it is rolling_on_surface: {{body: ball, z: k*rho^2}}"),
+        "y": Message("on a curve y = f(x) it is rolling_on_curve: {{body: ball, y: a*x^2}}"),
     }
     example = """
 ground: {lines: {floor: {along: right}}}

@@ -95,7 +95,7 @@ def _goes_round(names: Names, point: Point) -> bool:
 
 def drawn(names: Names, surface: Surface, point: Point, reach: Formula | None) -> Iterable[Glyph]:
     """Lines through the axis, and circles about it, as far as the model says, else farther than the point is put."""
-    far = _reach(names, point) if reach is None else names.formula(reach, LENGTH, "drawn")
+    far = reach_of(names, point, reach)
     base = surface.origin.offset
 
     def at(share: Expr, angle: float) -> Point:
@@ -110,6 +110,11 @@ def drawn(names: Names, surface: Surface, point: Point, reach: Formula | None) -
     for k in range(1, _N_CIRCLES + 1):
         share = number(k) / number(_N_CIRCLES)
         yield glyphs.Relation(tuple(at(share, whole * j / _N_ROUND) for j in range(_N_ROUND + 1)))
+
+
+def reach_of(names: Names, point: Point, reach: Formula | None) -> Expr:
+    """How far from the axis a surface is drawn."""
+    return _reach(names, point) if reach is None else names.formula(reach, LENGTH, "reach")
 
 
 def _rounded(x: float) -> Fraction:

@@ -26,7 +26,7 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody, 
 
 PARAMETER = "@s"  # as all names in a statement: no user can type it, so that no parameter is called so
 _X, _Y, _H = "@x", "@y", "@h"
-_FOOT = "⌒"  # no user can type a name that begins so
+FOOT = "⌒"  # no user can type a name that begins so
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ class CurvePlace:
     @property
     def carrier(self) -> str:
         """The name of what has s and h for coordinates."""
-        return f"{_FOOT}{self.connection}"
+        return f"{FOOT}{self.connection}"
 
     @cached_property
     def parameter(self) -> Measure:
@@ -144,4 +144,4 @@ class CurvePlace:
 
 def is_foot(name: str) -> bool:
     """Whether it is the name of what carries the coordinates of a place beside a curve."""
-    return name.startswith(_FOOT)
+    return name.startswith(FOOT)

@@ -129,6 +129,8 @@ def read_component(names: Names, found: Found, path: Path) -> Quantity | None:
     at = tuple(_place(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
     places = [place for row in rows if row.reaction == what for place in _places(row)]
     matching = [place for place in places if set(at) <= set(place[1].places)]
+    if len(matching) > 1 and len(at) == 2:  # there and back between the same two: the order is that of its way
+        matching = [place for place in matching if _comes_before(*at, place[1].places)] or matching
     is_whole = not at and names.connections[of].is_one_force
     free_wheels = () if at or is_whole or len(matching) < 2 else _free_wheels(names, of, [s for _row, s in matching])
     matching = matching[:1] if free_wheels else matching
@@ -152,6 +154,10 @@ def read_component(names: Names, found: Found, path: Path) -> Quantity | None:
     less = tuple(f"{of}.{component}" for component in stretch.less)
     further = tuple(other.name for other, _stretch in matching[1:])
     return ReactionComponent(of, what, row.name, at, less, further, dimension, free_wheels)
+
+
+def _comes_before(one: str, other: str, places: Sequence[str]) -> bool:
+    return places.index(one) < places.index(other)
 
 
 def _free_wheels(names: Names, of: str, stretches: Sequence[StringStretch]) -> tuple[str, ...]:

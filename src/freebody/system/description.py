@@ -33,6 +33,7 @@ from freebody.model.names import Names
 from freebody.model.rotations import Columns
 from freebody.model.states import ControllerState
 from freebody.model.style import HouseStyle
+from freebody.model.surfaces import SurfacePlace
 from freebody.questions.clock import Clock
 from freebody.questions.reading import Question
 from freebody.system.blows import BlowEvent
@@ -78,7 +79,7 @@ class SystemDescription:
     looks: Looks = field(default_factory=Looks)  # what its author wants otherwise in pictures
     style: HouseStyle = field(default_factory=HouseStyle)  # and in worked solutions
     states: Mapping[str, ControllerState] = field(default_factory=dict[str, ControllerState])  # of controllers
-    feet: Mapping[str, CurvePlace] = field(default_factory=dict[str, CurvePlace])  # of what is beside curves
+    feet: Mapping[str, CurvePlace | SurfacePlace] = field(default_factory=dict[str, CurvePlace | SurfacePlace])
 
     @property
     def moving(self) -> tuple[RigidBody, ...]:

@@ -16,6 +16,7 @@ from freebody.model.curves import CurvePlace
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.named_angles import offered_name
 from freebody.model.names import Names
+from freebody.model.surfaces import SurfacePlace
 from freebody.questions.event import AskedEvent, read_event
 from freebody.system.reading.loads import happening
 from freebody.system.reading.parameters import forms
@@ -112,10 +113,10 @@ def read_rows(
     return sorted(kept, key=lambda row: order[id(row)]), offered
 
 
-def read_feet(names: Names, connections: Mapping[str, Connection]) -> dict[str, CurvePlace]:
-    """Where connections keep points beside curves, by name; what is wrong with them their rows have told."""
+def read_feet(names: Names, connections: Mapping[str, Connection]) -> dict[str, CurvePlace | SurfacePlace]:
+    """Where connections keep points beside curves and surfaces; what is wrong with them their rows have told."""
     with names.quietly():
-        found = {name: connection.curve_place(names) for name, connection in connections.items()}
+        found = {name: connection.foot(names) for name, connection in connections.items()}
     return {name: place for name, place in found.items() if place is not None}
 
 
