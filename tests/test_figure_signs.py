@@ -220,3 +220,40 @@ def test_what_is_pushed_aside_needs_a_sideways_force() -> None:
     [answer] = fb.solve(fb.System.from_text(pushed), question="sideways force of rope at left").answers
     assert isinstance(answer.value, float)
     assert abs(answer.value) == pytest.approx(1.0)
+
+
+def test_a_law_that_holds_a_point_back_is_drawn_as_a_spring_from_a_wall_and_one_that_drives_it_as_an_arrow() -> None:
+    held = {label: scene_of(BLOCK.replace("LAW", law)) for label, law in BLOCK_LAWS.items()}
+    assert {label: len(scene.tethers) for label, scene in held.items()} == {
+        "spring": 1,
+        "damper": 1,
+        "drag": 0,
+        "motor": 0,
+        "pushed away": 0,
+    }
+
+
+def test_springs_and_dampers_given_as_laws_end_at_the_edge_of_their_body_and_bear_their_constants() -> None:
+    assert {"k", "c"} <= texts(picture(example("isolated_machine")))
+    assert "kx" not in {text.replace(" ", "") for text in texts(picture(example("rack_and_pinion_drive")))}
+
+
+BLOCK = """
+parameters: {k: 1 N/m, c: 1 N s/m, b: 1 N s^2/m^2, F: 1 N, w: 1 rad/s}
+bodies: {block: {particle: {mass: 1 kg}}}
+connections: {rail: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+loads: {it: {law: {measure: x, force: LAW}}}
+start: {x: 0}
+"""
+BLOCK_LAWS = {
+    "spring": "-k*x",
+    "damper": "-c*rate(x)",
+    "drag": "-b*rate(x)*abs(rate(x))",
+    "motor": "F*sin(w*t) - k*x",
+    "pushed away": "k*x",
+}
+
+
+def scene_of(text: str) -> Scene:
+    return Scene.of(fb.System.from_text(text), float_of)

@@ -32,7 +32,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import Direction
+from freebody.measures.geometry import Direction, Point
 from freebody.measures.turn import Turn
 from freebody.model import glyphs
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
@@ -104,7 +104,8 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
         pushes = self.applied_loads(names)
         used = {name for push in pushes for name in free_symbols(push.law)}
         for push in pushes[:1]:
-            yield from _signs(names, push.measure, VALUE.name in used, RATE.name in used)
+            holds_back = not push.measures and _holds_back([push.law for push in pushes])
+            yield from _signs(names, push.measure, VALUE.name in used, RATE.name in used, holds_back=holds_back)
 
 
 def _parts(law: Expr) -> list[tuple[str, Expr]]:
@@ -134,11 +135,21 @@ def _terms(law: Expr) -> Iterator[Expr]:
 
 
 def _signs(
-    names: Names, measure: Measure | NonholonomicForm, of_value: bool, of_rate: bool, sense: int = 1
+    names: Names,
+    measure: Measure | NonholonomicForm,
+    of_value: bool,
+    of_rate: bool,
+    sense: int = 1,
+    *,
+    holds_back: bool = False,
 ) -> Iterable[Glyph]:
-    """What a law along a measure looks like: of a distance a spring or a damper, else arrows. sense: -1 where the law
-    pushes against a part of it."""
+    """What a law along a measure looks like: of a distance, or where it holds a point back, a spring or a damper, else
+    arrows. sense: -1 where the law pushes against a part of it."""
     match measure:
+        case Displacement(of, _origin, along) if holds_back:
+            yield glyphs.Tether(of, along, of_value, of_rate)
+        case Composed() if holds_back and (ends := _apart(measure)) is not None:
+            yield glyphs.Spring(*ends, of_value, of_rate)
         case Distance(start, end):
             yield glyphs.Spring(start, end, of_value, of_rate)
         case Displacement(of, _origin, along):
@@ -157,6 +168,34 @@ def _signs(
                 yield from _signs(names, part, of_value, of_rate, sense * _sign(differentiate(expression, called)))
         case _:
             pass
+
+
+def _holds_back(laws: Sequence[Expr]) -> bool:
+    """Whether a law is that of a spring, a damper or both: it falls with the measure at random numbers, or evenly with
+    its rate, and has no time in it. Drag that grows with the square of the speed is no damper."""
+    total = add(*laws)
+    by_value, by_rate = differentiate(total, VALUE.name), differentiate(total, RATE.name)
+    if "t" in free_symbols(total) or RATE.name in free_symbols(by_rate) or ZERO == by_value == by_rate:
+        return False
+    rng = random.Random(5)
+    for _ in range(5):
+        values = {name: rng.uniform(0.3, 1.7) for name in sorted(free_symbols(total))}
+        try:
+            if any(float(evaluate(slope, values)) > 0 for slope in (by_value, by_rate)):
+                return False
+        except (ValueError, ArithmeticError, InputError):
+            return False
+    return True
+
+
+def _apart(measure: Composed) -> tuple[Point, Point] | None:
+    """The two points whose displacements along one direction a measure subtracts."""
+    match measure.measures:
+        case ((one, Displacement(first, _, along)), (two, Displacement(second, _, way))) if along == way:
+            slopes = {differentiate(measure.expression, one), differentiate(measure.expression, two)}
+            return (first, second) if slopes == {number(1), number(-1)} else None
+        case _:
+            return None
 
 
 def _sign(slope: Expr) -> int:

@@ -9,7 +9,7 @@ over places and headings in numbers (`in_numbers`), in the plane and in space al
     tension     Rod, Rope
     contact     Surface, Touch, Halt, TurnHalt, Shoe
     relations   Relation, Equation
-    loads       Spring, Coil, ForceArrow, MomentArrow, Field
+    loads       Spring, Tether, Coil, ForceArrow, MomentArrow, Field
 """
 
 from __future__ import annotations
@@ -292,6 +292,17 @@ class Spring(Generic[P, N]):
 
 
 @dataclass(frozen=True)
+class Tether(Generic[P, D]):
+    """A load along a direction that holds a point back: by how far it has come (a spring), by its rate (a damper), or
+    by both. It names no second end: a picture sets up a wall for it in what the direction is fixed in."""
+
+    point: P
+    along: D
+    is_spring: bool = True
+    is_damper: bool = False
+
+
+@dataclass(frozen=True)
 class Coil(Generic[P, D]):
     """A torsional spring or damper of a body, by its centre, about an axis of the one that it is on; in the plane
     about z."""
@@ -328,7 +339,7 @@ class Field(Generic[D]):
 Joint = Pin[P, D] | Weld[P] | Ball[P] | Cross[P, D] | Rail[P, D] | Face[P, D] | Groove[P, N] | Roller[P, N]
 Rolling = Track[P, D, N] | Wheels[P, N] | Belt[P, N] | Toothed[P]
 Touching = Surface[P, D, N] | Touch | Halt[P, D, N] | TurnHalt[D, N] | Shoe[P]
-Pushing = Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D] | Spring[P, N]
+Pushing = Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D] | Spring[P, N] | Tether[P, D]
 Sign = (
     Joint[P, D, N]
     | Rolling[P, D, N]

@@ -57,8 +57,10 @@ class Drawing:
         tracks = [headings(rope, layout.poses) for rope in layout.ropes]
         every = np.concatenate(tracks, axis=1) if tracks else np.zeros((len(poses), 0))
         low, high = bounds(scene, layout.poses)
+        scene, walls = Halts(scene, layout).walled()
         drawing = cls(scene, layout.poses, every, layout.symbol, low, high, layout.moved, contacts=contacts)
         pen, surfaces = Pen(scene, layout), Surfaces(scene, layout)
+        drawing.strokes.extend(walls)
         drawing.strokes.extend(Halts(scene, layout).strokes())
         drawing.strokes.extend(pen.strokes())
         drawing.words.extend(pen.words())

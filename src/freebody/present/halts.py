@@ -1,13 +1,26 @@
-"""Draws stops as short hatched walls, where a body meets them."""
+"""Draws stops as short hatched walls where a body meets them, and sets up walls for springs that name no second end."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from freebody.model import glyphs
-from freebody.present.figures import Array, Figure, Halt, Pair, Place, TurnHalt, turned
+from freebody.present.figures import (
+    Array,
+    Figure,
+    Halt,
+    Heading,
+    Pair,
+    Place,
+    ShownGlyph,
+    Tether,
+    TurnHalt,
+    angles,
+    turned,
+)
 from freebody.present.layout import Layout, placed_in
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path
@@ -15,6 +28,7 @@ from freebody.present.surfaces import surplus
 from freebody.present.symbols import hatched
 
 _FARTHEST = 60.0  # a stop is drawn that comes this near to what it stops, in sizes of symbols
+_TETHER = 8.0  # how long a spring is drawn that names no second end, in sizes of symbols
 _ARM = 0.55, 0.75  # where the wall of a turning rod stands, by the length of the rod
 
 
@@ -66,6 +80,41 @@ class Halts:
         else:
             places = [Place(figure.index, x, y) for x, y in figure.outline.tolist()]
         return np.concatenate([placed_in(self.poses[:1], body, place) for place in places])
+
+    # -- behind a spring ----------------------------------------------------------------------
+    def walled(self) -> tuple[Scene, list[Path]]:
+        """The scene with a spring from a wall in place of each tether, and the walls; those of one point share one."""
+        shown, walls = list[ShownGlyph](), dict[Place, list[Path]]()
+        for one in self.scene.shown:
+            if isinstance(one.sign, glyphs.Tether) and (figure := self.scene.figure_of(one.sign.point.body)):
+                tether = one.sign
+                foot, end, walls[foot] = self._anchor(tether, figure)
+                one = replace(one, sign=glyphs.Spring(foot, end, tether.is_spring, tether.is_damper))
+            shown.append(one)
+        return replace(self.scene, shown=tuple(shown)), [path for wall in walls.values() for path in wall]
+
+    def _anchor(self, tether: Tether, figure: Figure) -> tuple[Place, Place, list[Path]]:
+        """Where the wall stands and where the spring ends on the body, and the wall. It stands on the line of the
+        tether, behind the point at the start and on the way, or before it where other bodies lie behind it and none
+        before it."""
+        body, e, n = tether.along.body, np.array(tether.along.xy), np.array(tether.along.normal().xy)
+        away = placed_in(self.poses, body, tether.point)
+        gaps = [placed_in(self.poses[:1], body, f.mass_center)[0] - away[0] for f in self.scene.figures if f != figure]
+        beside = [float(gap @ e) for gap in gaps if abs(gap @ n) < 2 * self.u and abs(gap @ e) > self.u]
+        side = -1 if any(x < 0 for x in beside) and not any(x > 0 for x in beside) else 1
+        ahead, _ends = self._reach(figure, glyphs.Halt(tether.point, tether.point, tether.along, 0.0, side))
+        nearest = float((side * (away @ e)).min()) - ahead - _TETHER * self.u
+        x, y = side * nearest * e + float(away[0] @ n) * n
+        foot = Place(body, float(x), float(y))
+        half = 1.6 * self.u
+        end = tether.point
+        if figure.radius is not None or len(figure.outline) > 2:  # at its edge, as it lies at the start
+            turn = float(
+                angles(self.poses[:1], tether.along)[0] - angles(self.poses[:1], Heading(end.body, 1.0, 0.0))[0]
+            )
+            x, y = np.array(end.xy) - side * ahead * np.array((np.cos(turn), np.sin(turn)))
+            end = Place(end.body, float(x), float(y))
+        return foot, end, list(self._wall(foot, tether.along.normal().angle, (-half, half), side))
 
     # -- of a turning rod ---------------------------------------------------------------------
     def _turning(self, halt: TurnHalt) -> Iterator[Path]:

@@ -28,6 +28,7 @@ from freebody.model.glyphs import (
     Rope,
     Spring,
     Surface,
+    Tether,
     Toothed,
     Touch,
     Track,
@@ -129,6 +130,10 @@ class Scene:
     @cached_property
     def halts(self) -> tuple[figures.Halt | figures.TurnHalt, ...]:
         return tuple(s for s in self.signs if isinstance(s, (Halt, TurnHalt)))
+
+    @cached_property
+    def tethers(self) -> tuple[figures.Tether, ...]:
+        return tuple(s for s in self.signs if isinstance(s, Tether))
 
     @cached_property
     def touching(self) -> frozenset[tuple[int, int]]:

@@ -21,6 +21,7 @@ from freebody.present.theme import style_of
 
 SYMBOL = 6.5  # [points] the size of symbols on paper
 _LARGEST = 36.0  # [points] radius of a round body beside lines and strings that go on
+_WIDEST = 390.0  # [points] what a page takes without making the words smaller
 _LEAST = 1e-9  # [m] what is smaller has no size
 
 
@@ -36,6 +37,11 @@ def sketched(
     low, high = bounds(scene, drawing.poses)
     if drawing.moved:  # it may need more room
         scale = min(_scale(high - low, room), _most(scene))
+        drawing = _drawn(scene, poses, scale, least)
+        low, high = bounds(scene, drawing.poses)
+    wide = float((drawing.high - drawing.low)[0]) * scale
+    if wide > _WIDEST:  # the lines on which bodies lie and roll are no part of the bounds
+        scale *= _WIDEST / wide
         drawing = _drawn(scene, poses, scale, least)
         low, high = bounds(scene, drawing.poses)
     sketch = Sketch(scale, (low + high) / 2)

@@ -13,7 +13,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.geometry import Direction
 from freebody.measures.turn import Alignment, Turn
-from freebody.model.glyphs import ForceArrow, MomentArrow
+from freebody.model.glyphs import ForceArrow, MomentArrow, Tether
 from freebody.present.corner import corner_marks
 from freebody.present.figures import Array, Place
 from freebody.present.names import footprints, names
@@ -143,9 +143,9 @@ class SpaceSketch(Sketch):
         pieces = iter(piece for piece in self.drawing.pieces if piece.look == "force")
         called = {force.name: force for force in reversed(forces)}
         for shown in self.drawing.scene.shown:
-            if not isinstance(shown.sign, (ForceArrow, MomentArrow)):
+            if not isinstance(shown.sign, (ForceArrow, Tether, MomentArrow)):
                 continue
-            parts = list(islice(pieces, _N_STRAIGHT if isinstance(shown.sign, ForceArrow) else _N_CURVED))
+            parts = list(islice(pieces, _N_STRAIGHT if isinstance(shown.sign, (ForceArrow, Tether)) else _N_CURVED))
             force = called.pop(shown.owner, None)
             if force is None:
                 continue

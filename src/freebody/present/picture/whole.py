@@ -14,6 +14,7 @@ from freebody.measures.geometry import Point
 from freebody.measures.turned import within
 from freebody.model.elements import RATE, VALUE, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Equation, Pin, Rail, Spring
+from freebody.present import figures
 from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
 from freebody.present.picture.bodies_free import body_label, name_beside
@@ -23,7 +24,7 @@ from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.given_places import GivenPlaces
 from freebody.present.picture.label import Label, Run, beside, equation, formula, name, words
 from freebody.present.picture.placer import Wish, around
-from freebody.present.picture.plane import sketched
+from freebody.present.picture.plane import SYMBOL, sketched
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.signs import across, arrow
 from freebody.present.picture.sketch import Sketch
@@ -96,10 +97,19 @@ class Whole(ABC):
             length = float(np.hypot(*(b - a)))
             if length < 8.0:
                 continue
-            side = across((b - a) / length)
-            spots = [a + share * (b - a) + 7.0 * sign * side for share in (0.5, 0.35, 0.65) for sign in (1.0, -1.0)]
-            ways = [sign * side for _share in range(3) for sign in (1.0, -1.0)]
+            side, (away, signs) = across((b - a) / length), self._aside(shown.sign)
+            spots = [a + share * (b - a) + away * sign * side for share in (0.5, 0.35, 0.65) for sign in signs]
+            ways = [sign * side for _share in range(3) for sign in signs]
             self.sketch.wish(Wish(label, tuple(zip(spots, ways, strict=True)), 10.0, weight=3.5))
+
+    def _aside(self, spring: figures.Spring) -> tuple[float, tuple[float, ...]]:
+        """How far [points] from the line of a spring its name stands, and on which sides: of several between the same
+        places the first one is drawn on the right, the last one on the left."""
+        others = [s for s in self.scene.springs if {s.first, s.second} == {spring.first, spring.second}]
+        if len(others) == 1:
+            return 7.0, (1.0, -1.0)
+        away = 1.2 * SYMBOL * (len(others) - 1)
+        return 7.0 + away, (-1.0 if others.index(spring) < len(others) / 2 else 1.0,)
 
     def _name_points(self) -> None:
         """Points of the ground and of bodies at which something is joined, if their names are short."""
@@ -143,7 +153,7 @@ class WholeInPlane(Whole):
         scene = Scene.of(system, places.number)
         self.drawing, sketch = sketched(scene, pose, _ROOMS.get(len(scene.figures), _ROOM), _LEAST)
         centers = {f.name: positions(self.drawing.poses, f.mass_center)[0] for f in scene.figures}
-        super().__init__(system, places, scene, sketch, centers)
+        super().__init__(system, places, self.drawing.scene, sketch, centers)
         self.loads, self.moved = [f for f in loads if f.name.split(".")[0] not in system.looks.hide], self.drawing.moved
 
     def at(self, place: Place) -> Array:

@@ -7,7 +7,7 @@ from itertools import groupby, pairwise
 
 import numpy as np
 
-from freebody.model.glyphs import Coil, ForceArrow, Halt, MomentArrow, Relation, Rod, Rope, Shoe, Spring
+from freebody.model.glyphs import Coil, ForceArrow, Halt, MomentArrow, Relation, Rod, Rope, Shoe, Spring, Tether
 from freebody.present import figures
 from freebody.present.figures import Array, Heading, Place
 from freebody.present.scene import Scene
@@ -19,7 +19,7 @@ from freebody.present.space.solids import basis, box, prism
 from freebody.present.space.stands import Stands
 from freebody.present.space.symbols import arrow, curved_arrow, damper, helix, spiral
 
-_ORDER: dict[type, int] = {Rod: 1, Rope: 2, Spring: 3, ForceArrow: 4, MomentArrow: 4, Coil: 5}
+_ORDER: dict[type, int] = {Rod: 1, Rope: 2, Spring: 3, ForceArrow: 4, Tether: 4, MomentArrow: 4, Coil: 5}
 
 
 class Loads:
@@ -48,7 +48,7 @@ class Loads:
                 yield from self._string([place for place, _same in groupby(node.place for node in nodes)])
             case Spring(first, second, is_spring, is_damper):
                 yield from self._spring(first, second, is_spring=is_spring, is_damper=is_damper)
-            case ForceArrow(at, along):
+            case ForceArrow(at, along) | Tether(at, along):
                 yield from self._force(at, along)
             case MomentArrow(body, axis):
                 yield from self._moment(body.body, upright(self.scene, axis))
