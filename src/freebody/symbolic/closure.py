@@ -80,6 +80,8 @@ class Closure:
             if parts is not None:
                 found, room = self._angle(d, *parts)
                 yield [d], found, room
+            elif (square := self._square(x, d)) is not None:
+                yield [d], {d.index: self.side(self.field.variable(d.index)) * self.field.sqrt(square)}, square
         for both, inside in pairs:
             for d, gone in (inside, inside[::-1]):
                 equation = self.without(both, gone.index, d.index)
@@ -102,6 +104,16 @@ class Closure:
         if len(in_cos) > 2 or len(in_sin) > 2 or pair[1] in a.generators():
             return None
         return a, b, in_sin[0]
+
+    def _square(self, x: Ratio, d: Coordinate) -> Ratio | None:
+        """l^2 of a length by a l^2 + b = 0, as that of what goes round an axis on a sphere."""
+        f, index = self.field, d.index
+        if f.pair_of(index) is not None or any(index in f.generators[g].made_of for g in x.generators()):
+            return None
+        parts = x.coefficients(index)
+        if len(parts) != 3 or not parts[1].is_zero():
+            return None
+        return f.lowest_terms(-parts[0] / parts[2])
 
     def put(self, angle: Coordinate, at: Ratio) -> dict[int, Ratio]:
         """An angle that has a value, with its cosine and sine."""

@@ -243,7 +243,7 @@ class FirstIntegrals:
                     n=self.model.degrees_of_freedom,
                 )
             )
-        if self.model.dependent and (others or not self._has_solved_loops):
+        if self.model.dependent and not self._has_solved_loops:
             names = ", ".join(d.name for d in self.model.dependent)
             raise CannotAnswer(Message("{names} follow from {x} only through the closed loop", names=names, x=c.name))
 
@@ -258,8 +258,10 @@ class FirstIntegrals:
     @cached_property
     def _needed(self) -> set[int]:
         """The coordinates on which masses and potential depend; with one freedom there are no others to ask for."""
-        if self.model.degrees_of_freedom == 1 or self.model.dependent:
-            return {k.index for k in self.model.coordinates} if self.model.degrees_of_freedom != 1 else set()
+        if self.model.degrees_of_freedom == 1:
+            return set()
+        if self.model.dependent and not self._has_solved_loops:
+            return {k.index for k in self.model.coordinates}
         entries = [self._explicit(x) for row in self.model.dynamics.mass_matrix for x in row]
         elements = [*entries, self.potential(dict(self.resting))]
         return set[int]().union(*map(self.field.ingredients, elements))

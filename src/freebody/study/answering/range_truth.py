@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -60,6 +61,7 @@ class TruthInNumbers:
         self.parameter: Parameter = setup.system.parameters[wanted.parameter]
         self.index = self.field.index(self.model.geometry.scalar(Symbol(wanted.parameter)))
         self.left_aside: Sequence[Formula] = ()
+        self.is_seen_in_numbers = False  # whether no formula said somewhere if it is so
         self.truths = [self._truth(formula) for formula in self._changing(formulas)]
         of = wanted.of  # what is to come before something else comes with it at the ends
         self.is_open = isinstance(of, FailsFirst) or (isinstance(of, Happening) and of.before is not None)
@@ -102,9 +104,12 @@ class TruthInNumbers:
         except (KeyError, ValueError, ArithmeticError):
             return math.nan, 0.0
 
-    def is_true(self, numbers: Mapping[int, Any], value: float, *, at_end: bool = False) -> bool:
+    def is_true(
+        self, numbers: Mapping[int, Any], value: float, *, at_end: bool = False, draw: Draw | None = None
+    ) -> bool:
         """Whether the inequality holds for a value of the parameter, by one of the formulas. at_end: where something
-        vanishes, which then counts as zero. Raises CannotAnswer where none of them says whether it is so."""
+        vanishes, which then counts as zero. draw: whose numbers these are; where no formula says whether it is so, it
+        is looked at in numbers. Raises CannotAnswer where these do not tell it either."""
         if at_end and self.is_open:
             return False
         here = self.with_value(numbers, value)
@@ -112,10 +117,22 @@ class TruthInNumbers:
         if self.wanted.relation != SO or at_end or any(formula.says for formula in found):
             return any(formula.says for formula in found)
         if not any(formula.says is False for formula in found):
+            if draw is not None and (is_so := self.seen(value, draw)) is not None:
+                self.is_seen_in_numbers = True
+                return is_so
             why = next((formula.why for formula in found if formula.why), "")
             told = Message("for some values of {name} it is not known what happens", name=self.parameter.name)
             raise CannotAnswer(Message("{told}: {why}", told=told, why=why) if why else told)
         return False
+
+    def seen(self, value: float, draw: Draw) -> bool | None:
+        """Whether it is so for a value of the parameter by the numeric route; None where that does not tell it."""
+        found = next((t.formula.in_numbers for t in self.truths if t.formula.in_numbers is not None), None)
+        if found is None:
+            return None
+        with suppress(CannotAnswer, ArithmeticError, ValueError):
+            return found(draw.values | {self.parameter.name: value}) not in (None, 0.0)
+        return None
 
     def holds_for(self, truth: Truth, here: Mapping[int, Any], at_end: bool) -> bool:
         checks = [(c.element, c.relation) for c in truth.conditions]

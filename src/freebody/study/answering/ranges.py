@@ -164,7 +164,7 @@ class RangeSearch(TruthInNumbers):
         self._below = [end for end in ends if low == 0.0 and self.value_of(end, numbers)[0] < 0.0]
         self._placed = [end for _value, end in placed]
         values = [low, *(value for value, _end in placed), high]
-        inside = [self._between(numbers, a, b) for a, b in pairwise(values)]
+        inside = [self._between(numbers, a, b, draw) for a, b in pairwise(values)]
         is_at = [self.is_true(numbers, value, at_end=True) for value, _end in placed]
         at_low = self.parameter.sign == "nonnegative" and self.is_true(numbers, 0.0, at_end=True)
         found: list[Interval] = []
@@ -192,17 +192,11 @@ class RangeSearch(TruthInNumbers):
 
     def _is_seen(self, value: float, draw: Draw) -> bool:
         """Whether it is so just on the border of two cases, in both of which it is, or is not: by the numeric route."""
-        if self.wanted.relation not in (REACHED, SO):
-            return False
-        values = draw.values | {self.parameter.name: value}
-        with suppress(CannotAnswer, ArithmeticError, ValueError):
-            found = [t.formula.in_numbers for t in self.truths if t.formula.in_numbers is not None][:1]
-            return any(in_numbers(values) not in (None, 0.0) for in_numbers in found)
-        return False
+        return self.wanted.relation in (REACHED, SO) and bool(self.seen(value, draw))
 
-    def _between(self, numbers: Mapping[int, Any], a: float, b: float) -> bool:
+    def _between(self, numbers: Mapping[int, Any], a: float, b: float, draw: Draw) -> bool:
         """Whether it holds between two ends. Raises CannotAnswer where it does so at some places only."""
-        seen = {self.is_true(numbers, value) for value in self.places_between(a, b)}
+        seen = {self.is_true(numbers, value, draw=draw) for value in self.places_between(a, b)}
         if len(seen) > 1:
             raise CannotAnswer(Message("where that holds has ends for which no closed form was found"))
         return seen.pop()
@@ -229,6 +223,9 @@ class RangeSearch(TruthInNumbers):
             end.value is not None and not end.is_in for interval in found for end in interval
         ):
             notes.append(Message("the end itself is the limit between two cases, and is not decided here"))
+        if self.is_seen_in_numbers:
+            told = "for some values of {name} no case has formulas: whether it is so there was looked at in numbers"
+            notes.append(Message(told, name=name))
         if self.parameter.value is not None:
             notes.append(Message("the number that the file gives for {name} is left out", name=name))
         return Finding(element, evidence, conditions, notes, has_value=self.setup.has_values, is_complete=True)

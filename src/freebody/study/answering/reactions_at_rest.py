@@ -23,6 +23,15 @@ from freebody.system.system import System
 
 def reaction_at_rest(system: System, question: Question) -> Answer | None:
     """The reaction of a system that starts at rest and stays there; None where it does not, or others balance it."""
+    found = range_at_rest(system, question)
+    if found is None or not isinstance(found.expression, Expr) or not isinstance(found.value, float):
+        return None
+    return replace(found, notes=(Message("while it stays at rest"),))
+
+
+def range_at_rest(system: System, question: Question) -> Answer | None:
+    """Between which values a reaction lies of a system that starts at rest and stays there, one formula where they are
+    one; None where it does not stay there."""
     from freebody.study.friction.answers import answer
 
     of = question.quantity
@@ -34,9 +43,6 @@ def reaction_at_rest(system: System, question: Question) -> Answer | None:
         if np.any(Setup(system).draws[0].start().v):
             return None
         one = ReactionRange((of.row, *of.further), of.reaction, of.dimension)
-        found = answer(system, replace(question, quantity=one))
+        return answer(system, replace(question, quantity=one))
     except (CannotAnswer, ArithmeticError, ValueError):
         return None
-    if not isinstance(found.expression, Expr) or not isinstance(found.value, float):
-        return None
-    return replace(found, notes=(Message("while it stays at rest"),))

@@ -94,7 +94,7 @@ def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
     yield from map(line, filter(None, (answer.verdict,)))
     if answer.expression is None:
         yield from map(line, _refusal(answer))
-        yield from entries(*_value(answer, Message("by numbers")))
+        yield from entries(*_value(answer, Message("by numbers")), _cases(answer))
         return
     shown = answer.expression
     if answer.chain is not None:
@@ -135,7 +135,7 @@ def _value(answer: ShownAnswer, label: str) -> Iterator[Entry]:
 
 def _said(answer: ShownAnswer) -> Iterator[Entry]:
     yield entry(Message("valid"), *answer.conditions)
-    yield entry(Message("cases"), *(_case(case.expression, case.conditions, case.what) for case in answer.cases))
+    yield _cases(answer)
     yield entry(Message("note"), *answer.notes)
     yield from options(answer.choice, answer.options)
     yield entry(Message("to author"), *answer.author_notes)
@@ -144,6 +144,10 @@ def _said(answer: ShownAnswer) -> Iterator[Entry]:
         checked = Message("checked numerically at {n} random configurations: {route};", n=e.draws, route=e.route)
         worst = Message("largest relative difference {gap:.1g}", gap=e.worst_relative_difference)
         yield entry(Message("evidence"), checked, worst)
+
+
+def _cases(answer: ShownAnswer) -> Entry:
+    return entry(Message("cases"), *(_case(case.expression, case.conditions, case.what) for case in answer.cases))
 
 
 def _case(expression: Expr | tuple[Expr, ...], conditions: tuple[str, ...], what: str) -> Text:

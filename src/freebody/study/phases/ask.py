@@ -25,6 +25,7 @@ from freebody.study.answering.simulated_numbers import farthest, number_with_cha
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
+from freebody.study.phases.in_no_case import in_no_case
 from freebody.study.phases.kept import in_first_modes
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen, holds
@@ -249,6 +250,8 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))
         value = None
     cases = tuple(AnswerCase(_shown(r.piece), r.conditions, action(r.piece.phase)) for r in regions)
+    if tree.system.has_values and 0 not in own.sets and (len(cases) > 1 or 0 in tree.lost):
+        return in_no_case(tree, question, cases)
     if main.is_home:
         region = [c.element for c in main.conditions if c.relation != "!="]
         judgement = judged(question, main.value, tree.home.model, tree.system, region)

@@ -1,0 +1,102 @@
+"""Where the file's numbers are in none of the cases of an answer, the formula of no case stands for it."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+BRACED = """
+freebody: 1
+parameters: {M: 4 kg, R: 0.3 m, mu: 0.6, T: 4 N m, S: 6 N, F: 5 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {wheel: {disk: {mass: M, radius: R}, at: [0, R], angle: 0}}
+connections:
+  touch: {contact: {between: [wheel, ground.floor], friction: mu, touching: true}}
+  brake: {brake: {between: [wheel, ground], torque: T}}
+  rub: {dry_friction: {measure: x, force: S}}
+measures: {x: x of wheel}
+loads: {weight: {gravity: g}, pull: {force: {at: wheel, along: right, magnitude: F}}}
+"""
+
+
+def test_a_reaction_that_is_unique_at_rest_is_told_though_the_split_of_friction_is_not() -> None:
+    system = fb.System.from_text(BRACED)  # three frictions hold the two motions of the wheel
+    answer = system.solve("normal force of touch").answers[0]
+    assert answer.value == pytest.approx(4 * 9.81)
+    assert "while it stays at rest" in answer.notes
+    assert any("R·S + T ≥ R·F" in text for text in answer.conditions)  # rub and brake give way together else
+
+
+def test_what_is_not_unique_at_rest_is_told_by_its_range_and_no_case_stands_on_top() -> None:
+    answer = fb.System.from_text(BRACED).solve("friction force of touch").answers[0]
+    assert answer.expression is None and answer.value is None
+    # rub takes any force between -S and S: the contact has the rest of F, -(F + S) to S - F; mu and T do not end it
+    assert "between -11 and 1 N" in answer.reason
+    assert [case.what for case in answer.cases] == ["touch slides, brake sticks, rub slides"]
+
+
+def test_an_acceleration_at_rest_is_not_that_of_a_case_in_which_it_slides() -> None:
+    answer = fb.System.from_text(BRACED).solve("acceleration of x").answers[0]
+    assert answer.expression is None and answer.value == 0.0
+    assert answer.reason.startswith("none of the cases holds at the given numbers")
+
+
+PARKED = """
+freebody: 1
+parameters: {m: 1200 kg, I: 1500 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 2500 N m, alpha: 10 deg, g: 9.81 m/s^2}
+ground: {lines: {road: {along: alpha}}}
+bodies:
+  car: {body: {mass: m, inertia: I}, points: {rear: [-b, r - h], front: [a, r - h]}, angle: alpha}
+  front: {body: {inertia: 1.5 kg m^2, radius: r}}
+  rear: {body: {inertia: 1.5 kg m^2, radius: r}}
+connections:
+  front_axle: {pin: [car.front, front]}
+  rear_axle: {pin: [car.rear, rear]}
+  front_tyre: {contact: {between: [front, ground.road], friction: mu, touching: true}}
+  rear_tyre: {contact: {between: [rear, ground.road], friction: mu, touching: true}}
+  front_brake: {brake: {between: [front, car], torque: T}}
+  rear_brake: {brake: {between: [rear, car], torque: T}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.slow
+def test_a_car_parked_on_both_brakes_presses_on_its_axles_by_the_lever_rule() -> None:
+    answer = fb.System.from_text(PARKED).solve("normal force of front_tyre").answers[0]
+    # moments about the rear contact: N (a + b) = m g (b cos(alpha) - h sin(alpha))
+    alpha = math.radians(10)
+    assert answer.value == pytest.approx(1200 * 9.81 * (1.4 * math.cos(alpha) - 0.5 * math.sin(alpha)) / 2.6)
+
+
+DRIVEN = """
+freebody: 1
+parameters: {m: 1200 kg, I: 1500 kg m^2, J: 1.5 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 900 N m, g: 9.81 m/s^2}
+ground: {lines: {road: {along: right}}}
+bodies:
+  car: {body: {mass: m, inertia: I}, points: {rear: [-b, r - h], front: [a, r - h]}, at: [0, h], angle: 0}
+  front: {body: {inertia: J, radius: r}, at: [a, r], angle: 0}
+  rear: {body: {inertia: J, radius: r}, at: [-b, r], angle: 0}
+connections:
+  front_axle: {pin: [car.front, front]}
+  rear_axle: {pin: [car.rear, rear]}
+  front_tyre: {contact: {between: [front, ground.road], friction: mu, touching: true}}
+  rear_tyre: {contact: {between: [rear, ground.road], friction: mu, touching: true}}
+loads: {weight: {gravity: g}, drive: {torque: {on: rear, magnitude: -T, reacts_on: car}}}
+measures: {x: x of car}
+start: {x: 0, rate(x): 0}
+"""
+
+
+@pytest.mark.slow
+def test_the_torque_at_which_driven_wheels_slip_is_told_though_wheels_that_lift_have_no_formulas() -> None:
+    answer = fb.System.from_text(DRIVEN).solve("largest T so that rear_tyre does not slip").answers[0]
+    m, J, r, a, b, h, mu, g = 1200, 1.5, 0.3, 1.2, 1.4, 0.5, 0.8, 9.81
+    # both wheels roll: x'' (m + 2 J/r^2) = T/r, front friction J x''/r^2, rear friction Q = (m + J/r^2) x'';
+    # moments about the front contact: N (a + b) = m g a + m h x'' + 2 J x''/r; at the limit Q = mu N
+    per = lambda acceleration: (m + J / r**2) * acceleration * (a + b) - mu * (m * h + 2 * J / r) * acceleration
+    limit = mu * m * g * a / per(1.0)
+    assert answer.value == pytest.approx(r * limit * (m + 2 * J / r**2))
+    assert any("looked at in numbers" in note for note in answer.notes)
