@@ -19,7 +19,6 @@ from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value,
 from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.loops import loops_in
-from freebody.study.answering.reactions_at_rest import reaction_at_rest
 from freebody.study.answering.scope import for_all
 from freebody.study.answering.simulated_numbers import farthest, number_with_changes
 from freebody.study.phases.branch import AnswerBranch
@@ -31,7 +30,7 @@ from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import at_turning_impacts, pieces
 from freebody.study.phases.reached import rate_of
-from freebody.study.phases.result import covers, missing, relations
+from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
@@ -48,9 +47,7 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
     system = tree.system
     turned = question.quantity.wanted is not None
     instead = None if turned else lambda: number_with_changes(system, question)
-    return answered(
-        system, question, lambda: _by_cases(tree, question), instead, lambda: reaction_at_rest(system, question)
-    )
+    return answered(system, question, lambda: _by_cases(tree, question), instead)
 
 
 def _by_cases(tree: PhaseTree, question: Question) -> Answer:
@@ -244,8 +241,6 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
     if not main.is_home:
         notes += loops_in(main.phase.setup, main.value, main.phase.state)
     broken = _broken(tree, own) if tree.system.has_values else ""
-    if broken and not covers(tree, 0):
-        raise CannotAnswer(Message("with the given numbers no case was found: {why}", why=missing(tree)))
     if broken:
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))
         value = None

@@ -118,25 +118,15 @@ def phases_of(tree: PhaseTree) -> Phases:
     cases.sort(key=lambda case: not case.is_own)
     between = tuple(_equation(x) for x in tree.boundaries)
     reasons = tuple(dict.fromkeys(tree.reasons))
-    return Phases(tree.system, tuple(cases), tree.sets.n, reasons, between, missing(tree), tree)
+    return Phases(tree.system, tuple(cases), tree.sets.n, reasons, between, _missing(tree, reasons), tree)
 
 
-def missing(tree: PhaseTree) -> str:
-    """Why no case was found at some parameter sets; nothing where one was found at all."""
-    if tree.sets.left_out[np.setdiff1d(tree.indices, _covered(tree))].all():
+def _missing(tree: PhaseTree, reasons: Sequence[str]) -> str:
+    """Why no case was found at some parameter sets."""
+    covered = np.concatenate([tree.indices[:0], *(_sets(path) for path in paths(tree.roots))])
+    if tree.sets.left_out[np.setdiff1d(tree.indices, covered)].all():
         return ""
-    if tree.reasons:
-        return tree.reasons[-1]
-    return Message("no state of the contacts was found that is consistent with the start")
-
-
-def covers(tree: PhaseTree, k: int) -> bool:
-    """Whether a case was found at a parameter set; 0 is that of the model's own values."""
-    return bool(np.isin(k, _covered(tree)))
-
-
-def _covered(tree: PhaseTree) -> Chosen:
-    return np.concatenate([tree.indices[:0], *(_sets(path) for path in paths(tree.roots))])
+    return reasons[-1] if reasons else Message("no state of the contacts was found that is consistent with the start")
 
 
 def _sets(path: Path) -> Chosen:
