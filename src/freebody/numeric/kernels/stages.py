@@ -33,6 +33,25 @@ from freebody.numeric.kernels.stepped_run import (
 )
 
 
+STRAYED = 10.0  # by the range of the other slopes
+
+
+@part
+def strays(T, R, i, small):
+    """Whether a stage that no sum of the step weighs has a slope far beyond those of the others. It is then alone in
+    having met another law, as behind a border over which the step leads: what the stage does to the later ones may
+    take them back again, and neither the new state nor its error knows of it."""
+    lowest = highest = R.slopes[0, i]
+    for j in range(1, T.sizes[0]):
+        if T.error[0, j] != 0.0 or T.error[1, j] != 0.0:
+            lowest, highest = min(lowest, R.slopes[j, i]), max(highest, R.slopes[j, i])
+    beyond = 0.0
+    for j in range(1, T.sizes[0]):
+        if T.error[0, j] == 0.0 and T.error[1, j] == 0.0:
+            beyond = max(beyond, R.slopes[j, i] - highest, lowest - R.slopes[j, i])
+    return beyond > STRAYED * (highest - lowest) + small
+
+
 @part
 def error_of(T, R, h):
     """The estimated error of a step, 1 where it is what is allowed; NaN if it is not finite. A turn by an angle changes
@@ -68,6 +87,8 @@ def error_of(T, R, h):
                 first = e1
             if not e2 <= second:
                 second = e2
+        if n <= i < 2 * n and strays(T, R, i, scale / h):
+            return math.inf
     if second > 0.0:
         return h * first * first / math.sqrt(first * first + 0.01 * second * second)
     return h * first
