@@ -63,7 +63,9 @@ def how_far(names: Names, main: Clause) -> Groups:
     ):
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
     elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
-        yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
+        moving = {body for body in lookup.moving(names) for joint in joining.rough(names, who) if body != who}
+        if not any(joining.touches(names, joint, body) for body in moving for joint in joining.rough(names, who)):
+            yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
         led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
         yield [
