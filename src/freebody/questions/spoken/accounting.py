@@ -28,6 +28,7 @@ _PUSHES = frozenset(
     }
 )
 _TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
+_FREQUENCIES = frozenset({"natural frequency", "natural frequencies", "period of small oscillations"})
 PLACED = ("high", "far")  # how high, how far, something acts: where
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
@@ -74,9 +75,14 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         does = any(word.kind == "verb" for word in words)
         if asked & _PUSHES and (Word("verb", "rise") in words or (is_extreme and not does)):  # what load it can lift
             return False
+    is_to_be = Word("filler", "must") in words and any(word.what in ("to", "so_that") for word in words)
+    if is_to_be and _OF_MOTION.match(text):  # how fast it must be pushed, so that it leaves
+        return False
     moved = _MOVED.match(text)
     if moved and moved["body"] in names.bodies and names.bodies[moved["body"]].fixed:
         return False
+    if asked & _FREQUENCIES and Word("preposition", "about") in words and " about " not in text:
+        return False  # about a circle, which is no equilibrium
     if any(asked & kinds and not said.search(text) for kinds, said in _SAID):
         return False
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)

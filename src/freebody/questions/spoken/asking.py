@@ -89,6 +89,15 @@ def _is_of_force(clause: Clause) -> bool:
     return clause.has("quantity") and not clause.has("ask", "fast", "far")
 
 
+def _without_what_turns(names: Names, clause: Clause) -> Clause:
+    """Without `of the crank` behind `over a turn`, where a motor turns it."""
+    words, turn = clause.words, Word("instant", "over a turn")
+    k = words.index(turn) if turn in words else len(words)
+    of, thing = [*words[k + 1 : k + 3], Word("", ""), Word("", "")][:2]
+    is_driver = of == Word("preposition", "of") and thing.what in lookup.turning(names) and len(clause.names) > 1
+    return Clause([*words[: k + 1], *words[k + 3 :]]) if is_driver else clause
+
+
 def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     """The greatest or least of something over the motion."""
     if len(degrees) != 1 or degrees[0] not in ("greatest", "least"):
@@ -99,7 +108,7 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         return  # the largest of one, and another
     whole = " over the motion" if clause.has("instant", "over the motion") else ""
     whole = " over a turn" if clause.has("instant", "over a turn") else whole
-    clause = clause.without("instant", "over the motion", "over a turn")
+    clause = _without_what_turns(names, clause).without("instant", "over the motion", "over a turn")
     [degree] = degrees
     clause = clause.without("verb", "reach", "move")
     goes = set(clause.all("verb")) <= {"slide", "roll", "turn", "rise", "fly"}

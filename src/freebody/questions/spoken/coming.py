@@ -58,6 +58,8 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         yield lookup.climbed(names, who, value, -1)
     elif doing == {"rise"}:
         yield lookup.climbed(names, who, value, 1)
+    elif doing == {"reach"} and value in names.parameters and names.parameters[value].is_angle:
+        yield [f"{angle} = {value}" for angle in (*lookup.angles(names, who), *lookup.hung(names, who))]
     elif doing <= {"reach"} and of and of[-1] in names.measures:
         yield [f"{of[-1]} = {value}"]
     elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:

@@ -34,6 +34,8 @@ class Elements:
     bodies: set[str] = field(default_factory=set[str])  # that move
     touching: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])  # bodies, by connection
     hanging: frozenset[str] = frozenset()  # bodies that strings alone hold, straight below them
+    pinned: set[str] = field(default_factory=set[str])  # bodies that turn about an axle of the ground
+    fields: set[str] = field(default_factory=set[str])  # loads that act on all there is, as gravity does
     # of bodies, so far as they are numbers
     masses: dict[str, float] = field(default_factory=dict[str, float])
     radii: dict[str, float] = field(default_factory=dict[str, float])
@@ -41,7 +43,8 @@ class Elements:
     @cached_property
     def taken(self) -> frozenset[str]:
         """Words in lower case that are names, or words of names."""
-        return frozenset(word for key in self.spoken for word in key if word.isalpha())
+        own = (key for key, meant in self.spoken.items() if any(one.name not in self.fields for one, _, _ in meant))
+        return frozenset(word for key in own for word in key if word.isalpha())
 
     def add(self, name: str, words: Sequence[str] = (), said: str = "", distance: int = WRITTEN) -> None:
         """said: how it may be called, where that is not its name."""

@@ -243,6 +243,9 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 
 def _hits(names: Names, who: str, other: str) -> Groups:
     """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
+    if caught := [name for name in sorted(names.closing_later) if other in (name, *joining.ends_of(names, name))]:
+        yield [f"{name} closes" for name in caught]
+        return
     if other in names.loads:
         yield [f"{other} is reached"] if other in lookup.catching(names, pulls=False) else []
         return
@@ -328,7 +331,10 @@ def _rests(names: Names, who: str, other: str) -> Groups:
 
 
 def _locks(names: Names, who: str, other: str) -> Groups:
-    """A wheel no longer turns, whatever becomes of what it carries."""
+    """A wheel no longer turns, whatever becomes of what it carries; a clutch no longer slips."""
+    if not other and who in losing.clutches(names):
+        yield losing.engaged(names)
+        return
     turned = lookup.angles(names, who) if who and not other else []
     yield [f"rate({angle}) = 0" for angle in turned]
 

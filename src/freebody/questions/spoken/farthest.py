@@ -71,10 +71,17 @@ def how_far(names: Names, main: Clause) -> Groups:
     ):
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
     elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
-        yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
+        if not _slips_on_what_moves(names, who):
+            yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:
         led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
         yield [
             f"stroke of {angle}" if angle in led or lookup.is_forced(names) else f"{angle} when rate({angle}) = 0"
             for angle in lookup.angles(names, who)
         ]
+
+
+def _slips_on_what_moves(names: Names, who: str) -> bool:
+    """Whether something slips on a body that moves as well: its own way is not how far it slips."""
+    joints = joining.rough(names, who)
+    return any(sum(joining.touches(names, joint, body) for body in lookup.moving(names)) > 1 for joint in joints)

@@ -9,7 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from freebody.language.units import FORCE
 from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -92,6 +94,8 @@ def framed(names: Names, clause: Clause) -> Clause:
     if joining.is_still(names) and clause.has("ask", "with") and clause.has("verb"):
         return clause  # the speed at which it slides is no speed of a motion
     asked, asks, verbs = clause.all("quantity"), set(clause.all("ask")), set(clause.all("verb"))
+    if not asked and asks == {"fast"} and verbs == {"start"}:
+        return clause  # how quickly it starts is no speed, which is none at first
     kept = [w for w in clause.words if w.kind not in ("ask", "verb")]
     if joining.sloping(names) and verbs & {"slide", "roll"}:  # up the slope on which it slides
         ways = {Word("part", "upward"): "uphill", Word("part", "downward"): "downhill"}
@@ -100,6 +104,8 @@ def framed(names: Names, clause: Clause) -> Clause:
         return _with_quantity(
             names, "tension", [w for w in kept if w.kind != "quantity"]
         )  # how strongly is it stretched
+    if not asked and not verbs and asks and asks <= {"large", "much", "what"} and _is_push(names, clause):
+        return _with_quantity(names, "force", kept)  # how large is the push
     if not asked and not asks and verbs == {"exert"} and _is_noun(clause):  # the push of the arm
         return _with_quantity(names, "force", kept)
     if not asked:
@@ -138,6 +144,12 @@ def _are_strings(names: Names, clause: Clause) -> bool:
     pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
     of = [name for _, name in clause.names]
     return bool(of) and set(of) <= pulling
+
+
+def _is_push(names: Names, clause: Clause) -> bool:
+    """Whether a load that is a force stands there, and nothing else."""
+    of = [name for _, name in clause.names]
+    return len(of) == 1 and names.loads.get(of[0]) == FORCE and clause.only("ask", "name", *SILENT)
 
 
 def _is_noun(clause: Clause) -> bool:

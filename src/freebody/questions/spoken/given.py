@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from freebody.language.expression import Symbol, free_symbols, multiply, negate
 from freebody.language.units import ACCELERATION, DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE, Parameter
-from freebody.model.solids import ROD
+from freebody.model.solids import BOX, ROD
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.joining import given_of, is_at, is_joined
 
@@ -101,7 +101,9 @@ def parameters(names: Names, kind: str, of: str) -> list[str]:
         return [name for name in names.parameters if name in own]
     word = KIND_OF[kind].written if kind in KIND_OF else kind
     own = [spec for name, spec in names.connections.items() if not of or name == of or is_at(names, name, of)]
-    written = {str(value) for spec in own for key, value in given_of(spec).items() if word in key}
+    given = [value for spec in own for key, value in given_of(spec).items() if word in key]
+    each = (cast("dict[str, object]", value).values() if isinstance(value, dict) else (value,) for value in given)
+    written = {str(value) for some in each for value in some}
     return [name for name in names.parameters if name in written]
 
 
@@ -141,6 +143,13 @@ def growing(names: Names, things: list[str]) -> list[str]:
     return pushed or [name for name in chosen(names, KIND_OF["angle"], things) if name in raised]
 
 
+def _upright_side(names: Names, body: str) -> list[str]:
+    """The parameter that is the height of a block, by itself."""
+    is_block = body in names.bodies and names.bodies[body].solid is BOX and len(names.bodies[body].sizes) > 1
+    side = names.bodies[body].sizes[1] if is_block else None
+    return [side.name] if isinstance(side, Symbol) and side.name in names.parameters else []
+
+
 def started_with(names: Names, bodies: list[str]) -> list[str]:
     """Parameters that are speeds with which the file lets bodies start."""
     used = frozenset[str]()
@@ -174,6 +183,8 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
         return own or ([] if any(name in names.bodies for name in of) else others)
     if kind.written:
         return parameters(names, kind.words[0], next((name for name in of if is_joined(names, name)), ""))
+    if kind is KIND_OF["height"] and (upright := [p for body in of for p in _upright_side(names, body)]):
+        return upright
     found = of_kind(names, kind.words[0])
     if kind is KIND_OF["height"]:  # how high something sits is not how far to the side
         aside = [names.placed_at_start[way] for way in lookup.level(names, "") if way in names.placed_at_start]

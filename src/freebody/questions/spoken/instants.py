@@ -390,6 +390,8 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
     ]
     if at_angle:  # at what angle phi does it leave
         main = Clause([w for w in main.words if w != Word("name", at_angle[0])])
+    if main.has("ask", "high"):  # above the ground, which is not what it leaves
+        main = Clause(_without_reference(main.words))
     event = Clause(
         [w for w in main.words if w.kind in ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")]
     )
@@ -416,6 +418,14 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         [angle, *_] = [*at_angle, *lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
         return (Clause([Word("name", angle)]), found) if angle else None
     return Clause([*head, *([Word("name", who)] if who else [])]), found
+
+
+def _without_reference(words: list[Word]) -> list[Word]:
+    """Without `above the ground` before what happens."""
+    verb = next((k for k, word in enumerate(words) if word.kind == "verb"), 0)
+    said = (k for k in range(verb - 1) if words[k : k + 2] == [Word("preposition", "in"), Word("name", GROUND)])
+    k = next(said, None)
+    return words if k is None else [*words[:k], *words[k + 2 :]]
 
 
 def _is_of_drive(names: Names, main: Clause) -> bool:

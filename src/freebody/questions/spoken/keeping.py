@@ -18,7 +18,7 @@ from freebody.language.expression import free_symbols
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.accounting import is_accounted_for
-from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.lexicon import ENGLISH, Word, tells_apart
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -31,6 +31,7 @@ _OF_ALL = re.compile(
 _SLIPS = re.compile(r"\b(?:slips?|slipping|rolls?|rolling)\b")
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?\w+ (?:for|so) ")
 _STATES = ("move", "slide", "slip", "rest", "stay", "hold", "tip", "stand", "stick", "start")  # of the whole, too
+_OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 
@@ -46,6 +47,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     is_of_all = _OF_ALL.search(text) is not None
     cut = _begin_of_state(names, words) if is_of_all else len(words)
     for k, word in enumerate(words):
+        if _is_what_turns(names, words, k) and "over a turn" in text:
+            continue
         for thing in _THING.findall(word.what) if word.kind in ("name", "value") else ():
             if not _is_thing(names, thing) or _stands(names, thing, things):
                 continue
@@ -54,6 +57,24 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
+
+
+def loses_joint(names: Names, said: str, text: str) -> bool:
+    """Whether a text says by its name of which connection a force is, and another one stands in its place."""
+    named = [found for found in _OF_JOINT.findall(said) if found in names.connections and found not in names.bodies]
+    found = [thing for thing in _THING.findall(text) if thing in names.connections]
+    return (
+        bool(named and found)
+        and not {*named} & {*found}
+        and not any(tells_apart(name.lower(), ENGLISH) for name in named)
+    )
+
+
+def _is_what_turns(names: Names, words: Sequence[Word], k: int) -> bool:
+    """Whether a name only says of what a turn is: over one turn of the crank."""
+    before = [word for word in words[:k] if word.kind != "filler"][-2:]
+    is_owner = before == [Word("instant", "over a turn"), Word("preposition", "of")]
+    return is_owner and words[k].what in lookup.turning(names)
 
 
 def _counts_from(names: Names, words: Sequence[Word], text: str, things: set[str]) -> bool:

@@ -52,6 +52,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if clause.has("ask", "far", "high", "fast") and "may" not in modal:
         return  # how far something comes is no limit of rest
     lasts = _lasting(names, head, state, modal)
+    if "slide" in state.all("verb") and not joining.is_rough(names):
+        return  # nothing can
     parameter = _parameter(names, head, [name for _, name in state.names if name in names.loads])
     if lasts is None or parameter is None or _is_lifted_by_choice(names, clause, parameter):
         return
@@ -123,6 +125,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if state.has("quantity") and set(state.all("quantity")) != {"equilibrium"}:
         return None
     bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
+    verbs = verbs - {"start"} or verbs
     is_moved = verbs == {"move"} and not state.has("part") and not state.has("updown")
     bodies = [] if is_moved and n_freedoms(names) == 1 else bodies  # where one moves, all do
     joints = [
@@ -147,7 +150,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         if "must" in modal and not state.words and head.has("quantity", "friction coefficient"):
             return _REST
         is_bounded = head.has("degree", "least", "greatest", "range") or head.has(
-            "ask", "steep", "flat", "heavy", "rough", "fast"
+            "ask", "steep", "flat", "heavy", "rough", "fast", *(["small"] if head.has("quantity") else [])
         )
         return _REST if modal and is_bounded and not state.words and joining.is_rough(names) else None
     if not ends:
@@ -155,6 +158,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     if {"tip", "slide"} <= ends <= _ENDS_REST:  # it neither slips nor tips
         return _REST if is_denied and all(joining.is_all_that_slips(names, body) for body in bodies) else None
     if "tip" in ends:
+        bodies = bodies or [name for _, name in head.names if name in names.bodies]
         alone = len(lookup.massive(names)) == 1 or (
             bodies != [] and all(joining.is_all_that_slips(names, body) for body in bodies)
         )

@@ -42,6 +42,8 @@ _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _RODS = ("rod", "bar", "strut", "link")
+_WHEELS = ("wheel",)
+_BALLS = ("ball", "bead")
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
 _PINION = "pinion"  # the smaller of two gears, which is called the wheel only where it is alone
@@ -61,9 +63,14 @@ def elements_of(names: Names) -> Elements:
     """What can be named in a model."""
     found = Elements()
     found.add(GROUND)
+    free = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
+    is_alone, is_still = len(free) == 1, not free
     for name, body in names.bodies.items():
         if name != GROUND:
-            found.add(name, (*_kinds(name, names.called.get(name, ())), *_BODY_WORDS))
+            is_shaft = joining.axle_of(names, name) == "center"
+            found.pinned |= {name} if joining.axle_of(names, name) else set()
+            kinds = _kinds(name, names.called.get(name, ()), is_shaft=is_shaft, is_alone=is_alone)
+            found.add(name, (*kinds, *(() if body.fixed and not is_still else _BODY_WORDS)))
             found.bodies |= set() if body.fixed else {name}
             mass = names.numeric(body.mass)
             if mass is not None:
@@ -101,9 +108,10 @@ def elements_of(names: Names) -> Elements:
     if not any("rope" in element.words for element in found.exact.values()):  # a light rod is told from no thread
         for name in (name for name in names.connections if "link" in names.called.get(name, ())):
             found.add(name, _ROPES)
+    found.fields = {name for name in names.loads if "gravity" in names.called.get(name, ())}
     for name in names.loads:
         said = (*names.called.get(name, ()), *_stems(name))
-        found.add(name, (*said, *_alike(*said)))
+        found.add(name, (*said, *_alike(name, *said), *(_ROPES if {*_ROPES} & {*said, name.lower()} else ())))
     for name in (*names.bodies[GROUND].lines, *names.bodies[GROUND].planes):
         found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
@@ -117,14 +125,19 @@ def elements_of(names: Names) -> Elements:
     return found
 
 
-def _kinds(name: str, words: Sequence[str]) -> Sequence[str]:
+def _kinds(name: str, words: Sequence[str], *, is_shaft: bool, is_alone: bool) -> Sequence[str]:
     """What a thing may be called: as its name says and, of the words for its shape, by those that do not contradict:
-    one whose name says that it is a block is no cart."""
+    one whose name says that it is a block is no cart; a bead that alone moves (is_alone) may be called ball. What
+    turns about an axle in its middle (is_shaft) is a wheel of some kind, or a rod."""
     said = {*re.split(r"[\W_\d]+", name.lower()), *_stems(name)} - {""}
     own = [kinds for kinds in kinds_apart() if kinds & said]
+    own = own or [kinds for kinds in kinds_apart() if is_shaft and kinds & {*_WHEELS, *_RODS}]
+    alike = [kinds for kinds in kinds_apart() if is_alone and kinds & {*_BALLS}]  # no other is taken for it
+    own += alike if any(kinds in alike for kinds in own) else []
     others = frozenset[str]().union(*(kinds for kinds in kinds_apart() if own and kinds not in own))
-    alike = frozenset[str]().union(*(kinds for kinds in things_alike() if kinds & {*words, *said}))
-    return [word for word in dict.fromkeys((*words, *sorted(said), *sorted(alike))) if word not in others]
+    words = [word for word in words if word not in others]
+    as_well = frozenset[str]().union(*(kinds for kinds in things_alike() if kinds & {*words, *said}))
+    return [word for word in dict.fromkeys((*words, *sorted(said), *sorted(as_well))) if word not in others]
 
 
 def _alike(*said: str) -> list[str]:

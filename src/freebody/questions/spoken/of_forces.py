@@ -20,7 +20,7 @@ _TRANSMITTED = (
 )
 _KINDS = {  # kinds of what is said so, by how likely they are meant
     "force": ("force", "reaction"),
-    "contact force": ("normal force", "tooth force", "reaction"),
+    "contact force": ("contact force", "normal force", "tooth force", "reaction"),
     "torque": ("driving torque", "torque", "moment"),
     "moment": ("moment", "torque"),
     "driving force": ("driving force", "force"),

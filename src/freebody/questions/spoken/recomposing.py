@@ -4,6 +4,7 @@
     time since the start        2 s after release, 1.5 s after the jump         a clause: after 2 s
     two of a kind               A compared with B, by what factor is A larger   the ratio of both
     what drives until           how long must the torque act until              the time until then
+    instant that leads          at the top, how hard does it press             behind what is asked
     just about                  when the cord just becomes taut                 nothing: the instant says it
     change of a quantity        by how much does it drop until                  what it is then, less what it was
     limit of a parameter        as m becomes very large, if friction vanishes   a limit
@@ -49,7 +50,7 @@ _LIMITS = {"vanish": "0", "infinite": "oo"}
 def recomposed(names: Names, words: list[Word], again: Callable[[Names, list[Word]], Groups]) -> Groups:
     """What words, without fillers, ask for with their parts in the order of the grammar. again: what words in that
     order ask for."""
-    put = _without_just(_elapsed(names, _compared(words)))
+    put = _without_just(_elapsed(names, _compared(_led_by_instant(words))))
     if put != words:
         yield from again(names, put)
     sentence = parted(put)
@@ -59,6 +60,12 @@ def recomposed(names: Names, words: list[Word], again: Callable[[Names, list[Wor
     yield from _changed(names, sentence)
     yield from _tending(names, sentence)
     yield from _in_any_order(names, sentence)
+
+
+def _led_by_instant(words: list[Word]) -> list[Word]:
+    """At the top, how hard does it press: the instant stands behind what is asked."""
+    is_led = words[1:2] == [Word("preposition", ",")] and words[0].kind == "instant"
+    return [*words[2:], words[0]] if is_led else words
 
 
 def _elapsed(names: Names, words: list[Word]) -> list[Word]:

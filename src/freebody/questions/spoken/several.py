@@ -56,7 +56,7 @@ def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     for language in languages():
         told = several(language, "lead_in").sub("", spelt_out(elements, text, language))
         for pieces in _pieces(told.strip().rstrip(".?! "), language):
-            if any(_GOES_ON.match(piece) for piece in pieces):
+            if any(_GOES_ON.match(piece) for piece in pieces) or _kinds(elements, pieces[0], language) == {"instant"}:
                 continue
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
 

@@ -81,6 +81,10 @@ def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
     if not verbs <= _DESCRIBES or set(rest.all("instant")) - {*_PLACES, "at start"}:
         return
     names_ = [name for _, name in rest.names]
+    ways = (*lookup.inclined(names, ""), *lookup.heights(names, ""))
+    passed = any(way == equation.measure and lookup.rises(names, way, sense) for way, sense in ways)
+    if passed and rest.has("mark", "while") and "fall" in verbs:  # it is there first on its way up
+        return
     if rest.has("ask", "when", "soon", "long") or rest.all("quantity") == ["time"]:
         if len(names_) <= 1:
             yield [f"time when {equation}"]

@@ -17,6 +17,7 @@ _MASSES = ("mass", "masses", "body", "one", "side", "seite")
 _SIZES = ("heavier", "lighter", "bigger", "smaller")
 # words for what can hang on a string, whatever its shape
 _HANGS = (*_MASSES, "weight", "block", "box", "crate", "load", "particle", "object", "bucket", "cart")
+_PULLEYS = ("pulley", "sheave", "wheel")  # of which one is movable where no axle of the ground holds it
 _PAIR_OF_A_KIND = 2  # bodies of which a name says which is meant
 _PAIR = re.compile(r"\b([^\W\d_]+) ([^\W\d_]+|\d{1,2})\b")
 
@@ -50,6 +51,8 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
         return []
     if hung := _hung(elements, first, second):
         return hung
+    if _is_of_pulleys(first, second):
+        return _pulleys(elements, first)
     kind = second if second.isalpha() else first
     of_kind = _plain_masses(elements, _of_kind(elements, kind), kind) or (
         [name for name in elements.masses if elements.masses[name] > 0.0 and name not in elements.radii]
@@ -86,11 +89,23 @@ def _hung(elements: Elements, first: str, second: str) -> list[str]:
     return found if len(found) == 1 else []
 
 
+def _is_of_pulleys(first: str, second: str) -> bool:
+    return _meant(compared(), first) in ("movable", "fixed") and second.lower() in _PULLEYS
+
+
+def _pulleys(elements: Elements, first: str) -> list[str]:
+    """The pulley that goes along with what hangs on it, or those with an axle on the ground."""
+    is_fixed = _meant(compared(), first) == "fixed"
+    return [name for name in elements.radii if (name in elements.pinned) == is_fixed]
+
+
 def _is_untold(elements: Elements, first: str, second: str) -> bool:
     """Whether words would tell a body from others of its kind, and do not: the hanging one of two, the driven gear."""
     if first.lower() in elements.exact or (first.lower(), second.lower()) in elements.spoken:
         return False
     than, kind = _meant(compared(), first), second.lower()
+    if _is_of_pulleys(first, second):
+        return len(_pulleys(elements, first)) != 1
     if than == "hanging":
         is_other = kind in elements.exact and kind not in elements.hanging
         return bool(elements.hanging) and kind in _HANGS and is_other and not _hung(elements, first, second)
@@ -99,7 +114,7 @@ def _is_untold(elements: Elements, first: str, second: str) -> bool:
         for e in elements.exact.values()
         if kind in e.words and (e.name in elements.masses or e.name in elements.radii)
     ]
-    return than == "acting" and kind in elements.exact and len(of_kind) > _PAIR_OF_A_KIND
+    return than in ("acting", "movable") and kind in elements.exact and len(of_kind) > _PAIR_OF_A_KIND
 
 
 def _plain_masses(elements: Elements, of_kind: list[str], kind: str) -> list[str]:

@@ -19,7 +19,7 @@ from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
-from freebody.questions.spoken.keeping import is_kept
+from freebody.questions.spoken.keeping import is_kept, loses_joint
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.lexicon import Word, languages, several, stands_for_all, translated
 from freebody.questions.spoken.meaning import meanings
@@ -28,7 +28,7 @@ from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.several import each_of, of_rivals, paired, parts
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import spelt_out
-from freebody.questions.spoken.words import Unknown, respelt, words_of
+from freebody.questions.spoken.words import Unknown, respelt, without_unit, words_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -250,6 +250,7 @@ def _nearest(
             tried = {words: _read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
             here = {words: asked for words, asked in here.items() if is_kept(names, meaning.words, words)}
+            here = {words: asked for words, asked in here.items() if not loses_joint(names, text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
                 distance = meaning.distance
@@ -327,8 +328,8 @@ def _has_form(problem: Problem) -> bool:
 def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     """Ways to mean a text, the nearest to its words first. guess: a word that nothing knows is taken for a name."""
     text = _APOSTROPHE.sub("’", " ".join(text.split())).strip('"“”„ ')
-    text = without_what_holds(names, text)
     elements = elements_of(names)
+    text = without_unit(without_what_holds(names, text), elements.exact)
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():
