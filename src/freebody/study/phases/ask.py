@@ -235,7 +235,7 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))
         value = None
     cases = tuple(AnswerCase(_shown(r.piece), r.conditions, action(r.piece.phase)) for r in regions)
-    if tree.system.has_values and 0 not in own.sets:
+    if tree.system.has_values and 0 not in own.sets and (len(cases) > 1 or 0 in tree.lost):
         return in_no_case(tree, question, cases)
     if main.is_home:
         region = [c.element for c in main.conditions if c.relation != "!="]
