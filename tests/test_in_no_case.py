@@ -46,7 +46,8 @@ def test_an_acceleration_at_rest_is_not_that_of_a_case_in_which_it_slides() -> N
 
 PARKED = """
 freebody: 1
-parameters: {m: 1200 kg, I: 1500 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 2500 N m, alpha: 10 deg, g: 9.81 m/s^2}
+parameters: {m: 1200 kg, I: 1500 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 2500 N m,
+  alpha: 10 deg, g: 9.81 m/s^2}
 ground: {lines: {road: {along: alpha}}}
 bodies:
   car: {body: {mass: m, inertia: I}, points: {rear: [-b, r - h], front: [a, r - h]}, angle: alpha}
@@ -73,7 +74,8 @@ def test_a_car_parked_on_both_brakes_presses_on_its_axles_by_the_lever_rule() ->
 
 DRIVEN = """
 freebody: 1
-parameters: {m: 1200 kg, I: 1500 kg m^2, J: 1.5 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 900 N m, g: 9.81 m/s^2}
+parameters: {m: 1200 kg, I: 1500 kg m^2, J: 1.5 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 900 N m,
+  g: 9.81 m/s^2}
 ground: {lines: {road: {along: right}}}
 bodies:
   car: {body: {mass: m, inertia: I}, points: {rear: [-b, r - h], front: [a, r - h]}, at: [0, h], angle: 0}
@@ -96,7 +98,6 @@ def test_the_torque_at_which_driven_wheels_slip_is_told_though_wheels_that_lift_
     m, J, r, a, b, h, mu, g = 1200, 1.5, 0.3, 1.2, 1.4, 0.5, 0.8, 9.81
     # both wheels roll: x'' (m + 2 J/r^2) = T/r, front friction J x''/r^2, rear friction Q = (m + J/r^2) x'';
     # moments about the front contact: N (a + b) = m g a + m h x'' + 2 J x''/r; at the limit Q = mu N
-    per = lambda acceleration: (m + J / r**2) * acceleration * (a + b) - mu * (m * h + 2 * J / r) * acceleration
-    limit = mu * m * g * a / per(1.0)
+    limit = mu * m * g * a / ((m + J / r**2) * (a + b) - mu * (m * h + 2 * J / r))
     assert answer.value == pytest.approx(r * limit * (m + 2 * J / r**2))
     assert any("looked at in numbers" in note for note in answer.notes)
