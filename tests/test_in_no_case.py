@@ -32,7 +32,8 @@ def test_a_reaction_that_is_unique_at_rest_is_told_though_the_split_of_friction_
 
 def test_what_is_not_unique_at_rest_is_told_by_its_range_and_no_case_stands_on_top() -> None:
     answer = fb.System.from_text(BRACED).solve("friction force of touch").answers[0]
-    assert answer.expression is None and answer.value is None
+    assert answer.expression is None
+    assert answer.value is None
     # rub takes any force between -S and S: the contact has the rest of F, -(F + S) to S - F; mu and T do not end it
     assert "between -11 and 1 N" in answer.reason
     assert [case.what for case in answer.cases] == ["touch slides, brake sticks, rub slides"]
@@ -40,7 +41,8 @@ def test_what_is_not_unique_at_rest_is_told_by_its_range_and_no_case_stands_on_t
 
 def test_an_acceleration_at_rest_is_not_that_of_a_case_in_which_it_slides() -> None:
     answer = fb.System.from_text(BRACED).solve("acceleration of x").answers[0]
-    assert answer.expression is None and answer.value == 0.0
+    assert answer.expression is None
+    assert answer.value == 0.0
     assert answer.reason.startswith("none of the cases holds at the given numbers")
 
 
