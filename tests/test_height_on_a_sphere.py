@@ -29,12 +29,13 @@ start: {z: 0, phi: 0, rate(z): 0, rate(phi): u/R}
 
 def test_a_spherical_pendulum_sinks_to_a_root_of_its_energy_equation() -> None:
     answer = fb.System.from_text(MODEL).solve("least z").answers[0]
-    assert answer.value is not None and answer.expression is not None
+    assert answer.value is not None
+    assert answer.expression is not None
     z = float(answer.value)
     assert z == pytest.approx((4 - math.sqrt(16 + 16 * 9.81**2 * 0.25)) / (4 * 9.81))
     assert 2 * 9.81 * z**2 - 4 * z - 2 * 9.81 * 0.25 == pytest.approx(0, abs=1e-12)
 
 
-def test_the_height_at_half_way_has_the_speed_of_energy_and_angular_momentum() -> None:
+def test_what_sets_out_level_on_the_equator_rises_no_higher_than_that() -> None:
     answer = fb.System.from_text(MODEL).solve("greatest z").answers[0]
     assert answer.value == 0.0

@@ -32,7 +32,8 @@ def test_a_reaction_that_is_unique_at_rest_is_told_though_the_split_of_friction_
 
 def test_what_is_not_unique_at_rest_is_told_by_its_range_and_no_case_stands_on_top() -> None:
     answer = fb.System.from_text(BRACED).solve("friction force of touch").answers[0]
-    assert answer.expression is None and answer.value is None
+    assert answer.expression is None
+    assert answer.value is None
     # rub takes any force between -S and S: the contact has the rest of F, -(F + S) to S - F; mu and T do not end it
     assert "between -11 and 1 N" in answer.reason
     assert [case.what for case in answer.cases] == ["touch slides, brake sticks, rub slides"]
@@ -40,13 +41,15 @@ def test_what_is_not_unique_at_rest_is_told_by_its_range_and_no_case_stands_on_t
 
 def test_an_acceleration_at_rest_is_not_that_of_a_case_in_which_it_slides() -> None:
     answer = fb.System.from_text(BRACED).solve("acceleration of x").answers[0]
-    assert answer.expression is None and answer.value == 0.0
+    assert answer.expression is None
+    assert answer.value == 0.0
     assert answer.reason.startswith("none of the cases holds at the given numbers")
 
 
 PARKED = """
 freebody: 1
-parameters: {m: 1200 kg, I: 1500 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 2500 N m, alpha: 10 deg, g: 9.81 m/s^2}
+parameters: {m: 1200 kg, I: 1500 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 2500 N m,
+  alpha: 10 deg, g: 9.81 m/s^2}
 ground: {lines: {road: {along: alpha}}}
 bodies:
   car: {body: {mass: m, inertia: I}, points: {rear: [-b, r - h], front: [a, r - h]}, angle: alpha}
@@ -73,7 +76,8 @@ def test_a_car_parked_on_both_brakes_presses_on_its_axles_by_the_lever_rule() ->
 
 DRIVEN = """
 freebody: 1
-parameters: {m: 1200 kg, I: 1500 kg m^2, J: 1.5 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 900 N m, g: 9.81 m/s^2}
+parameters: {m: 1200 kg, I: 1500 kg m^2, J: 1.5 kg m^2, r: 0.3 m, a: 1.2 m, b: 1.4 m, h: 0.5 m, mu: 0.8, T: 900 N m,
+  g: 9.81 m/s^2}
 ground: {lines: {road: {along: right}}}
 bodies:
   car: {body: {mass: m, inertia: I}, points: {rear: [-b, r - h], front: [a, r - h]}, at: [0, h], angle: 0}
@@ -96,7 +100,6 @@ def test_the_torque_at_which_driven_wheels_slip_is_told_though_wheels_that_lift_
     m, J, r, a, b, h, mu, g = 1200, 1.5, 0.3, 1.2, 1.4, 0.5, 0.8, 9.81
     # both wheels roll: x'' (m + 2 J/r^2) = T/r, front friction J x''/r^2, rear friction Q = (m + J/r^2) x'';
     # moments about the front contact: N (a + b) = m g a + m h x'' + 2 J x''/r; at the limit Q = mu N
-    per = lambda acceleration: (m + J / r**2) * acceleration * (a + b) - mu * (m * h + 2 * J / r) * acceleration
-    limit = mu * m * g * a / per(1.0)
+    limit = mu * m * g * a / ((m + J / r**2) * (a + b) - mu * (m * h + 2 * J / r))
     assert answer.value == pytest.approx(r * limit * (m + 2 * J / r**2))
     assert any("looked at in numbers" in note for note in answer.notes)

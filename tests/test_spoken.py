@@ -743,3 +743,21 @@ questions: [value of m for which x = 0 when t = 1 s, "m*acceleration of x", acce
         System.from_text(text)
     assert [problem.path[0] for problem in raised.value.problems] == ["bodies", "questions"]
     assert raised.value.problems[1].path[1] == 2
+
+
+def test_the_mass_center_of_a_body_is_not_its_reference_point() -> None:
+    system = fb.System.from_text(
+        """
+freebody: 1
+parameters: {m: 2 kg, I: 1 kg m^2, e: 0.2 m, w: 2 rad/s}
+bodies: {wheel: {body: {mass: m, inertia: I, center_of_mass: [e, 0]}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+measures: {phi: angle of wheel}
+start: {phi: 0, rate(phi): w}
+"""
+    )
+    for asked in ("mass center speed of wheel at start", "how fast is the mass center at start"):
+        answer = system.solve(asked).answers[0]
+        assert answer.understood == "speed of wheel.mass_center at start"
+        assert answer.value == pytest.approx(0.4)  # e w; the axle, which the body's plain name means, rests
+    assert system.solve("mass center position of wheel at start").answers[0].value == pytest.approx((0.2, 0))

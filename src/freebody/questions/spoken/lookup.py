@@ -57,6 +57,12 @@ def is_all_that_moves(names: Names, body: str) -> bool:
     return massive(names) == [body]
 
 
+def mass_center_of(names: Names, body: str) -> str:
+    """The mass centre of a body, by its plain name where that means it."""
+    own = names.bodies[body]
+    return body if own.points["mass_center"] == own.points[own.default_point] else f"{body}.mass_center"
+
+
 def massive(names: Names) -> list[str]:
     """Bodies that move and have a mass."""
     return [name for name in moving(names) if names.bodies[name].mass != ZERO]

@@ -161,7 +161,11 @@ def _at_mass_center(names: Names, words: list[Word]) -> list[Word]:
     if center not in words:
         return words
     bodies = lookup.massive(names)
-    own = bodies[0] if len(bodies) == 1 else MASS_CENTER
+    named = [word for word in words if word.kind == "name" and word.what in bodies]
+    if len(named) == 1:  # `mass center velocity of cube`
+        at = lookup.mass_center_of(names, named[0].what)
+        return [Word("name", at) if word == named[0] else word for word in words if word != center]
+    own = lookup.mass_center_of(names, bodies[0]) if len(bodies) == 1 else MASS_CENTER
     if len(bodies) > 1:
         words = [word for word in words if word != Word("pronoun", "system")]
     return [Word("name", own) if word == center else word for word in words]

@@ -201,7 +201,7 @@ def _position(names: Names, quantity: str, rest: Clause) -> Groups:
         return
     of, _, along = found
     name = next(iter(of), "")
-    if name == MASS_CENTER or (along and name):
+    if name == MASS_CENTER or name.endswith(".mass_center") or (along and name):
         yield [f"position of {name}{along}"]
     elif name and not lookup.places(names, name) and not lookup.angles(names, name):
         yield [f"position of {name} along {guide}" for guide in joining.guides(names, name)]

@@ -1,8 +1,8 @@
-"""Answers by cases of which none holds at the model's own values: no formula of a case may stand for the answer there.
+"""Answers by cases of which none holds at the model's own values: no formula of theirs is the answer.
 
-What all sticks may be braced, as a car on a slope that brakes both of its axles: then no phase has formulas, as the
-split of friction is not unique. A reaction that is unique all the same, as the pressure on each axle, is told while it
-rests; of what is not unique the range is told that rest allows.
+What rests may be braced, as a car on a slope that brakes both of its axles: then no phase has formulas, as the split of
+friction is not unique. A reaction that is unique all the same, as the pressure on each axle, is told while it rests; of
+what is not unique the range is told that rest allows.
 """
 
 from __future__ import annotations
