@@ -34,12 +34,17 @@ def body_axes(body: str) -> tuple[Direction, Direction, Direction]:
 
 def spin(body: str, along: Direction, against: str = GROUND) -> NonholonomicForm:
     """The angular velocity of a body against another one along a direction, which may be fixed in any body."""
+    return NonholonomicForm(tuple(spin_terms(body, along, against)), DIMENSIONLESS)
+
+
+def spin_terms(body: str, along: Direction, against: str = GROUND) -> Terms:
+    """That angular velocity as coefficients of rates."""
     terms: Terms = []
     if body != along.body:
         terms += _turning(body, along, -1)
     if against != along.body:
         terms += _turning(against, along, 1)
-    return NonholonomicForm(tuple(terms), DIMENSIONLESS)
+    return terms
 
 
 def _turning(body: str, along: Direction, sign: int) -> Terms:

@@ -25,7 +25,7 @@ from freebody.measures.geometry import AXES, GROUND, Components, Direction, Poin
 from freebody.model.curves import FOOT
 from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody, Start
 from freebody.model.rotations import vector_product
-from freebody.model.spins import spin
+from freebody.model.spins import Terms, spin_terms
 
 Axes = tuple[Direction, Direction, Direction]
 HEIGHT = Symbol("@z")  # of a point, in formulas with x and y
@@ -109,17 +109,17 @@ class SurfacePlace:
         v . b + omega . (-R n x b), with n x b_1 = b_2 and n x b_2 = -b_1."""
         along, other = self.surface.tangents[k - 1], self.surface.tangents[2 - k]
         arm = -radius if k == 1 else radius
-        terms = [(self._share(c), move) for c, (_name, move) in zip(along, self._put, strict=True)]
+        terms: Terms = [(self._share(c), move) for c, (_name, move) in zip(along, self._put, strict=True)]
         for c, axis in zip(other, self.surface.axes, strict=True):
-            turning = spin(self.point.body, axis, axis.body)
-            terms += [(self._share(arm * c, by), rate) for by, rate in turning.terms]
+            turning = spin_terms(self.point.body, axis, axis.body)
+            terms += [(self._share(arm * c, by), rate) for by, rate in turning]
         return NonholonomicForm(tuple(terms), LENGTH)
 
     def body(self) -> RigidBody:
         """What carries the foot: nothing that has mass."""
         start = Start(near=Start(at=("center", self.near)))
-        zero = (ZERO,) * 3
-        points = {"center": zero, "mass_center": zero}
+        zero: Components = (ZERO,) * 3
+        points: dict[str, Components] = {"center": zero, "mass_center": zero}
         return RigidBody(self.carrier, ZERO, ZERO, points, "center", turns=False, tensor=(ZERO,) * 6, start=start)
 
     def rows(self) -> list[ConstraintRow]:
