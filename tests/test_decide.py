@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from freebody.symbolic.conditions import Condition
+from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide, implied, possible
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
@@ -159,3 +159,19 @@ def test_no_decision_is_contradicted_by_numbers(names: Any) -> None:
             for relation, is_true in ((">", v > 0), (">=", v >= 0), ("!=", v != 0)):
                 assert verdicts[relation] in (None, is_true), (terms, relation, point)
     assert n_decided > 20
+
+
+@pytest.mark.parametrize("text", ["sin(x - y)**2", "sin(x - y)**4", "-3*cos(x + y)**2", "5*sin(x)**2"])
+def test_a_power_of_a_sine_vanishes_where_the_sine_does(names: dict[str, Any], text: str) -> None:
+    # cos 4u - 4 cos 2u + 3 = 8 sin^4 u: a condition on it is one on sin u
+    base = element(names, text.split("**", maxsplit=1)[0].lstrip("-0123456789*"))
+    condition, can_hold = require(element(names, text), "!=")
+    assert can_hold
+    assert condition is not None
+    assert condition.element in (base, -base)
+
+
+def test_what_is_no_power_of_a_sine_stays_as_it_is(names: dict[str, Any]) -> None:
+    condition, _possible = require(x := element(names, "sin(x - y)**2 - 2*cos(x + y)"), "!=")
+    assert condition is not None
+    assert condition.element in (x, -x)

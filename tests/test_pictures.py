@@ -274,7 +274,7 @@ parameters: {k: 3 N/m}
 bodies: {bead: {particle: {mass: 1 kg}}}
 measures: {x: x of bead, y: y of bead}
 connections: {it: {constraint: x - 2*y}, skate: {velocity_constraint: rate(x) - rate(y)}}
-loads: {pull: {law: {measure: x, force: -k*x}}}
+loads: {pull: {law: {measure: x, force: k*x}}}
 """)
     assert styles(Drawing.of(scene, poses)) == ["dot"]
 

@@ -99,6 +99,8 @@ def test_symbols_in_the_words_of_an_author_are_mathematics() -> None:
         Formula((parse("v0^2/2"),)),
     )
     assert authored("a block of mass m", system)[-1] == Formula((parse("m"),))
+    assert authored("as m*g/2 does", system)[1] == Formula((parse("m*g/2"),))
+    assert authored("at the speed/time of m", system)[0] == "at the "
 
 
 def test_options_stand_with_their_letters_and_their_formulas_displayed() -> None:

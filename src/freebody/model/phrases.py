@@ -368,6 +368,17 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
         found = phrase.pattern.match(text)
         if found:
             return phrase.read(names, found.groupdict(), path)
+    words = text.split()
+    if words[:2] == ["turn", "of"] and words[2:] and words[2] in names.connections:
+        names.unknown(
+            text,
+            Message(
+                "a connection has no turn; give the body one that is a coordinate, as turned: [phi about z], or write "
+                "angle of BODY about AXIS"
+            ),
+            *path,
+        )
+        return None
     first = text.split()[0] if text else ""
     import difflib
 

@@ -108,11 +108,16 @@ class Fit:
         return float(np.abs(self.weights * self.gaps).max(initial=0.0)) / self.extent
 
     @property
-    def worst(self) -> str:
+    def worst_one(self) -> int:
+        """The equation with the largest gap; of gaps that are equally large round-off does not choose one, nor does
+        their order."""
         sizes = np.abs(self.weights * self.gaps)
-        # of gaps that are equally large round-off does not choose one, nor does their order
         largest = np.flatnonzero(sizes >= (1.0 - _EQUAL) * sizes.max())
-        k = min(largest.tolist(), key=lambda n: self.equations[n].name)
+        return int(min(largest.tolist(), key=lambda n: self.equations[n].name))
+
+    @property
+    def worst(self) -> str:
+        sizes, k = np.abs(self.weights * self.gaps), self.worst_one
         equation = self.equations[k]
         whole = [n for n in self._beside(k) if sizes[n] > _SPREAD * sizes[k]]
         is_along = len(whole) == 1  # one axis tells it

@@ -15,7 +15,9 @@ import numpy as np
 
 from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
+from freebody.language.expression import ZERO, substitute
 from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
@@ -60,11 +62,30 @@ def assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_st
         near |= fit.branches
     fit = reference.placing.fit(q, _equations(reference, extra), 0.0, near, n_steps=0)
     if fit is None or fit.error > ACCEPTED:
-        off = Message("a measure has no value") if fit is None else Message("at best {worst}", worst=fit.worst)
+        off = (
+            Message("a measure has no value")
+            if fit is None
+            else Message("at best {worst}", worst=_worst(reference, fit))
+        )
         raise CannotAnswer(
             Message("the start cannot be assembled: {why}. Change the start of the model or the lengths", why=off)
         )
     return fit
+
+
+def _worst(reference: NumericSystem, fit: Fit) -> str:
+    """What is off at best, and of a driver the value with which its law begins: the start has to have that."""
+    name = fit.equations[fit.worst_one].name
+    row = next((row for row in reference.system.constraint_rows if row.name == name), None)
+    if row is None or row.component != "drive" or row.target is None:
+        return fit.worst
+    begin, dimension = reference.number(substitute(row.target, {"t": ZERO})), row.measure.dimension
+    return Message(
+        "{worst} (the law of {driver} begins at {value}, which the start has to have)",
+        worst=fit.worst,
+        driver=row.connection,
+        value=f"{math.degrees(begin):.4g} deg" if dimension == DIMENSIONLESS else f"{begin:.4g} {dimension}",
+    )
 
 
 def _assembled_part(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
@@ -205,7 +226,7 @@ def _not_found(
     at_best = Message(
         "at best {worst}. Change the start of the model (at, {turned}, start) or the lengths; freebody mobility "
         "says which parts contradict each other",
-        worst=reference.placing.with_one_gap(best).worst,
+        worst=_worst(reference, reference.placing.with_one_gap(best)),
         turned="turned" if reference.system.space else "angle",
     )
     if is_exhausted:

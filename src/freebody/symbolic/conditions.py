@@ -44,6 +44,7 @@ class Condition:
         return with_purposes(shown, [self.purpose] if self.purpose else [])
 
 
+_HIGHEST = 6  # power of a sine or a cosine that is looked for in a condition
 _READABLE = 300  # operations of a comparison; some forty terms
 _FLIPPED = {">": "<", ">=": "<=", "!=": "!=", "<": ">", "<=": ">=", "=": "="}
 
@@ -127,11 +128,11 @@ def require(x: Ratio, relation: str, purpose: str = "") -> tuple[Condition | Non
     for part in _open_factors(x):
         if decide(part, "!=") is True:
             continue
-        plain = _by_arguments(part)
+        plain = _by_arguments(_without_power(part))
         for own in [part] if plain is part else _open_factors(plain):
             if decide(own, "!=") is not True:
                 total = total * own
-    return Condition(total, relation, purpose), True
+    return Condition(_without_power(total), relation, purpose), True
 
 
 def insisted(needed: Iterable[Condition], otherwise: CannotAnswer) -> list[Condition]:
@@ -148,6 +149,37 @@ def insisted(needed: Iterable[Condition], otherwise: CannotAnswer) -> list[Condi
 def _open_factors(x: Ratio) -> list[Ratio]:
     _unit, factors = x.field.factor(x.num)
     return [base for base, _e in factors]
+
+
+def _without_power(base: Ratio) -> Ratio:
+    """sin(a - b) for a multiple of one of its powers, and so for the sine and cosine of a sum and of an angle: written
+    by sines and cosines of a and b, with sin^2 a = 1 - cos^2 a, a power of it has no factors. cos 4x - 4 cos 2x + 3 is
+    8 sin^4 x. The rest stays as it is."""
+    field = base.field
+    pairs = field.pairs(base.generators())
+    if base.den is not None or len(pairs) > 2 or len(base.num) < 2:
+        return base
+    angles = [(field.variable(c), field.variable(s)) for c, s in pairs]
+    if len(angles) == 2:
+        (ca, sa), (cb, sb) = angles
+        roots = [sa * cb - ca * sb, ca * cb + sa * sb, sa * cb + ca * sb, ca * cb - sa * sb]
+    else:
+        roots = [root for cosine, sine in angles for root in (sine, cosine)]
+    for root in roots:
+        power = root
+        for _exponent in range(2, _HIGHEST + 1):
+            power = power * root
+            if _is_multiple(base, power):
+                return root
+    return base
+
+
+def _is_multiple(x: Ratio, y: Ratio) -> bool:
+    """Whether x = c y with a number c, which is the quotient of their leading coefficients."""
+    if len(x.num) != len(y.num):
+        return False
+    slope, other = x.num.leading_coefficient(), y.num.leading_coefficient()
+    return (int(other) * x - int(slope) * y).is_zero()
 
 
 def _without_known_factors(x: Ratio, relation: str) -> Ratio:

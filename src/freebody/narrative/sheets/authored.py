@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from freebody.errors import ExpressionError
 from freebody.language.expression import Symbol
@@ -13,6 +14,10 @@ from freebody.questions.reading import Question
 from freebody.system.system import System
 
 _WORDS = ("a", "A", "I")  # a parameter of this name is one only between dollar signs
+_FUNCTIONS = frozenset(("sin", "cos", "tan", "sqrt", "pi"))
+_CALCULATED = re.compile(
+    r"(?<![\w'^*/])((?:sqrt|sin|cos|tan)?\(?\w[\w()]*(?:[*/^]\(?\w[\w()]*)+)"
+)  # without a space in it
 
 
 def authored(text: str, system: System) -> Text:
@@ -31,8 +36,12 @@ def _authored(text: str, system: System) -> Text:
         elif named is None:
             pieces.append(part)
         else:
-            for n, word in enumerate(named.split(part)):
-                pieces.append(Formula((Symbol(word),)) if n % 2 else word)
+            for n, words in enumerate(_CALCULATED.split(part)):
+                if n % 2 and (whole := _calculated(words, plain)) is not None:
+                    pieces.append(whole)
+                else:
+                    for m, word in enumerate(named.split(words)):
+                        pieces.append(Formula((Symbol(word),)) if m % 2 else word)
     return tuple(piece for piece in pieces if piece != "")
 
 
@@ -46,6 +55,18 @@ def with_symbols(said: Text, question: Question, system: System) -> Text:
 def _is_word(name: str) -> bool:
     """Whether a name can be a word of the language: long, and nothing but small letters."""
     return len(name) > 3 and name.isalpha() and name.islower() and name not in GREEK.values()
+
+
+def _calculated(text: str, names: Sequence[str]) -> Piece | None:
+    """What is calculated of names in the running text, as b^2/c; None for words with a stroke between them, and for
+    what is no expression."""
+    used = set(re.findall(r"[A-Za-z_]\w*", text))
+    if not used or not used <= {*names, *_FUNCTIONS}:
+        return None
+    try:
+        return formula_of(text)
+    except ExpressionError:
+        return None
 
 
 def _formula(text: str) -> Piece:

@@ -273,7 +273,7 @@ def described(system: System, moved: Sequence[str]) -> str:
     parts.append(f"Bodies: {', '.join(bodies)}.")
     for called, connection in system.connections.items():
         own = [row.measure for row in system.rows if row.connection == called]
-        between = dict.fromkeys(body for measure in own for body in _joined(measure))
+        between = dict.fromkeys(body for measure in own for body in _joined(measure) if body in system.material)
         joined = f" between {' and '.join(between)}" if between else ""
         parts.append(f"{called}: {connection.kind.replace('_', ' ')}{joined}.")
     loads = [f"{called} ({load.kind.replace('_', ' ')})" for called, load in system.loads.items()]
