@@ -397,6 +397,25 @@ def test_the_motion_plays_and_everything_shows_the_same_time(page: Any) -> None:
     assert page.inner_text(".transport output") == "0.000 s"
 
 
+RATE = "parseFloat(document.querySelector('.transport .rate').textContent)"
+CLOCKS = "[performance.now() / 1000, parseFloat(document.querySelector('.transport output').textContent)]"
+
+
+@pytest.mark.parametrize("speed", [0.25, 0.5])
+def test_the_rate_of_the_player_is_that_of_its_time_by_the_clock_of_the_page(page: Any, speed: float) -> None:
+    page.select_option(".transport label:has-text('speed') select", label=f"×{speed}")
+    assert page.inner_text(".transport .rate") == "–"
+    page.click("text=Play")
+    page.wait_for_function(f"() => {RATE} > 0", timeout=WAIT)
+    began, first = page.evaluate(CLOCKS)
+    page.wait_for_timeout(1200)
+    ended, last = page.evaluate(CLOCKS)
+    assert page.evaluate(RATE) == pytest.approx((last - first) / (ended - began), rel=0.1)
+    assert page.evaluate(RATE) == pytest.approx(speed, rel=0.1)
+    page.click("text=Pause")
+    assert page.inner_text(".transport .rate") == "–"
+
+
 CHAIN = f"""bodies:
 {chr(10).join(f"  r{k}: {{rod: {{mass: 1 kg, length: 0.1 m}}}}" for k in range(20))}
 connections:
