@@ -32,7 +32,6 @@ from freebody.numeric.kernels.stepped_run import (
     Y,
 )
 
-
 STRAYED = 10.0  # by the range of the other slopes
 
 
