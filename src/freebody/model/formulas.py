@@ -292,7 +292,12 @@ class Formulas(Noting):
                 example = f"[{', '.join(str(each) for each in (value, *[0] * (len(self.origin) - 1)))}]"
                 hint = Message(", e.g. {example}", example=example)
             self.problem(
-                Message("expected {wanted}, found {value}{hint}", wanted=wanted, value=as_found(value), hint=hint),
+                Message(
+                    "expected {wanted}, found {value}{hint}",
+                    wanted=wanted,
+                    value=as_found(cast("object", value)),
+                    hint=hint,
+                ),
                 *path,
             )
             return self.origin

@@ -360,7 +360,10 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
     if text is None:
         if isinstance(value, dict) and set(cast("dict[str, Any]", value)) == {"expression"}:
             return composed(names, str(cast("dict[str, Any]", value)["expression"]), *path, "expression")
-        names.problem(Message("expected a phrase such as 'height of A', found {value}", value=as_found(value)), *path)
+        names.problem(
+            Message("expected a phrase such as 'height of A', found {value}", value=as_found(cast("object", value))),
+            *path,
+        )
         return None
     if text in names.measures:
         return names.measures[text]

@@ -31,8 +31,15 @@ class TangentialAcceleration(Quantity, kind="tangential acceleration"):
     point: Point
 
     measured_in = ACCELERATION
-    kinematic_order = 2
-    may_jump = True
+
+    @property
+    def kinematic_order(self) -> int:
+        return 2
+
+    @property
+    def may_jump(self) -> bool:
+        return True
+
     example = """
 bodies: {ball: {particle: {mass: 2 kg}, velocity: [3 m/s, 4 m/s]}}
 loads: {weight: {gravity: 9.81 m/s^2}}
@@ -54,8 +61,15 @@ class NormalAcceleration(Quantity, kind="normal acceleration"):
     point: Point
 
     measured_in = ACCELERATION
-    kinematic_order = 2
-    may_jump = True
+
+    @property
+    def kinematic_order(self) -> int:
+        return 2
+
+    @property
+    def may_jump(self) -> bool:
+        return True
+
     example = """
 bodies: {ball: {particle: {mass: 2 kg}, velocity: [3 m/s, 4 m/s]}}
 loads: {weight: {gravity: 9.81 m/s^2}}
@@ -77,8 +91,15 @@ class RadiusOfCurvature(Quantity, kind="radius of curvature of a path"):
     point: Point
 
     measured_in = LENGTH
-    kinematic_order = 2
-    may_jump = True
+
+    @property
+    def kinematic_order(self) -> int:
+        return 2
+
+    @property
+    def may_jump(self) -> bool:
+        return True
+
     example = """
 bodies: {ball: {particle: {mass: 2 kg}, velocity: [3 m/s, 4 m/s]}}
 loads: {weight: {gravity: 9.81 m/s^2}}

@@ -20,7 +20,7 @@ from freebody.language.expression import (
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ENERGY, LENGTH, POWER, TORQUE, Dimension
 from freebody.measures.base import Measure
-from freebody.model.elements import VALUE, AppliedLoad
+from freebody.model.elements import VALUE, AppliedLoad, NonholonomicForm
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked
@@ -119,11 +119,9 @@ def _spring(names: Names, load: str) -> _Spring | None:
         return None
     (push,) = pushes
     stiffness = stiffness_of(push)
-    return (
-        None
-        if stiffness is None
-        else _Spring(push.measure, stiffness, negate(substitute(push.law, {VALUE.name: ZERO})))
-    )
+    if stiffness is None or isinstance(push.measure, NonholonomicForm):
+        return None
+    return _Spring(push.measure, stiffness, negate(substitute(push.law, {VALUE.name: ZERO})))
 
 
 def stiffness_of(push: AppliedLoad) -> Expr | None:

@@ -100,7 +100,7 @@ questions: {it: bending moment of beam at beam.center}
         along = components_of(Direction(self.body, (ONE, *(ZERO,) * (len(axes) - 1))), state, len(axes))
         force, moment = self._own(system, state, rod)
         for pull in _pulls(system, state, rod, self.weights):
-            if self._is_beyond(state, rod, pull):
+            if self._is_beyond(state, rod, pull) and pull.at is not None:
                 arm = _between(system, state, self._cut(rod), pull.at)
                 force = added(force, pull.force)
                 moment = added(moment, added(pull.couple, cross(arm, pull.force)))
