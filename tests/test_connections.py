@@ -131,6 +131,17 @@ loads: {weight: {gravity: g}}
 """,
         {"acceleration of disk along right": "2/3*g*sin(beta)*cos(beta)", "normal force of it": "m*g*cos(beta)"},
     ),
+    "sphere down a plane surface": (
+        "rolling_on_surface",
+        """
+space: {up: z}
+parameters: {m: 2 kg, r: 0.1 m, beta: 20 deg, g: 9.81 m/s^2}
+bodies: {ball: {sphere: {mass: m, radius: r}, at: [r*sin(beta), 0, r*cos(beta)]}}
+connections: {it: {rolling_on_surface: {body: ball, z: -x*tan(beta)}}}
+loads: {weight: {gravity: g}}
+""",
+        {"acceleration of ball along x": "5/7*g*sin(beta)*cos(beta)", "normal force of it": "m*g*cos(beta)"},
+    ),
     # the cam at rest carries the tappet: N = m g, held by a torque of N times lift'
     "cam that carries a tappet": (
         "cam",

@@ -88,7 +88,7 @@ def test_every_result_is_a_report_in_every_format(study: str, tmp_path: Path) ->
         assert (latex_words(title) if suffix == ".tex" else title) in path.read_text(encoding="utf-8")
     assert (tmp_path / "a.txt").read_text(encoding="utf-8") == result.to_text()
     markdown = MarkdownIt("commonmark").enable("table").render((tmp_path / "a.md").read_text(encoding="utf-8"))
-    n_tables = html.count("<table>")
+    n_tables = html.count("<table>") + html.count('<dl class="entries">')
     assert markdown.count("<table>") == n_tables
     latex = (tmp_path / "a.tex").read_text(encoding="utf-8")
     assert latex.count(r"\begin{tabular}") == latex.count(r"\bottomrule")
@@ -103,7 +103,7 @@ def test_what_is_labelled_is_said_in_the_terminal_and_on_the_page(study: str) ->
     for entry in entries_of(result.report):
         for words in (piece for each in entry.texts for piece in each if isinstance(piece, str)):
             assert " ".join(words.split()) in text
-        assert not entry.label or f"<strong>{entry.label}</strong>" in html
+        assert not entry.label or f"<dt>{entry.label}</dt>" in html
 
 
 def test_an_answer_has_its_formula_its_value_and_where_it_holds() -> None:

@@ -32,23 +32,33 @@ from freebody.numeric.kernels.stepped_run import (
     Y,
 )
 
-STRAYED = 10.0  # by the range of the other slopes
+STRAYED, GROSS = 10.0, 0.5  # by the range of the other slopes of an entry, and by the largest acceleration of all
 
 
 @part
-def strays(T, R, i, small):
-    """Whether a stage that no sum of the step weighs has a slope far beyond those of the others. It is then alone in
-    having met another law, as behind a border over which the step leads: what the stage does to the later ones may
-    take them back again, and neither the new state nor its error knows of it."""
-    lowest = highest = R.slopes[0, i]
-    for j in range(1, T.sizes[0]):
-        if T.error[0, j] != 0.0 or T.error[1, j] != 0.0:
-            lowest, highest = min(lowest, R.slopes[j, i]), max(highest, R.slopes[j, i])
-    beyond = 0.0
-    for j in range(1, T.sizes[0]):
-        if T.error[0, j] == 0.0 and T.error[1, j] == 0.0:
-            beyond = max(beyond, R.slopes[j, i] - highest, lowest - R.slopes[j, i])
-    return beyond > STRAYED * (highest - lowest) + small
+def strays(T, R, h):
+    """Whether a stage that no sum of the step weighs has an acceleration far beyond those of the others. It is then
+    alone in having met another law, as behind a border over which the step leads: what the stage does to the later ones
+    may throw them back again, and neither the new state nor its error knows of it."""
+    n = len(R.unit)
+    largest = 0.0
+    for j in range(T.sizes[0]):
+        if j == 0 or T.error[0, j] != 0.0 or T.error[1, j] != 0.0:
+            for i in range(n):
+                largest = max(largest, abs(R.slopes[j, n + i]) / R.unit[i])
+    for i in range(n):
+        lowest = highest = R.slopes[0, n + i]
+        least = most = lowest
+        for j in range(1, T.sizes[0]):
+            x = R.slopes[j, n + i]
+            if T.error[0, j] != 0.0 or T.error[1, j] != 0.0:
+                lowest, highest = min(lowest, x), max(highest, x)
+            else:
+                least, most = min(least, x), max(most, x)
+        beyond = max(most - highest, lowest - least) - STRAYED * (highest - lowest)
+        if beyond > GROSS * largest * R.unit[i] and h * beyond > R.clock[TOLERANCE] * R.unit[i] * R.clock[SPEED]:
+            return True
+    return False
 
 
 @part
@@ -86,8 +96,8 @@ def error_of(T, R, h):
                 first = e1
             if not e2 <= second:
                 second = e2
-        if n <= i < 2 * n and strays(T, R, i, scale / h):
-            return math.inf
+    if strays(T, R, h):
+        return math.inf
     if second > 0.0:
         return h * first * first / math.sqrt(first * first + 0.01 * second * second)
     return h * first

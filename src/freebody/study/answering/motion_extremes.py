@@ -34,14 +34,13 @@ from freebody.study.answering.modal_extremes import find as find_modal
 from freebody.study.answering.modal_extremes import wave_of
 from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.study.answering.repeated import checked, taken_throughout
+from freebody.study.answering.sizes import is_size, moves
 from freebody.study.answering.uniform_extremes import even_turn
 from freebody.study.answering.uniform_extremes import find as find_even
 from freebody.study.setup import Setup
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, closed, require
-from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath, PassedPlaces
@@ -255,7 +254,7 @@ def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
     others |= {k.speed for k in (*model.coordinates, *model.dependent)} - {c.speed}
     if f.ingredients(x) & others or any(f.generators[g].kind == "time" for g in f.ingredients(x)):
         raise CannotAnswer(Message("it depends on more than the place of {x} on its way", x=c.name))
-    if is_root := any(f.generators[g].kind == "root" and _moves(g, (c,), f) for g in x.generators()):
+    if is_root := any(f.generators[g].kind == "root" and moves(g, (c,), f) for g in x.generators()):
         if not is_size(model, x, c):
             raise _NO_FORM
         x = f.lowest_terms(x * x)
@@ -265,26 +264,6 @@ def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
     except NotReached:
         raise CannotAnswer(Message("the motion does not repeat itself")) from None
     return Along(setup, c, way, span, even, odd, is_root)
-
-
-def _moves(g: int, coordinates: Sequence[Coordinate], f: Field) -> bool:
-    return any({c.index, c.speed} & f.generators[g].made_of for c in coordinates)
-
-
-def is_size(model: SymbolicModel, x: Ratio, *along: Coordinate) -> bool:
-    """Whether it is a root that changes along the coordinates, with a factor that is positive, or does not move and is
-    so at all samples."""
-    f = x.field
-    roots = [g for g in x.generators() if f.generators[g].kind == "root" and _moves(g, along, f)]
-    if len(roots) != 1 or roots[0] in x.denominator().generators():
-        return False
-    (rest, *slopes) = x.numerator().coefficients(roots[0])
-    factor = slopes[0] / x.denominator()
-    own = {k for c in along for k in (c.index, c.speed)}
-    is_still = not any(g in own or _moves(g, along, f) for g in f.ingredients(factor))
-    is_positive = sign_of(factor) in (Sign.POSITIVE, Sign.NONNEGATIVE)
-    is_positive |= is_still and all(v > 0 for v in model.samples.at_starts(factor))
-    return rest.is_zero() and len(slopes) == 1 and is_positive
 
 
 def _by_parity(x: Ratio, c: Coordinate, square: Ratio) -> tuple[Ratio, Ratio]:

@@ -21,6 +21,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.motion_values import extremes_between
 from freebody.study.answering.repeated import checked, held_throughout, taken_throughout
+from freebody.study.answering.sizes import is_size
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Ratio
@@ -52,8 +53,6 @@ class EvenTurn:
 
 def even_turn(setup: Setup, of: Quantity) -> EvenTurn | None:
     """How a quantity of several coordinates turns that are accelerated evenly; None where it is another one."""
-    from freebody.study.answering.motion_extremes import is_size
-
     model, motion, f = setup.model, setup.motion, setup.model.field
     value = of.value(setup.system, setup.state)
     if isinstance(value, tuple) or model.dependent or motion.stands_still:

@@ -15,7 +15,7 @@ from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
 from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import AskedEvent
-from freebody.study.answering.motion_extremes import is_size
+from freebody.study.answering.sizes import is_size
 from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.numbers import Chosen

@@ -20,8 +20,9 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.finding import Elements, Finding
-from freebody.study.answering.motion_extremes import along, is_size
+from freebody.study.answering.motion_extremes import along
 from freebody.study.answering.motion_extremes import find as over_motion
+from freebody.study.answering.sizes import is_size
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
 from freebody.study.steady.phase import Phase, is_timed, over_a_period, phase_of
