@@ -363,3 +363,15 @@ start: {s: 0, rate(s): v0}
     answer = system.solve(question).answers[0]
     assert answer.expression is not None, answer.reason
     assert_same_function(to_python(answer.expression), expected, {})
+
+
+def test_a_draw_whose_event_the_numeric_route_does_not_see_says_nothing() -> None:
+    # on a long clothoid with a sharp end the car comes to s = L after more than a minute at some of the draws
+    text = (Path(__file__).parent.parent / "examples/car_on_a_transition_curve.yaml").read_text()
+    given = "{m: 1200 kg, A: 120 m, L: 90 m, v: 72 km/h, F: 7 kN}"
+    assert given in text
+    other = "{m: 712.45 kg, A: 66.906 m, L: 134.93 m, v: 53.941 km/h, F: 5.0891 kN}"
+    answers = fb.System.from_text(text.replace(given, other)).solve().answers
+    (fastest,) = (answer for answer in answers if answer.id == "fastest")
+    # F = m v^2/rho with rho = A^2/L
+    assert fastest.value == pytest.approx((5089.1 * 66.906**2 / 134.93 / 712.45) ** 0.5, rel=1e-9)

@@ -31,6 +31,7 @@ from freebody.study.answering.crosscheck import (
     MOTION_TOLERANCE,
     OF_PARTS,
     CrossCheck,
+    SaysNothing,
     TooLittleCompared,
     element_at,
     holds,
@@ -300,10 +301,14 @@ class _Turned:
 
 
 def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formula, made: PutBack) -> Any:
-    """The quantity by the numeric route, with a value put in for the parameter."""
+    """The quantity by the numeric route, with a value put in for the parameter. Raises SaysNothing where that route has
+    no number, as for an event that it does not see."""
     draw = made.draw
     if formula.in_numbers is not None:
-        return formula.in_numbers(draw.values)
+        found = formula.in_numbers(draw.values)
+        if found is None:
+            raise SaysNothing(Message("the numeric route has no number there"))
+        return found
     if not of.is_of_state:
         return number_at(setup, of, question.event, draw)
     if question.event is not None:
