@@ -210,3 +210,13 @@ def test_a_question_of_a_section_has_its_own_letter() -> None:
     quantity = BEAM.question("shear force of beam at C").quantity
     assert isinstance(quantity, SectionForce)
     assert quantity.letter == "V"
+
+
+def test_a_load_that_is_spread_somehow_over_a_rod_is_refused() -> None:
+    text = CHIMNEY.to_yaml()
+    assert "weight: {gravity: g}" in text
+    air = "weight: {gravity: g}, air: {drag: {body: chimney, linear: 2 kg/s}}"
+    (answer,) = (
+        fb.System.from_text(text.replace("weight: {gravity: g}", air)).solve("axial force of chimney at P").answers
+    )
+    assert "air acts on all of chimney" in str(answer.reason)

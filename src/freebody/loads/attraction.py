@@ -40,6 +40,7 @@ class Attraction(Load, kind="attraction"):
 
     pulling_sign = -1
     stores_energy = True
+    spread_over = "whole"
     example = """
 bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 1 m]}}
 loads: {it: {attraction: {center: ground.O, strength: 8 m^3/s^2}}}

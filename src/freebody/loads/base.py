@@ -28,6 +28,8 @@ class Load(Spec):
     pulling_sign: ClassVar[int] = 1
     # True if its work is kept as potential energy
     stores_energy: ClassVar[bool] = False
+    # whether it acts on all parts of a body: evenly on its "mass", or somehow on the "whole"; else at a point
+    spread_over: ClassVar[str] = ""
     # True if it resists motion and only takes energy
     resists: ClassVar[bool] = False
 

@@ -42,6 +42,7 @@ class Buoyancy(Load, kind="buoyancy"):
     surface: str | None = None
 
     stores_energy = True
+    spread_over = "whole"
     example = """
 bodies: {buoy: {rectangle: {mass: 1 kg, width: 0.1 m, height: 0.4 m}}}
 loads: {it: {buoyancy: {at: buoy.bottom, density: 1000 kg/m^3, strength: 9.81 m/s^2, area: 0.01 m^2}}}

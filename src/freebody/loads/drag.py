@@ -36,6 +36,8 @@ class Drag(Load, kind="drag"):
 
     called: ClassVar[tuple[str, ...]] = ("air resistance", "resistance", "air drag", "air")
 
+    spread_over = "whole"
+
     body: str
     linear: Formula | None = None
     quadratic: Formula | None = None

@@ -30,6 +30,7 @@ class Gravity(Load, kind="gravity"):
     along: Heading = "down"
 
     stores_energy = True
+    spread_over = "mass"
     example = """
 bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {gravity: 9.81 m/s^2}}

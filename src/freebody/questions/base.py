@@ -72,6 +72,7 @@ class Loaded(Protocol):
     """A load, as far as quantities read it."""
 
     stores_energy: ClassVar[bool]
+    spread_over: ClassVar[str]
     resists: ClassVar[bool]
 
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:

@@ -60,7 +60,6 @@ class SectionForce(Quantity, kind="section force"):
     offset: Expr
     named: str
     fields: tuple[Field, ...]
-    weights: frozenset[str]  # the loads that pull every part of the mass
     is_thrust: bool = False
     may_lie_beside: bool = False  # whether it depends on lengths that the section is one of the rod
 
@@ -99,7 +98,7 @@ questions: {it: bending moment of beam at beam.center}
         rod, axes = system.bodies[self.body], axes_of(system)
         along = components_of(Direction(self.body, (ONE, *(ZERO,) * (len(axes) - 1))), state, len(axes))
         force, moment = self._own(system, state, rod)
-        for pull in _pulls(system, state, rod, self.weights):
+        for pull in _pulls(system, state, rod):
             if self._is_beyond(state, rod, pull) and pull.at is not None:
                 arm = _between(system, state, self._cut(rod), pull.at)
                 force = added(force, pull.force)
@@ -185,14 +184,21 @@ class Pull:
     has_couple: bool
 
 
-def _pulls(system: Described, state: State[Any], rod: RigidBody, weights: frozenset[str]) -> Iterator[Pull]:
+def _pulls(system: Described, state: State[Any], rod: RigidBody) -> Iterator[Pull]:
     rows = [row for row in system.constraint_rows if rod.name in set(row.measure.bodies())]
     for name in dict.fromkeys(row.connection for row in rows):
         own = [row for row in rows if row.connection == name]
         yield _pull(system, state, rod, name, [(row.measure, state.multiplier(row)) for row in own])
     for push in system.applied_loads:
-        if push.load not in weights and rod.name in set(push.measure.bodies()):
-            yield _pull(system, state, rod, push.load, [(push.measure, state.law(push))])
+        spread = system.loads[push.load].spread_over if push.load in system.loads else ""
+        if rod.name not in set(push.measure.bodies()) or spread == "mass":
+            continue
+        if spread:
+            told = Message(
+                "{name} acts on all of {body}, and how it is spread is not known", name=push.load, body=rod.name
+            )
+            raise CannotAnswer(told)
+        yield _pull(system, state, rod, push.load, [(push.measure, state.law(push))])
 
 
 def _pull(system: Described, state: State[Any], rod: RigidBody, name: str, pushes: Sequence[tuple[Any, Any]]) -> Pull:
@@ -315,9 +321,8 @@ def _section(
     names: Names, rod: RigidBody, part: Part, offset: Expr, named: str, *, is_thrust: bool = False
 ) -> SectionForce:
     fields = tuple(sorted(names.fields, key=repr))
-    weights = frozenset(name for name in names.loads if "gravity" in names.called.get(name, ()))
     share = divide(offset, rod.sizes[0])
-    return SectionForce(rod.name, part, offset, named, fields, weights, is_thrust, not _is_fixed(share))
+    return SectionForce(rod.name, part, offset, named, fields, is_thrust, not _is_fixed(share))
 
 
 def _is_fixed(share: Expr) -> bool:
