@@ -245,7 +245,7 @@ _PARTS: dict[str, Part] = {"shear": "shear", "shearing": "shear", "bending": "be
 
 def _is_of_a_body(names: Names, found: Found) -> bool:
     """Not of a rope, a spring or a load, whose force or tension others read."""
-    return str(found["of"]) in names.bodies or " " in str(found["part"])
+    return str(found["of"]) in {*names.bodies, *names.broken} or " " in str(found["part"])
 
 
 @asked(
@@ -259,8 +259,8 @@ def _at_a_point(names: Names, found: Found, path: Path) -> Quantity | None:
     asked_for, of = str(found["part"]), str(found["of"])
     part = _PARTS.get(asked_for.partition(" ")[0], "axial")
     rod = _rod(names, of, path)
-    if rod is None:
-        return None
+    if rod is None or rod.is_placeholder:  # one that could not be read is told where it stands
+        return None if rod is None else SectionForce(rod.name, part, ZERO, "", ())
     text = str(found["at"])
     point = names.point(text if "." in text or text not in rod.points else f"{rod.name}.{text}", *path)
     if point.body != rod.name or any(c != ZERO for c in point.offset[1:]):
@@ -288,8 +288,8 @@ questions: {it: axial force of bar}
 def _of_a_bar(names: Names, found: Found, path: Path) -> Quantity | None:
     part, of = str(found["part"]), str(found["of"])
     rod = _rod(names, of, path)
-    if rod is None:
-        return None
+    if rod is None or rod.is_placeholder:
+        return None if rod is None else SectionForce(rod.name, "axial", ZERO, "", ())
     if part.startswith(("shear", "bending")):
         told = Message("{what} changes along {body}; say where: {what} of {body} at {body}.center", what=part, body=of)
         names.problem(told, *path)
@@ -305,12 +305,8 @@ def _of_a_bar(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 def _rod(names: Names, name: str, path: Path) -> RigidBody | None:
-    if name in names.broken:
-        return None
     rod = names.body(name, *path)
-    if rod.is_placeholder:
-        return None
-    if rod.solid is not ROD:
+    if not rod.is_placeholder and rod.solid is not ROD:
         told = Message("sections are cut through rods; {body} is none", body=rod.name)
         names.problem(told, *path)
         return None
