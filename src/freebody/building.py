@@ -106,7 +106,7 @@ class Body(Place):
         return Written(f"angular acceleration of {self}")
 
 
-class Measure(Symbol):
+class Measure(Symbol):  # pyrefly: ignore[bad-class-definition]
     """A named measure: a formula, and what can be asked of it."""
 
     __slots__ = ()

@@ -12,7 +12,7 @@ from freebody.language.expression import Call, Expr, Operand, number
 
 def _of(name: str) -> Callable[[Operand], Expr]:
     def function(of: Operand) -> Expr:
-        return Call(name, number(of) if isinstance(of, (int, float)) else of)  # type: ignore[arg-type]
+        return Call(name, number(of) if isinstance(of, (int, float)) else of)  # pyrefly: ignore[bad-argument-type]
 
     function.__name__ = function.__qualname__ = name
     function.__doc__ = f"{name} of a formula."

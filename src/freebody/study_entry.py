@@ -94,7 +94,7 @@ def _in_language(own: Callable[..., Any]) -> Callable[..., Any]:
     *before, last = known.parameters.values()
     word = Parameter("language", Parameter.KEYWORD_ONLY, default="en", annotation="str")
     parts = [*before, word, last] if last.kind is Parameter.VAR_KEYWORD else [*before, last, word]
-    told.__signature__ = Signature(parts, return_annotation=known.return_annotation)  # type: ignore[attr-defined]
+    told.__signature__ = Signature(parts, return_annotation=known.return_annotation)  # pyrefly: ignore[missing-attribute]
     return told
 
 

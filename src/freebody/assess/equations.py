@@ -160,7 +160,7 @@ class EquationJudge:
     # -- multipliers --------------------------------------------------------------------------
     def _without(self, rows: Sequence[Ratio], unknowns: Sequence[int]) -> list[Left]:
         """What is left of the rows without the unknowns, in which they are linear; with the rows that it is made of."""
-        left = [((k,), row) for k, row in enumerate(rows)]
+        left: list[Left] = [((k,), row) for k, row in enumerate(rows)]
         for u in unknowns:
             slopes = [self.field.partial(row, u) for _parts, row in left]
             if any(u in slope.generators() for slope in slopes):

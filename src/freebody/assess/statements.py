@@ -233,7 +233,7 @@ class _OptionReader:
         starts |= {"only for ": "only if", "only when ": "only if"}
         for start, own_word in starts.items():
             if words.lower().startswith(start):
-                word, words = own_word, words[len(start) :]  # type: ignore[assignment]
+                word, words = own_word, words[len(start) :]  # pyrefly: ignore[bad-assignment]
                 break
         words = re.sub(r"^(?:both|either) ", "", re.sub(r"\s*\((?:[^()]*) is constant\)", "", words))
         equalities: list[Ratio] = []

@@ -80,7 +80,7 @@ def main() -> None:
     finally:
         # help and version are printed by the library
         try:
-            if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison]
+            if sys.stdout is not None:
                 sys.stdout.flush()
         except OSError:
             quiet()

@@ -96,7 +96,7 @@ def _flush() -> None:
     """Writes out what was printed: a full disk is told here, not when the interpreter ends."""
     from freebody.errors import InputError
 
-    if sys.stdout is None:  # pyright: ignore[reportUnnecessaryComparison] - closed by whoever started the program
+    if sys.stdout is None:  # closed by whoever started the program
         return
     try:
         sys.stdout.flush()
@@ -119,7 +119,7 @@ def _end(message: str, code: int) -> NoReturn:
 
 
 def say(message: str) -> None:
-    if sys.stderr is not None:  # pyright: ignore[reportUnnecessaryComparison]
+    if sys.stderr is not None:
         from freebody.language.plain_text import plain_lines
 
         print(plain_lines(message), file=sys.stderr)

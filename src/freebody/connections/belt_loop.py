@@ -96,7 +96,7 @@ def distance_of_centers(names: Names, first: RigidBody, second: RigidBody) -> Ex
     if any(x is None for place in places for x in place):
         return None
     (x1, y1), (x2, y2) = places
-    dx, dy = add(x2, negate(x1)), add(y2, negate(y1))  # type: ignore[arg-type]
+    dx, dy = add(x2, negate(x1)), add(y2, negate(y1))  # pyrefly: ignore[bad-argument-type]
     if dy == ZERO or dx == ZERO:
         along = dx if dy == ZERO else dy
         return along if number_of(names, along) >= 0 else negate(along)

@@ -181,7 +181,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         found: tuple[list[UnilateralConstraint], list[DryFriction]] = [], []
         for pair in self._in_space(names, connection):
             for whole, part in zip(found, pair.elements(names), strict=True):
-                whole.extend(part)  # type: ignore[arg-type]
+                whole.extend(part)  # pyrefly: ignore[bad-argument-type]
         return found
 
     def _in_space(self, names: Names, connection: str) -> list[PairInSpace]:

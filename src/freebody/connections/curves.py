@@ -86,7 +86,7 @@ class AlongCurve(Connection):
         ends = [names.numeric(end) for end in self._ends(names, curve)]
         if place is None or None in (*place, *ends):
             return number(0)
-        best = min(self._looked_at(names, curve), key=lambda at: math.dist(place, at[1:3]), default=None)  # type: ignore[arg-type]
+        best = min(self._looked_at(names, curve), key=lambda at: math.dist(place, at[1:3]), default=None)  # pyrefly: ignore[bad-argument-type]
         return number(0) if best is None else number(Fraction(best[0]).limit_denominator(10**6))
 
     def _looked_at(self, names: Names, curve: Curve) -> list[tuple[float, float, float, float]]:

@@ -202,7 +202,7 @@ def _pivot(can: Round, rim: Rim, face: Face, solid: Polyhedron) -> PivotPlace:
     lowest = tuple(frame.composed(dot(m, own), DIMENSIONLESS) for own in b)
     along = tuple(tuple(Alignment(each, d) for d in directions) for each in across)
     settings = tuple(measure for _name, measure in known)
-    return PivotPlace(place, settings, lowest, along, face.normal.sign)  # type: ignore[arg-type]
+    return PivotPlace(place, settings, lowest, along, face.normal.sign)  # pyrefly: ignore[bad-argument-type]
 
 
 # -- on edges ------------------------------------------------------------------------------------

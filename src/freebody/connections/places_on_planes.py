@@ -107,7 +107,7 @@ class PlaceOnPlane:
         )
         along = tuple(tuple(Alignment(b, d) for d in directions) for b in self.across)
         settings = tuple(measure for _name, measure in known)
-        return PivotPlace(point.on(plane, facing), settings, lowest, along, 1)  # type: ignore[arg-type]
+        return PivotPlace(point.on(plane, facing), settings, lowest, along, 1)  # pyrefly: ignore[bad-argument-type]
 
     def _slip(self, along: Direction, plane: BodyPlane) -> Measure | NonholonomicForm:
         """What slips along a direction of the plane."""

@@ -48,7 +48,7 @@ def product(R: Columns, Q: Columns) -> Columns:
 
 
 def transposed(R: Columns) -> Columns:
-    return tuple(tuple(column[k] for column in R) for k in range(3))  # type: ignore[return-value]
+    return tuple(tuple(column[k] for column in R) for k in range(3))  # pyrefly: ignore[bad-return]
 
 
 def rotation(axis: Components, angle: Expr) -> Columns:

@@ -98,11 +98,12 @@ class Spec(BaseModel, metaclass=_Described):
     elsewhere: ClassVar[Mapping[str, str]] = {}
 
     def __init__(self, *args: Any, **named: Any) -> None:
-        fields = list(type(self).model_fields)
+        cls: type = type(self)
+        called, fields = cls.__name__, list(type(self).model_fields)
         if len(args) > len(fields):
-            raise TypeError(f"{type(self).__name__} takes {', '.join(fields)}")
+            raise TypeError(f"{called} takes {', '.join(fields)}")
         if twice := set(fields[: len(args)]) & set(named):
-            raise TypeError(f"{type(self).__name__} is given {', '.join(sorted(twice))} twice")
+            raise TypeError(f"{called} is given {', '.join(sorted(twice))} twice")
         given = dict(zip(fields, args, strict=False)) | named
         super().__init__(**{name: self._as_list(name, as_text(value)) for name, value in given.items()})
 

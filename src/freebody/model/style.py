@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 
 @dataclass(frozen=True)
@@ -15,7 +16,7 @@ class HouseStyle:
     names: Mapping[str, str] = field(default_factory=dict[str, str])
     axes: tuple[str, ...] = ()
     order: tuple[str, ...] = ()
-    decimal: str = "."
+    decimal: Literal[".", ","] = "."
 
     @property
     def is_plain(self) -> bool:

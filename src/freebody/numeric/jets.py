@@ -34,7 +34,7 @@ class GradientEntries:
     """A gradient of which few entries are not zero, by coordinate: what the jets of a large system carry."""
 
     __slots__ = ("of",)
-    __array_ufunc__ = None  # numbers of NumPy leave the product to it
+    __array_ufunc__: None = None  # numbers of NumPy leave the product to it
 
     def __init__(self, of: dict[int, float]) -> None:
         self.of = of

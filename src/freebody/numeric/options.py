@@ -84,7 +84,7 @@ class SimulationOptions:
                     method=self.method,
                 )
             )
-        if self.impact not in (law.value for law in ImpactLaw):
+        if self.impact not in [law.value for law in ImpactLaw]:
             raise InputError(
                 Message(
                     "there is no law of impact {impact}; take {names}",

@@ -14,7 +14,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -306,9 +305,7 @@ def _damped_step(here: Fit, D: Array, F: Array, damping: float) -> Array | None:
 def _damped(square: Array, mu: float, F: Array) -> Array:
     """(square + mu) x = F; by least squares where equations that say the same thing make it singular."""
     damped = square + mu * np.eye(len(F))
-    x: Any
     try:
-        x = np.linalg.solve(damped, F)
+        return np.asarray(np.linalg.solve(damped, F), dtype=np.float64)
     except np.linalg.LinAlgError:
-        x = np.linalg.lstsq(damped, F, rcond=_RCOND)[0]
-    return x
+        return np.asarray(np.linalg.lstsq(damped, F, rcond=_RCOND)[0], dtype=np.float64)

@@ -56,7 +56,7 @@ def potential(reference: NumericSystem, push: AppliedLoad, value: Callable[[Meas
 
 def work_between(reference: NumericSystem, push: AppliedLoad, start: float, end: float) -> float:
     """The work of a load that is a law of its own measure alone, from one value of the measure to another [J]."""
-    origin = reference.start_value(push.measure)  # type: ignore[arg-type]
+    origin = reference.start_value(push.measure)  # pyrefly: ignore[bad-argument-type]
 
     def force(x: Array) -> Array:
         names: dict[str, Any] = {**reference.frame.values, VALUE.name: x + (start - origin)}

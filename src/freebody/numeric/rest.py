@@ -151,17 +151,17 @@ class RestFinder:
         g = self.geometry(pose)
         begin = [self.reference.jet(g, measure, name).value for name, measure, _ in wanted]
         for n_parts in (1, 4, 16):
-            here: CountedPose | None = pose
+            here = pose
             for part in range(1, n_parts + 1):
                 equations = [
                     PoseEquation.of(name, measure, Jet(x0 + (x - x0) * part / n_parts))
                     for (name, measure, x), x0 in zip(wanted, begin, strict=True)
                 ]
                 fit = self.reference.placing.fit(here.q, self._equations + equations, 0.0, here.branches)
-                here = None if fit is None or fit.error > ACCEPTED else CountedPose(fit.q, fit.branches)
-                if here is None:
+                if fit is None or fit.error > ACCEPTED:
                     break
-            if here is not None:
+                here = CountedPose(fit.q, fit.branches)
+            else:
                 return here
         given = ", ".join(f"{name} = {x:.6g}" for name, _measure, x in wanted)
         raise CannotAnswer(

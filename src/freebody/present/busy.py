@@ -30,7 +30,7 @@ def busy(what: str) -> Generator[None]:
     progress.busy_with(what)
     stream = sys.stderr
     # without an error stream there is nobody to tell; pythonw and `2>&-` have none
-    if stream is None:  # pyright: ignore[reportUnnecessaryComparison]
+    if stream is None:
         yield
         return
     line = _Line(stream) if _is_terminal(stream) else None

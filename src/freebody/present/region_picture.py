@@ -28,7 +28,7 @@ def region_picture(x: Array, y: Array, index: Array, cases: Sequence[str], label
     axes.pcolormesh(x, y, index, cmap=shown, vmin=-1.5, vmax=n - 0.5, shading="nearest", rasterized=True)
     present = [int(k) for k in np.unique(index) if k >= 0]
     handles = [
-        Patch(color=shown.colors[k + 1], label=cases[k])  # type: ignore[index]
+        Patch(color=shown.colors[k + 1], label=cases[k])  # pyrefly: ignore[bad-argument-type, bad-index]
         for k in present
     ]
     axes.set_xlabel(labels[0])

@@ -109,7 +109,7 @@ def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:
     lead = every[strand.lead : strand.lead + n_leads]
     points: list[Array] = []
     for k, node in enumerate(rope.nodes):
-        before = lead[k - 1] if k > 0 else lead[-1] if rope.is_closed else rope.comes and rope.comes.angle
+        before = lead[k - 1] if k > 0 else lead[-1] if rope.is_closed else rope.comes.angle if rope.comes else None
         after = lead[k] if k < n_leads else lead[0] if rope.is_closed else None
         wound = np.sign(node.arm) * 1.5 * np.pi if node.is_drum else 0.0
         into = before if before is not None else float(after or 0.0) - wound

@@ -55,7 +55,7 @@ class Clock(SaidEvent):
     """A time since the start; None: as it grows without end."""
 
     time: Expr | None
-    text: str
+    text: str  # pyrefly: ignore[bad-override]
 
     @property
     def comes(self) -> Message:

@@ -41,7 +41,7 @@ class QuestionEvent(SaidEvent):
     measure: Measure
     order: Literal[0, 1]
     value: Expr
-    text: str
+    text: str  # pyrefly: ignore[bad-override]
 
 
 @dataclass(frozen=True)

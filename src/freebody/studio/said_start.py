@@ -216,7 +216,8 @@ def _at(document: Document, path: Place) -> Any:
     """What stands at a path; None where nothing does."""
     found: Any = document.data
     for part in path:
-        found = mapping_of(found).get(str(part)) if isinstance(part, str) else found[part]
+        below: Any = mapping_of(found).get(part) if isinstance(part, str) else found[part]
+        found = below
     return found
 
 

@@ -198,7 +198,7 @@ async def _body(request: Request) -> Any:
     body = json.loads(content.decode("utf-8"))
     if not isinstance(body, dict):
         raise KeyError
-    return body  # pyright: ignore[reportUnknownVariableType]
+    return body
 
 
 async def _gone(request: Request, leave: Callable[[], None]) -> None:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from freebody.errors import CannotAnswer, NeverHappens, NotReached
+from freebody.errors import CannotAnswer
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import SmoothMotion
@@ -78,7 +78,7 @@ def _least_of_all(motion: SmoothMotion, c: Condition) -> list[Condition] | None:
             if places is None:
                 return None
             least, needs = [f.lowest_terms(f.follow(x, {q.index: place})) for place in places], []
-    except (_NotOne, CannotAnswer, NeverHappens, NotReached, ZeroDivisionError, ValueError):
+    except (_NotOne, CannotAnswer, ZeroDivisionError, ValueError):
         return None
     told = [require(x, c.relation, c.purpose)[0] for x in least] + [require(x, r, c.purpose)[0] for x, r in needs]
     return [condition for condition in told if condition is not None]

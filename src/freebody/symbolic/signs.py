@@ -364,16 +364,16 @@ def _amplitudes(field: Field, terms: Terms) -> Sign:
         if not all(is_positive(field, g) for g, e in fixed if e % 2):
             return Sign.UNKNOWN
         for (is_sine, frequencies), share in fourier(field, trig).items():
-            constant.setdefault((fixed, is_sine, frequencies), field.zero)  # type: ignore[arg-type]
-            constant[fixed, is_sine, frequencies] += field.element(share * coefficient)  # type: ignore[operator,index]
+            constant.setdefault((fixed, is_sine, frequencies), field.zero)  # pyrefly: ignore[no-matching-overload]
+            constant[fixed, is_sine, frequencies] += field.element(share * coefficient)  # pyrefly: ignore[bad-index, unsupported-operation]
     lower = upper = total
     # amplitudes of one wave are added over the fixed monomials before their size is taken
     waves: dict[object, list[tuple[object, Ratio]]] = {}
-    for (fixed, is_sine, frequencies), share in constant.items():  # type: ignore[misc]
-        waves.setdefault((is_sine, frequencies), []).append((fixed, share))  # type: ignore[arg-type]
-    for (_is_sine, frequencies), parts in waves.items():  # type: ignore[misc]
+    for (fixed, is_sine, frequencies), share in constant.items():
+        waves.setdefault((is_sine, frequencies), []).append((fixed, share))  # pyrefly: ignore[bad-argument-type]
+    for (_is_sine, frequencies), parts in waves.items():  # pyrefly: ignore[not-iterable]
         for fixed, share in parts:
-            term = field.polynomial({fixed: 1}) * share  # type: ignore[dict-item]
+            term = field.polynomial({fixed: 1}) * share  # pyrefly: ignore[bad-assignment]
             if not frequencies:
                 lower, upper = lower + term, upper + term
             else:

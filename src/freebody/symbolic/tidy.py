@@ -298,7 +298,7 @@ def _collected(field: Field, terms: Mapping[Monomial, int], gathers: Gathers) ->
             pieces[key] = multiply(_monomial(field, plain, 1), _wave(field, is_sine, frequencies))
             group = groups.setdefault(key, {})
             # shares are multiples of a power of 1/2; kept exact by a common denominator below
-            group[fixed] = group.get(fixed, 0) + share * coefficient  # type: ignore[assignment]
+            group[fixed] = group.get(fixed, 0) + share * coefficient  # pyrefly: ignore[unsupported-operation]
     common, content = 1, 0
     for group in groups.values():
         for share in group.values():

@@ -163,7 +163,7 @@ class _GenericBodies(BodySections):
 
     def __init__(self, source: Source, names: _GenericNames) -> None:
         super().__init__(source)
-        self.names: _GenericNames = names
+        self.names: _GenericNames = names  # pyrefly: ignore[bad-override-mutable-attribute]
 
     def ground(self) -> None:
         super().ground()

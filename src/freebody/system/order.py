@@ -94,4 +94,4 @@ def _walk(names: Sequence[str], beside: Mapping[str, Collection[str]], on_ground
 
 
 def _sorted(entries: Mapping[str, _T], key: Callable[[str], object]) -> dict[str, _T]:
-    return {name: entries[name] for name in sorted(entries, key=key)}  # type: ignore[arg-type]
+    return {name: entries[name] for name in sorted(entries, key=key)}  # pyrefly: ignore[no-matching-overload]

@@ -124,7 +124,7 @@ def own_rows(system: Description) -> list[Any]:
 
 def _row_of(s: Snapshot, measure: object) -> Array:
     """The gradient of a measure along all coordinates."""
-    return s.reference.jet(s.geometry, measure).row(len(s.q))  # type: ignore[arg-type]
+    return s.reference.jet(s.geometry, measure).row(len(s.q))  # pyrefly: ignore[bad-argument-type]
 
 
 def _moved(s: Snapshot, h: float) -> Snapshot:
@@ -154,7 +154,7 @@ def is_described_and_in_the_schema(kind: str) -> None:
 def example_is_a_valid_model_that_holds_something(kind: str) -> None:
     """Its example can be read, agrees with the schema, and holds, bounds or resists something."""
     system = closed(kind)
-    assert isinstance(system.connections["it"], Connection.kinds[kind.partition(": ")[0]])
+    assert isinstance(system.connections["it"], Connection.kinds[kind.partition(": ")[0]])  # pyrefly: ignore[bad-argument-type]
     assert own_rows(system), f"{kind} holds nothing in its example"
     _validate(system)
 
@@ -293,7 +293,7 @@ def load_is_described_and_in_the_schema(kind: str) -> None:
 def load_example_is_a_valid_model(kind: str) -> None:
     """It pushes something, agrees with the schema, and is the same when written back."""
     system = loaded(kind)
-    assert isinstance(system.loads["it"], Load.kinds[kind])
+    assert isinstance(system.loads["it"], Load.kinds[kind])  # pyrefly: ignore[bad-argument-type]
     pushes = (*system.applied_loads, *system.impulses)
     assert [push for push in pushes if push.load == "it"], f"{kind} pushes nothing in its example"
     assert System.from_text(system.to_yaml()) == system
@@ -314,7 +314,7 @@ def load_pushes_along_the_gradient_of_its_measure(kind: str) -> None:
         row = _gradient(s, push.measure)
         for k in range(len(s.q)):
             moved = (s.q + h * np.eye(len(s.q))[k] for h in (STEP, -STEP))
-            ahead, behind = (snapshot_of(s.reference, q, s.v, s.t, near=s).value(push.measure) for q in moved)  # type: ignore[arg-type]
+            ahead, behind = (snapshot_of(s.reference, q, s.v, s.t, near=s).value(push.measure) for q in moved)  # pyrefly: ignore[bad-argument-type]
             equal(row[k], (ahead - behind) / (2 * STEP), f"slope of {push.name}", relative=1e-7, absolute=1e-8)
         equal(s.rate(push.measure), float(row @ s.v), f"rate of {push.name}", relative=1e-12, absolute=1e-12)
 

@@ -183,7 +183,7 @@ class Maker:
     def _fits(self, kind: type[Spec]) -> bool:
         """Kinds whose example is spatial are for space, where those of the plane seldom fit."""
         return self.is_space == ("space: true" in getattr(kind, "example", "")) or (
-            self.is_space and (issubclass(kind, Load) or self.rng.random() < 0.2)
+            self.is_space and (issubclass(kind, Load) or self.rng.random() < 0.2)  # pyrefly: ignore[bad-argument-type]
         )
 
     def _needs_measure(self, slots: Any) -> bool:

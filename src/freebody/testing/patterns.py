@@ -147,7 +147,7 @@ def _alternative(text: str, rng: random.Random) -> str:
             return chosen + last[last.index(" of ") :]
         if " of " not in last and " " in last and " " not in chosen:
             return f"{chosen} {last.split(' ', 1)[1]}"
-    if chosen is not parts[0] and _PLACE.search(chosen) and " " not in chosen.replace(_PLACE.search(chosen)[0], ""):  # type: ignore[index]
+    if chosen is not parts[0] and _PLACE.search(chosen) and " " not in chosen.replace(_PLACE.search(chosen)[0], ""):  # pyrefly: ignore[unsupported-operation]
         return f"{parts[0].rsplit(' ', 1)[0]} {chosen}"
     return chosen
 

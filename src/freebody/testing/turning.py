@@ -70,7 +70,7 @@ def _minus(value: Any) -> Any:
         return -value
     text = str(value).strip()
     if re.match(r"^[\d.]+(e[-+]?\d+)?(\s+[A-Za-z].*)?$", text):
-        return f"-{text}" if float(re.match(r"^[\d.e]+", text)[0]) else text  # type: ignore[index]
+        return f"-{text}" if float(re.match(r"^[\d.e]+", text)[0]) else text  # pyrefly: ignore[unsupported-operation]
     if re.match(r"^-[\d.]+(e[-+]?\d+)?(\s+[A-Za-z].*)?$", text):
         return text[1:]
     if re.search(r"\d\s+[A-Za-z]", text):

@@ -91,7 +91,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         items: list[Any] = cast("list[Any]", value) if isinstance(value, list) else []
         if len(items) > 2 and all(isinstance(item, str) for item in items):
             return {"from": items[0], "over": items[1:-1], "to": items[-1]}
-        return super().from_plain(cast("object", value))
+        return super().from_plain(value)
 
     def _places(self) -> list[tuple[str, tuple[str | int, ...]]]:
         """The places on its way, and where in the model each is written."""

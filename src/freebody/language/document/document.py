@@ -140,12 +140,14 @@ class Document:
         """
         if not path:
             raise InputError(Message("name the value to change, e.g. ('parameters', 'm')"))
-        value = new = checked(value, path)
+        value = checked(value, path)
+        new: Any = value
         steps = self._walk(path)
         missing = path[len(steps) - 1 :]
         last = steps[-1]
         for part in reversed(missing[1:]):
-            new = {str(part): new}
+            parent: dict[str, Any] = {str(part): new}
+            new = parent
         if not missing:
             text = self._replaced(last, new)
         elif isinstance(last.node.content, dict) and last.node.content:

@@ -49,9 +49,9 @@ def stands_in(name: str, value: object) -> bool:
             if part.name == name:
                 return True
         elif isinstance(part, Mapping):
-            waiting.extend(part.values())  # pyright: ignore[reportUnknownArgumentType, reportUnknownMemberType]
+            waiting.extend(part.values())
         elif isinstance(part, (tuple, list, frozenset, set)):
-            waiting.extend(part)  # pyright: ignore[reportUnknownArgumentType]
+            waiting.extend(part)
         elif is_dataclass(part):
             waiting.extend(getattr(part, field.name) for field in fields(part))
     return False

@@ -37,7 +37,7 @@ _SAME = {
     "⅝": "(5/8)",
     "⅞": "(7/8)",
 }
-_LETTER_INDICES = dict(zip("ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "aeoxhklmnpstijruv", strict=True))
+_LETTER_INDICES: dict[str, str] = dict(zip("ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "aeoxhklmnpstijruv", strict=True))
 _INDEX_RUN = re.compile(f"[{''.join(_LETTER_INDICES)}]+")
 _DOTS = {"\u0307": 1, "\u0308": 2, "\u20db": 3}
 _OVER = "\u0300-\u036f\u20d0-\u20ff"  # marks above and below letters

@@ -121,7 +121,7 @@ def _entry(line: str) -> TypedForce:
     is_couple = is_couple or way == "about"
     if is_couple and (way not in _OF_MOMENTS or compass):
         raise ExpressionError(Message("'{line}' is a moment: it turns about an axis and has no direction", line=line))
-    return TypedForce(line, normalized(name).strip(" =:,"), way, of, compass, has_sense, place, is_couple, turn)  # type: ignore[arg-type]
+    return TypedForce(line, normalized(name).strip(" =:,"), way, of, compass, has_sense, place, is_couple, turn)  # pyrefly: ignore[bad-argument-type]
 
 
 def _told(line: str, parts: Sequence[str]) -> tuple[dict[str, str], str, str, bool]:

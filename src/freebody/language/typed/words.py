@@ -26,7 +26,7 @@ FUNCTIONS = {
 }
 _VARIANTS = {"ς": "sigma", "ϑ": "theta", "ϕ": "phi", "ϵ": "epsilon", "\u00b5": "mu", "\u2126": "Omega"}
 _LETTERS = {**GREEK, **_VARIANTS}
-_INDICES = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
+_INDICES: dict[str, str] = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
 _SPELT = {"lambda": "lam", "varphi": "phi", "vartheta": "theta", "varepsilon": "epsilon", "Lambda": "Lambda"}
 _DOTTED = (("ddot", 2), ("dot", 1))
 MAX_WORD = 60

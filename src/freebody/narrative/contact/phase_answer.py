@@ -183,7 +183,7 @@ def _time(script: Script, way: PhaseSequence, left: Any, answer: Answer, ends: l
         )
     total = add(*(leg.end for leg in way.legs))
     sides = (left, total, answer.expression) if len(way.legs) > 1 else (left, answer.expression)
-    script.line(*sides, why="answer.time", args={"lines": times}, uses=times, when="event")  # type: ignore[arg-type]
+    script.line(*sides, why="answer.time", args={"lines": times}, uses=times, when="event")  # pyrefly: ignore[bad-argument-type]
 
 
 def _energies(script: Script, way: PhaseSequence, ends: list[dict[str, int]]) -> tuple[int, ...]:

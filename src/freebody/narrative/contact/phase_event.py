@@ -132,7 +132,7 @@ def _gap(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     what = Sentence("symbol.distance" if by_squares else "symbol.gap", {"connection": label(watch.name)})
 
     def read(world: World) -> float:
-        value = float(world.snapshot.value(row.measure))  # type: ignore[arg-type]
+        value = float(world.snapshot.value(row.measure))  # pyrefly: ignore[bad-argument-type]
         if by_squares:
             return value
         return row.sign * (value - (0.0 if row.target is None else world.snapshot.scalar(row.target)))
@@ -153,7 +153,7 @@ def _stretch(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     symbol, what = Symbol(leg.free_name("d")), Sentence("symbol.length_of", {"string": label(watch.name)})
 
     def read(world: World) -> float:
-        value = float(world.snapshot.value(row.measure))  # type: ignore[arg-type]
+        value = float(world.snapshot.value(row.measure))  # pyrefly: ignore[bad-argument-type]
         return math.sqrt(value) if by_squares else value
 
     leg.glossary.introduce(Meaning(symbol, what, read, "m"))

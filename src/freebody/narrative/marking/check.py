@@ -213,7 +213,7 @@ class MarkedQuestion:
         if found is None:
             return TypedJudgement("undecided", Message("there is nothing to compare it with"))
         verdict = {"right": "correct", "wrong": "incorrect", "unreadable": "unreadable"}[found.verdict]
-        return TypedJudgement(verdict, found.reason)  # type: ignore[arg-type]
+        return TypedJudgement(verdict, found.reason)  # pyrefly: ignore[bad-argument-type]
 
 
 @lru_cache(maxsize=64)

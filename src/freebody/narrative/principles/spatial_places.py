@@ -56,7 +56,7 @@ class SpatialPlaces:
         return self._elements(dot(axis.vector, a) for a in self._axes(body))
 
     def _elements(self, values: Iterable[object]) -> Vector:
-        return tuple(self.field.lowest_terms(self.field.element(x)) for x in values)  # type: ignore[arg-type]
+        return tuple(self.field.lowest_terms(self.field.element(x)) for x in values)  # pyrefly: ignore[bad-argument-type]
 
     # -- directions ---------------------------------------------------------------------------
     def aims(self, bodies: tuple[str, ...]) -> list[Aim]:

@@ -107,7 +107,7 @@ class SmallMotions:
             turned = [-np.linalg.solve(mass, x) for x in (stiffness, self._dampings(world.draw))]
             A = np.block([[np.zeros((n, n)), np.eye(n)], turned])
             rates = np.linalg.eigvals(A)
-            swinging = sorted((s for s in rates.tolist() if s.imag > 0), key=abs)
+            swinging: list[complex] = sorted((s for s in rates.tolist() if s.imag > 0), key=abs)
             if not swinging and what == "ratio":
                 a, b = sorted(rates.real)[:2]
                 return float(-(a + b) / (2 * np.sqrt(a * b)))

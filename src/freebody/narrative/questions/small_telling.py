@@ -236,6 +236,6 @@ class SmallTelling:
 
 def _rest_names(name: str) -> tuple[str, str]:
     """y_e of y, x_1e of x1."""
-    letters, digits = re.fullmatch(r"(.*?)_?(\d*)", name).groups()  # type: ignore[union-attr]
+    letters, digits = re.fullmatch(r"(.*?)_?(\d*)", name).groups()  # pyrefly: ignore[missing-attribute]
     first = f"{letters}_{digits}e" if digits else f"{name}_e"
     return first, f"{name}_eq"

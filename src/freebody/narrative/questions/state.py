@@ -62,7 +62,7 @@ class StateTelling(Protocol):
 class PlanarTelling:
     """The same in the plane."""
 
-    kinematics = None
+    kinematics: None = None
     is_formal = False
 
     def __init__(self, context: Context, script: Script) -> None:

@@ -32,7 +32,7 @@ class Momenta:
         self.state = context.setup.state
 
     def bodies(self, group: object) -> list[RigidBody]:
-        return [b for b in self.context.system.moving if is_among(b.name, group)]  # type: ignore[arg-type]
+        return [b for b in self.context.system.moving if is_among(b.name, group)]  # pyrefly: ignore[bad-argument-type]
 
     def omega_of(self, b: RigidBody) -> tuple[int, ...]:
         """The angular velocity of a body that turns and has inertia, along its own axes."""
@@ -145,4 +145,4 @@ class Momenta:
         return AnswerParts(tuple(lines))
 
     def _element(self, value: object) -> Ratio:
-        return self.field.lowest_terms(self.field.element(value))  # type: ignore[arg-type]
+        return self.field.lowest_terms(self.field.element(value))  # pyrefly: ignore[bad-argument-type]

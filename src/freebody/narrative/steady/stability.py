@@ -52,7 +52,7 @@ def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStabi
     with script.stage("steady.euler", "steady.euler_hint"):
         line, exponent = _euler(context, script, q, (i, j, k), tensor, Symbol(spin))
     with script.stage("stage.value"):
-        symbol = asked_as(context, question, context.glossary.meanings[exponent.name].read)  # type: ignore[arg-type]
+        symbol = asked_as(context, question, context.glossary.meanings[exponent.name].read)  # pyrefly: ignore[bad-argument-type]
         script.add(asked_entry(symbol, question, "1/s^2"))
         args: dict[str, Argument] = {"line": line}
         script.line(symbol, expression, why="steady.solved_for", args=args, uses=(line,), when="never")

@@ -217,7 +217,7 @@ def _joined(words: Sequence[Text]) -> Text:
     pieces: list[object] = []
     for k, text in enumerate(words):
         pieces += [" ", *text] if k else list(text)
-    return tuple(pieces)  # type: ignore[arg-type]
+    return tuple(pieces)  # pyrefly: ignore[bad-return]
 
 
 def _unit(unit: str) -> Text:

@@ -141,7 +141,7 @@ class FlatEnds:
         for k, setting in settings:
             self.now[k] = setting
             for measure, value in zip(self.by_edge[k].pivot.settings, setting, strict=True):
-                self.bounded.written.set(measure, value)
+                self.bounded.written.put(measure, value)
 
     def put_against(self, end: FlatEnd, angle: float, now: ContactInstant) -> None:
         """At e = w x m/|w|, w at an angle from p to q."""

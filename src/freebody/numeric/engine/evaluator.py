@@ -154,7 +154,7 @@ class Packed:
                 self.room.measures[place, NEAR] = bearings[nearest[start]]
             at = slice(start, stop)
             observe(self.layout, self.room, times[at], states[at], accelerations[at], *(table[at] for table in tables))
-        return {m: tuple(table[:, self.rows[m]].copy() for table in tables) for m in measures}  # type: ignore[misc]
+        return {m: tuple(table[:, self.rows[m]].copy() for table in tables) for m in measures}  # pyrefly: ignore[bad-return]
 
 
 def packed(

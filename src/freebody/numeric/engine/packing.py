@@ -69,7 +69,7 @@ class Packing:
         numbers: list[float] = []
         constant = 0.0
         on_ground: set[str] = set()
-        for f in fields(measure):  # type: ignore[arg-type]
+        for f in fields(measure):  # pyrefly: ignore[bad-argument-type]
             value: Any = getattr(measure, f.name)
             if isinstance(value, Point):
                 body, components = self._body(value.body), self.cells.point(value)
@@ -88,7 +88,7 @@ class Packing:
                 on_ground.add(f.name)
         index = next(i for i, kind in enumerate(kinds) if kind.name == name and set(kind.fixed) <= on_ground)
         kind = kinds[index]
-        names = [f.name for f in fields(measure) if isinstance(getattr(measure, f.name), (Point, Direction, str))]  # type: ignore[arg-type]
+        names = [f.name for f in fields(measure) if isinstance(getattr(measure, f.name), (Point, Direction, str))]  # pyrefly: ignore[bad-argument-type]
         bodies = [b for n, b in zip(names, bodies, strict=True) if n not in kind.fixed]
         key = (tuple(bodies), tuple(numbers))
         known = self._measures[index]

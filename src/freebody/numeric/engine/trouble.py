@@ -72,7 +72,7 @@ def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
     )
 
 
-def _limit(engine: Evaluator, y: np.ndarray, slope: np.ndarray, t: float) -> float:  # type: ignore[type-arg]
+def _limit(engine: Evaluator, y: np.ndarray, slope: np.ndarray, t: float) -> float:
     """When a driver reaches the limit of a mechanism: coordinates go like the root of the time that is left, so speeds
     like v = c (t1 - t)^(-1/2) and accelerations like a = v/(2 (t1 - t)); t1 - t = v.v/(2 v.a)."""
     n = engine.n_coordinates
@@ -108,7 +108,7 @@ def _without_direction(engine: Evaluator) -> str:
     return ""
 
 
-def _without_value(engine: Evaluator, run: SteppedRun, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
+def _without_value(engine: Evaluator, run: SteppedRun, y: np.ndarray, out: np.ndarray, t: float) -> str:
     """The first load or held measure that is not finite in states a little ahead."""
     for h in (0.0, *(float(run.clock[stepped_run.STEP]) * 10.0**k for k in range(9))):
         ahead = y + h * out

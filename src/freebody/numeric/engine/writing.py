@@ -196,7 +196,7 @@ class ArrayBuilder:
                 rated.add(r)
             if linear is None:
                 is_place = not isinstance(load.measure, NonholonomicForm)
-                origin = p.numbers.start_value(load.measure) if is_place else 0.0  # type: ignore[arg-type]
+                origin = p.numbers.start_value(load.measure) if is_place else 0.0  # pyrefly: ignore[bad-argument-type]
                 inputs = {VALUE.name: (r, -origin)}
                 tape = self._law(load.law, load, inputs, {"@rate": r}, rated)
             written.append({"row": r, "tape": tape, "law": linear or (0.0, 0.0, 0.0), "works": works})
@@ -276,7 +276,7 @@ class ArrayBuilder:
         if where[0] == "base":
             self._fixed["row_constant"][where[1]] = self.packing.bases[where[1]].constant - value
 
-    def set(self, measure: Measure, value: float) -> None:
+    def put(self, measure: Measure, value: float) -> None:
         """What a setting is from now on, in all layouts. Programs, in which it is a number, are those of layouts that
         are made from now on."""
         constants, row = self._fixed["row_constant"], self.packing.settings[measure]

@@ -128,7 +128,7 @@ def guard(e: Equations, b: Bounded, what: str, k: int) -> ProgramNode:
     if what == "gap":
         row = b.barriers[k].bound.row
         target = w.constant(0.0) if row.target is None else w.scalar(row.target)
-        return w.value(row.measure) - target  # type: ignore[arg-type]
+        return w.value(row.measure) - target  # pyrefly: ignore[bad-argument-type]
     if what == "press":
         return multiplier(e, b.barriers[k].name)
     rub = b.drags[k].rub

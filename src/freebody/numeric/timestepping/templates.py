@@ -90,11 +90,11 @@ class Template:
         on = row.ends[1]  # the part on which a round part lies
         is_edge = ".straight" in on
         return TemplateSite(
-            self._measure(row.measure),  # type: ignore[arg-type]
+            self._measure(row.measure),  # pyrefly: ignore[bad-argument-type]
             row.sign,
             tuple(self._measure(m) for _c, m in terms),
             slip.sign,
-            self._measure(turn.measure),  # type: ignore[arg-type]
+            self._measure(turn.measure),  # pyrefly: ignore[bad-argument-type]
             tuple(self._measure(span.measure) for span in bound.within),
             edges.setdefault(on, len(edges)) if is_edge else -1,
             0 if on.startswith(FIRST) else 1,
@@ -107,7 +107,7 @@ class Template:
         name = type(measure).__name__
         bodies: dict[str, int] = {}
         numbers: list[Expr] = []
-        for f in fields(measure):  # type: ignore[arg-type]
+        for f in fields(measure):  # pyrefly: ignore[bad-argument-type]
             value: Any = getattr(measure, f.name)
             if isinstance(value, Point):
                 bodies[f.name] = _BODIES.get(value.body, _GROUND)

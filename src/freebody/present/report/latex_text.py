@@ -40,8 +40,8 @@ _TEXT_SIGNS = {
     **{"‘": r"\textquoteleft{}", "’": r"\textquoteright{}", "«": r"\guillemotleft{}", "»": r"\guillemotright{}"},
     **{"\u2009": r"\,", "\u202f": r"\,", "\u2011": "-", "\u2010": "-", "\u200b": ""},
 }
-_RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+", strict=True))
-_LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉₋₊", "0123456789-+", strict=True))
+_RAISED: dict[str, str] = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+", strict=True))
+_LOWERED: dict[str, str] = dict(zip("₀₁₂₃₄₅₆₇₈₉₋₊", "0123456789-+", strict=True))
 _RUNS = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+|[₀₁₂₃₄₅₆₇₈₉₋₊]+|.", re.DOTALL)
 # What stands outside \text{...}, because it is markup there for one of those who read it.
 _OUTSIDE = {

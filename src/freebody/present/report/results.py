@@ -170,9 +170,9 @@ def _verdict(of: Verdict) -> str:
 def finite(document: Any) -> Any:
     """Plain JSON: what is no finite number is null."""
     if isinstance(document, dict):
-        return {str(key): finite(value) for key, value in document.items()}  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        return {str(key): finite(value) for key, value in document.items()}
     if isinstance(document, list | tuple):
-        return [finite(value) for value in document]  # pyright: ignore[reportUnknownVariableType]
+        return [finite(value) for value in document]
     if hasattr(document, "tolist"):  # numbers and arrays of NumPy
         return finite(document.tolist())
     if isinstance(document, float) and not math.isfinite(document):

@@ -199,7 +199,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if not tails:
         yield from quantities(names, main)
         return
-    for tail in _at(names, *others[0]) if len(others) == 1 else iter(tails[:1]):
+    for tail in _at(names, others[0][0], others[0][1]) if len(others) == 1 else iter(tails[:1]):
         for group in quantities(names, main):
             yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 

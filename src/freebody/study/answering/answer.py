@@ -48,7 +48,7 @@ class AnswerCase:
 
     def to_plain(self) -> dict[str, Any]:
         parts = self.expression if isinstance(self.expression, tuple) else None
-        shown: Any = [to_python(e) for e in parts] if parts is not None else to_python(self.expression)  # type: ignore[arg-type]
+        shown: Any = [to_python(e) for e in parts] if parts is not None else to_python(self.expression)  # pyrefly: ignore[bad-argument-type]
         return {"expression": shown, "conditions": list(map(stated_plain, self.conditions)), "what": self.what}
 
 

@@ -149,7 +149,7 @@ class ChainBuilder:
         self.name_motion(staged.speeds, staged.biases, staged.forces, staged.accelerations)
         with f.other_rates(staged.rates()):
             value = quantity.value(self.setup.system, SymbolicState(staged.model, self.values))
-        elements: tuple[Any, ...] = value if isinstance(value, tuple) else (value,)  # type: ignore[assignment]
+        elements: tuple[Any, ...] = value if isinstance(value, tuple) else (value,)
         result = [self.here(f.element(x)) for x in elements]
         chain = self._ordered(list(map(tidy, result)))
         return None if chain is None else self._found(chain, self._needs(chain, result))

@@ -268,7 +268,7 @@ class QuestionSolver:
         value = q.value(self.system, state)
         f = self.model.field
         if isinstance(value, tuple):
-            return tuple(f.lowest_terms(f.element(v)) for v in value)  # type: ignore[arg-type]
+            return tuple(f.lowest_terms(f.element(v)) for v in value)
         return f.lowest_terms(f.element(value))
 
     # -- an event along the motion ------------------------------------------------------------

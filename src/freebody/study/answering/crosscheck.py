@@ -118,8 +118,8 @@ def _shown(values: tuple[float, ...]) -> str:
 
 def as_parts(value: object) -> tuple[float, ...]:
     if isinstance(value, tuple):
-        return tuple(float(v) for v in value)  # type: ignore[arg-type]
-    return (float(value),)  # type: ignore[arg-type]
+        return tuple(float(v) for v in value)
+    return (float(value),)  # pyrefly: ignore[bad-argument-type]
 
 
 def _size(values: tuple[float, ...]) -> float:

@@ -66,7 +66,7 @@ def _linear(setup: Setup, x: Ratio, c: Coordinate) -> tuple[Ratio, Ratio, Ratio]
     slopes = [f.lowest_terms(f.partial(x, g)) for g in (c.index, c.speed)]
     rest = f.lowest_terms(x - slopes[0] * f.variable(c.index) - slopes[1] * f.variable(c.speed))
     parts = (rest, *slopes)
-    return parts if all(part.is_constant() for part in parts) else None  # type: ignore[return-value]
+    return parts if all(part.is_constant() for part in parts) else None  # pyrefly: ignore[bad-return]
 
 
 def _followed(law: Damped, rest: Ratio, of_place: Ratio, of_rate: Ratio) -> Damped:

@@ -136,7 +136,4 @@ class _Energy:
         own = {step.name.name: step.name for step in first.steps if isinstance(step.name, Symbol)}
         kept = {name.name for name in self.names.values()}
         other = {name: self._fresh(f"{name.rstrip('_')}_0") for name in own if name not in kept} | self._as_mass
-        return [
-            NamedFormula(substitute(step.name, other), substitute(step.formula, other))  # type: ignore[arg-type]
-            for step in first.steps
-        ]
+        return [NamedFormula(substitute(step.name, other), substitute(step.formula, other)) for step in first.steps]

@@ -190,6 +190,8 @@ def _evidence(
             return made, float(quantity_with(setup, question, wanted.of, formula, made))
         return made, as_parts(number_at(setup, wanted.of, question.event, made.draw))[0]
 
+    dimension = wanted.of.dimension
+
     def compare(item: tuple[int, Draw]) -> None:
         k, draw = item
         start = draw.start()
@@ -207,6 +209,6 @@ def _evidence(
         beside = [numeric(draw, k, at * (1 + way * _BESIDE))[1] for way in (1, -1)]
         if not all(monotone.sign * (top - other) > 0 for other in beside):
             raise CannotAnswer(Message("the numeric route does not confirm that it is largest or least there"))
-        check.compare(draw, exact, top, lambda: magnitude(wanted.of.dimension, made.draw.seen(made.draw.start())))
+        check.compare(draw, exact, top, lambda: magnitude(dimension, made.draw.seen(made.draw.start())))
 
     return check.gather(enumerate(setup.draw_stream()), compare).evidence()

@@ -216,7 +216,7 @@ class RangeSearch(TruthInNumbers):
         told = joined([self._told(interval) for interval in found], " or ")
         notes.append(reworded(Message("so for {range}", range=told), told))
         for formula in self.left_aside:
-            shown = to_text(tidy(self.field.element(formula.element)))  # type: ignore[arg-type]
+            shown = to_text(tidy(self.field.element(formula.element)))  # pyrefly: ignore[bad-argument-type]
             told = Message("the value {value} does not depend on {name} and is left aside", value=shown, name=name)
             notes.append(reworded(told, shown))
         if any(truth.formula.in_numbers is not None for truth in self.truths) and any(

@@ -129,7 +129,7 @@ def _lines(text: str) -> list[str]:
 def _value(answer: ShownAnswer, label: str) -> Iterator[Entry]:
     if answer.value is not None:
         values = answer.value if isinstance(answer.value, tuple) else None
-        text = number_text(answer.value) if values is None else f"({', '.join(map(number_text, values))})"  # type: ignore[arg-type]
+        text = number_text(answer.value) if values is None else f"({', '.join(map(number_text, values))})"  # pyrefly: ignore[bad-argument-type]
         yield entry(label, text + ("" if answer.unit == "1" else f" {answer.unit}"))
 
 

@@ -287,12 +287,12 @@ class RateBalance:
     ) -> Iterator[tuple[str, str, Wrench]]:
         for body in self._touched(measure):
             if is_among(body, group):
-                push = self.state.gradient(measure, body)  # type: ignore[arg-type]
+                push = self.state.gradient(measure, body)  # pyrefly: ignore[bad-argument-type]
                 yield name, body, tuple(g * size for g in push)
 
     def _touched(self, measure: object) -> Iterable[str]:
         moving = {b.name for b in self.system.moving}
-        return dict.fromkeys(b for b, _slot in self.model.gradient(measure) if b in moving)  # type: ignore[arg-type]
+        return dict.fromkeys(b for b, _slot in self.model.gradient(measure) if b in moving)  # pyrefly: ignore[bad-argument-type]
 
     def reaches_outside(self, row: ConstraintRow, group: Group) -> bool:
         """Whether a row exerts anything on a body that is not meant, the ground among these: the sum of its forces and

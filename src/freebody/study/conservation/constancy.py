@@ -236,7 +236,7 @@ def _function(shown: Expr) -> tuple[str, int]:
     """Name and order of x0, rate(x0), rate(rate(x0))."""
     order = 0
     while not isinstance(shown, Symbol):
-        shown, order = shown.argument, order + 1  # type: ignore[union-attr]
+        shown, order = shown.argument, order + 1  # pyrefly: ignore[missing-attribute]
     return shown.name, order
 
 
@@ -351,8 +351,8 @@ def _reader_of_energy(
             if quantity.body is not None and quantity.body not in set(push.measure.bodies()):
                 continue
             if push in balance.unwritten:
-                first = run.snapshots[0].value(push.measure)  # type: ignore[arg-type]
-                total -= work_between(s.reference, push, first, s.value(push.measure))  # type: ignore[arg-type]
+                first = run.snapshots[0].value(push.measure)  # pyrefly: ignore[bad-argument-type]
+                total -= work_between(s.reference, push, first, s.value(push.measure))  # pyrefly: ignore[bad-argument-type]
             else:
                 total += s.potential(push)
         return total

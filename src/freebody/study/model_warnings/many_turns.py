@@ -26,10 +26,10 @@ class ManyTurns(WarningKind, name="many turns"):
 
     def _in(self, value: Any, path: tuple[str | int, ...]) -> Iterator[ModelWarning]:
         if isinstance(value, Mapping):
-            for key, inner in value.items():  # pyright: ignore[reportUnknownVariableType]
-                yield from self._in(inner, (*path, str(key)))  # pyright: ignore[reportUnknownArgumentType]
+            for key, inner in value.items():
+                yield from self._in(inner, (*path, str(key)))
         elif isinstance(value, list):
-            for k, inner in enumerate(value):  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+            for k, inner in enumerate(value):
                 yield from self._in(inner, (*path, k))
         elif isinstance(value, str) and (found := _RADIANS.fullmatch(value)) is not None:
             turns = abs(float(found["number"])) / math.tau

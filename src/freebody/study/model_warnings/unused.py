@@ -23,9 +23,9 @@ class Unused(WarningKind, name="unused"):
         if not isinstance(given, Mapping):
             return
         used = set(_names({key: value for key, value in data.items() if key not in (*_PROSE, "parameters")}))
-        used |= {name for value in given.values() for name in _names(value)}  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        used |= {name for value in given.values() for name in _names(value)}
         used |= {*_names(list(model.asked))}
-        for name in map(str, given):  # pyright: ignore[reportUnknownArgumentType]
+        for name in map(str, given):
             if name not in used:
                 told = Message("{name} is used nowhere in the model: leave it out, or use it", name=name)
                 yield self.warning(told, "parameters", name, about=frozenset((name,)))
@@ -34,11 +34,11 @@ class Unused(WarningKind, name="unused"):
 def _names(value: Any) -> Iterator[str]:
     """All names in the texts and keys of a part of a file."""
     if isinstance(value, Mapping):
-        for key, inner in value.items():  # pyright: ignore[reportUnknownVariableType]
-            yield str(key)  # pyright: ignore[reportUnknownArgumentType]
+        for key, inner in value.items():
+            yield str(key)
             yield from _names(inner)
     elif isinstance(value, list):
-        for inner in value:  # pyright: ignore[reportUnknownVariableType]
+        for inner in value:
             yield from _names(inner)
     elif isinstance(value, str):
         yield from _NAME.findall(value)

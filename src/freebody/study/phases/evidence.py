@@ -373,7 +373,7 @@ def _heat(seen: PhaseSnapshot, of: str) -> float:
             raise CannotAnswer(
                 Message("the friction changes along the motion, and its heat was not checked in numbers")
             )
-        total -= last * (end.value(push.measure) - begin.value(push.measure))  # type: ignore[arg-type]
+        total -= last * (end.value(push.measure) - begin.value(push.measure))  # pyrefly: ignore[bad-argument-type]
     return total
 
 

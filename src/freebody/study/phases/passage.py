@@ -113,7 +113,7 @@ def elements_in(tree: PhaseTree, phase: Phase, quantity: Quantity, state: Symbol
     f = phase.model.field
     still = phase.still
     if isinstance(value, tuple):
-        return tuple(f.lowest_terms(f.follow(f.element(v), still)) for v in value)  # type: ignore[arg-type]
+        return tuple(f.lowest_terms(f.follow(f.element(v), still)) for v in value)
     return f.lowest_terms(f.follow(f.element(value), still))
 
 

@@ -220,7 +220,7 @@ class NumericMode:
             target = self.lengths[name]
         else:
             target = 0.0 if row.target is None else reference.number(row.target, t)
-        return row.sign * (self.looked(q, v, t).value(row.measure) - target)  # type: ignore[arg-type]
+        return row.sign * (self.looked(q, v, t).value(row.measure) - target)  # pyrefly: ignore[bad-argument-type]
 
     def base_target(self, name: str) -> Expr | None:
         """What an ideal connection is held at; None for the length that it has at the start of the motion."""

@@ -8,9 +8,10 @@ Source: Meirovitch, Methods of Analytical Dynamics, 1970, sec. 5.4.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
@@ -20,6 +21,8 @@ from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
     from freebody.study.simulation.simulator import Simulator
+
+Kept = TypeVar("Kept", bound=NDArray[Any])
 
 ROUNDINGS = 256.0 * float(np.finfo(float).eps)
 NEGATIVE = 1e-9  # a stiffness that is negative by this part of the largest
@@ -67,14 +70,13 @@ def staying(course: Trajectory, times: Array, events: tuple[Event, ...]) -> Traj
     """The first instant of a course at all of some times."""
     n = len(times)
 
-    def kept(array: Array) -> Array:
-        return np.repeat(array[:1], n, axis=0)
+    def kept(array: Kept) -> Kept:
+        return cast("Kept", np.repeat(array[:1], n, axis=0))
 
     rotation = course.rotation
     if rotation is not None:
         parts = (rotation.quaternions, rotation.velocities, rotation.accelerations, rotation.velocities_in_body)
         rotation = RotationHistory(*map(kept, parts))
-    names = ("poses", "velocities", "accelerations", "multipliers", "unique", "work")
     return replace(
         course,
         status=Status.FINISHED,
@@ -82,5 +84,10 @@ def staying(course: Trajectory, times: Array, events: tuple[Event, ...]) -> Traj
         times=times,
         events=events,
         rotation=rotation,
-        **{name: kept(getattr(course, name)) for name in names},
+        poses=kept(course.poses),
+        velocities=kept(course.velocities),
+        accelerations=kept(course.accelerations),
+        multipliers=kept(course.multipliers),
+        unique=kept(course.unique),
+        work=kept(course.work),
     )

@@ -70,7 +70,7 @@ def swings(
         if not (_is_clear(signs) and all(x > 0 for x in signs)):
             raise SaysNothing(Message("there is no oscillation about it: it is unstable"))
         exact = element_at(setup, tuple(frequencies), draw, about.snapshot)
-        own = np.linalg.eigvals(about.matrix()).imag
+        own: list[float] = np.linalg.eigvals(about.matrix()).imag.tolist()
         witness.compare(draw, exact, tuple(float(min(own, key=lambda x: abs(x - w))) for w in exact))
 
     return witness.gather(product(setup.draw_stream(), (*_FACTORS, _FAST)), compare, 2 * MIN_DRAWS).evidence()

@@ -51,7 +51,7 @@ class TurnPose:
     def text(self, angle: Expr) -> str:
         both = self.cos.fraction(), self.sin.fraction()
         if None not in both and both in _QUARTERS:
-            quarter, machine = _QUARTERS[both]  # type: ignore[index]
+            quarter, machine = _QUARTERS[both]
             return Stated(f"{to_text(angle)} = {quarter}", f"{to_python(angle)} == {machine}")
         cos, sin = Call("cos", angle), Call("sin", angle)
         return joined((compared(cos, "=", tidy(self.cos)), compared(sin, "=", tidy(self.sin))), ", ")

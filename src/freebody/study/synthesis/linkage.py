@@ -150,7 +150,7 @@ class Linkage:
             a, d, e = self.lengths.values()
             return -math.inf, (a * a + d * d - e * e) / (2 * a * d)
         a, b, c, d = self.lengths.values()
-        return tuple((a * a + d * d - x * x) / (2 * a * d) for x in (b + c, b - c))  # type: ignore[return-value]
+        return tuple((a * a + d * d - x * x) / (2 * a * d) for x in (b + c, b - c))  # pyrefly: ignore[bad-return]
 
     @property
     def turns_fully(self) -> bool:

@@ -135,7 +135,7 @@ class SpatialBodies(Bodies):
     def _rotation(self, step: RotationStep) -> Matrix:
         if not step.name:
             columns = [tuple(map(self._constant, column)) for column in step.constant]
-            return columns[0], columns[1], columns[2]  # type: ignore[return-value]
+            return columns[0], columns[1], columns[2]  # pyrefly: ignore[bad-return]
         return self._turned(step.axis, step.sign * self._angles[step.name])
 
     def _turned(self, axis: Components, angle: Ratio) -> Matrix:
@@ -147,7 +147,7 @@ class SpatialBodies(Bodies):
             tuple(c * e[i] + s * t + rest * a[j] * a[i] for i, t in enumerate(_cross(a, e)))
             for j, e in enumerate(identity)
         ]
-        return columns[0], columns[1], columns[2]  # type: ignore[return-value]
+        return columns[0], columns[1], columns[2]  # pyrefly: ignore[bad-return]
 
     def known_rotation(self, chain: Iterable[Rotation], scalar: Callable[[Expr], Ratio]) -> Matrix:
         """The rotation of a chain without free angles."""
@@ -278,7 +278,7 @@ class SpatialBodies(Bodies):
                 angle = express(self._angles[step.name])
                 columns = self._turned(step.axis, step.sign * angle)
                 own, axis = step.sign * rate(angle), self._direction(step.axis)
-                omega = tuple(w + own * a for w, a in zip(_back(columns, omega), axis, strict=True))  # type: ignore[assignment]
+                omega = tuple(w + own * a for w, a in zip(_back(columns, omega), axis, strict=True))  # pyrefly: ignore[bad-assignment]
             else:
                 omega = _back(R, omega)
         return omega
@@ -314,7 +314,7 @@ def _cross(a: Triple, b: Triple) -> Triple:
 def _product(R: Matrix, Q: Matrix) -> Matrix:
     """R Q, column by column."""
     columns = [tuple(R[0][i] * q[0] + R[1][i] * q[1] + R[2][i] * q[2] for i in range(3)) for q in Q]
-    return columns[0], columns[1], columns[2]  # type: ignore[return-value]
+    return columns[0], columns[1], columns[2]  # pyrefly: ignore[bad-return]
 
 
 def _back(R: Matrix, v: Triple) -> Triple:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any, cast
+from typing import Any, Literal, cast
 
 from freebody.language.sentences import Message
 from freebody.model.style import HouseStyle
@@ -12,7 +12,7 @@ from freebody.system.reading.source import Source, known_keys
 
 _KEYS = ("names", "axes", "order", "decimal")
 _NAME = re.compile(r"[A-Za-z]\w*")
-_DECIMALS = {"point": ".", "comma": ","}
+_DECIMALS: dict[str, Literal[".", ","]] = {"point": ".", "comma": ","}
 
 
 def read_style(source: Source) -> HouseStyle:

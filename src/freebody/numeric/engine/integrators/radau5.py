@@ -84,7 +84,7 @@ class Implicit:
         with np.errstate(all="ignore"):
             try:
                 solver.step()
-            except (ValueError, np.linalg.LinAlgError):
+            except ValueError:  # LinAlgError is one
                 run.count[stepped_run.TROUBLE] = stepped_run.NOT_FINITE
                 return stepped_run.TOO_SMALL
         if solver.status == "failed":

@@ -237,7 +237,7 @@ class _Summary(_Writer):
             if after or isinstance(block, Equations) or (before and isinstance(block, Section | Remark)):
                 lines.append("")
             is_told = isinstance(block, Equations) and block.on_request and self.is_short
-            lines += [self._told(block)] if is_told else self.block(block)  # type: ignore[arg-type]
+            lines += [self._told(block)] if is_told else self.block(block)  # pyrefly: ignore[bad-argument-type]
         return lines
 
     def _told(self, block: Equations) -> str:

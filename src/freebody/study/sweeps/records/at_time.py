@@ -27,11 +27,11 @@ class AtTime(Record):
     time: float
 
     @property
-    def times(self) -> tuple[float, ...]:  # type: ignore[override]
+    def times(self) -> tuple[float, ...]:  # pyrefly: ignore[bad-override]
         return (self.time,)
 
     @property
-    def seen(self) -> Seen:  # type: ignore[override]
+    def seen(self) -> Seen:  # pyrefly: ignore[bad-override]
         return Seen(self.series, self.time)
 
     def value(self, motion: Followed) -> float:

@@ -26,11 +26,11 @@ class EventTime(Record):
     event: str
 
     @property
-    def events(self) -> tuple[str, ...]:  # type: ignore[override]
+    def events(self) -> tuple[str, ...]:  # pyrefly: ignore[bad-override]
         return (self.event,) if "=" in self.event else ()
 
     @property
-    def named(self) -> str:
+    def named(self) -> str:  # pyrefly: ignore[bad-override]
         """What happens to a contact; nothing where a measure reaches a value."""
         return "" if "=" in self.event else self.event
 

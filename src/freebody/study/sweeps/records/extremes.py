@@ -36,7 +36,7 @@ class Extreme(Record):
     needs_course = True
 
     @property
-    def seen(self) -> Seen:  # type: ignore[override]
+    def seen(self) -> Seen:  # pyrefly: ignore[bad-override]
         return Seen(self.series, side=self.side)
 
     def value(self, motion: Followed) -> float:

@@ -22,7 +22,7 @@ class Final(Record):
     series: str
 
     @property
-    def seen(self) -> Seen:  # type: ignore[override]
+    def seen(self) -> Seen:  # pyrefly: ignore[bad-override]
         return Seen(self.series)
 
     def value(self, motion: Followed) -> float:
