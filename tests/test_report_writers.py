@@ -49,6 +49,7 @@ from freebody.present.report.formulas.rows import rows
 from freebody.present.report.formulas.stacked import StackedFormulas
 from freebody.present.report.formulas.typst import TypstFormulas
 from freebody.present.report.latex_text import latex_words, web_words
+from freebody.present.report.typeset import typeset
 from freebody.present.report.write import check_report_path, report_formats, write_report
 from freebody.present.report.writer import ReportFormat
 from report_sample import HOSTILE, LAGRANGE, formula, hostile, sample, vector
@@ -524,3 +525,20 @@ def test_a_new_format_is_one_file_with_a_writer_and_a_dialect(tmp_path: Path, mo
     assert "|*pass:c[value]* |pass:c[2.5 m/s]\n|*pass:c[valid]* |stem:[m > 0]\n|===" in written
     for mark in ("\n== ", "|===", "image::1.svg[]", "[%collapsible]"):
         assert mark in written
+
+
+@pytest.mark.parametrize(
+    ("plain", "printed"),
+    [
+        ("stable (lowest stiffness -7.1131 1/s^2, along x)", "stable (lowest stiffness −7.1131 1/s², along x)"),
+        ("(-1.2, -.5) m, -38.5°", "(−1.2, −.5) m, −38.5°"),
+        ("the smallest is 6.6e-01, above 1e-06", "the smallest is 6.6·10⁻¹, above 10⁻⁶"),
+        ("DOF = n L - K = 3*1 - 3 = 0", "DOF = n L − K = 3·1 − 3 = 0"),
+        ("ground - ladder", "ground – ladder"),
+        ("   <- the model's own values", "   ← the model's own values"),
+        ("the corner (-a/2, -b/2) of crate", "the corner (−a/2, −b/2) of crate"),
+        ("part-2 of 3-5, --seed 3, a_1e5", "part-2 of 3-5, --seed 3, a_1e5"),
+    ],
+)
+def test_numbers_in_words_are_printed_with_a_minus_and_raised_exponents(plain: str, printed: str) -> None:
+    assert typeset(plain) == (printed,)

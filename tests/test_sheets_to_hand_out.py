@@ -10,9 +10,9 @@ import pytest
 from freebody import System
 from freebody.errors import InputError, ModelError
 from freebody.language.parser import parse
+from freebody.language.raising import typeset
 from freebody.narrative.sheets.authored import authored
 from freebody.narrative.sheets.sheet import sheet
-from freebody.narrative.telling.raising import typeset
 from freebody.present.report.blocks import Block, Choices, Formula, Room, Section, Step, Table, Unbroken
 from freebody.present.report.formats.html import html_page
 from freebody.present.report.formats.terminal import terminal_text

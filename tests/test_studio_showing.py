@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.studio_browser import READY, WAIT, text_of, wait_for_text
+from tests.studio_browser import PENDULUM, READY, ROOT, WAIT, served, show_pane, text_of, type_all, wait_for_text
 
 pytestmark = pytest.mark.slow
 
@@ -32,6 +32,36 @@ def test_bodies_are_shown_at_other_times_as_well(page: Any) -> None:
     assert page.evaluate(COLOURED) > 3 * before
     page.get_by_label("ghost frames").uncheck()
     assert page.evaluate(COLOURED) == before
+
+
+def test_a_body_at_rest_has_neither_velocity_nor_acceleration(page: Any) -> None:
+    """Of a rod that hangs down, what is left of both is the error of its motion, which is drawn as no arrow."""
+    page.click(".transport .menu > summary")
+    for name in ("velocities", "accelerations"):
+        page.locator(".transport .sheet label", has_text=name).locator("input").check()
+    page.wait_for_selector(".legend:has-text('velocities')", timeout=WAIT)
+    type_all(page, PENDULUM.replace("-60 deg", "-90 deg"))
+    page.locator(".legend").wait_for(state="detached", timeout=WAIT)
+
+
+def test_a_wide_formula_leaves_the_words_beside_it_their_room(browser: Any, tmp_path: Path) -> None:
+    """In the table of phases on a telephone: formulas scroll in their own boxes, and the table is none."""
+    file = tmp_path / "ladder.yaml"
+    file.write_text((ROOT / "examples" / "ladder_against_wall.yaml").read_text(encoding="utf-8"), encoding="utf-8")
+    with served(file) as (address, _process):
+        page = browser.new_page(viewport={"width": 320, "height": 800}, locale="en-GB")
+        page.goto(address)
+        page.wait_for_selector(READY, timeout=WAIT, state="attached")
+        show_pane(page, "Results")
+        page.click("#tab-more")
+        page.select_option("#panel select", "phases")
+        page.wait_for_selector("#panel .table", timeout=WAIT)
+        wide = (
+            "[...document.querySelectorAll('#panel .table')].filter((each) => each.scrollWidth > each.clientWidth + 1)"
+        )
+        assert page.evaluate(f"{wide}.length") == 0
+        assert page.evaluate("document.querySelectorAll('#panel td .wide').length") > 0
+        page.close()
 
 
 def test_curves_and_the_scene_in_words_have_the_chosen_units(page: Any) -> None:

@@ -32,9 +32,15 @@ export function symbolsIn(host: Element, meanings: Meaning[]): [Element, Meaning
   return found;
 }
 
-/** The meanings of the symbols, each once. */
-export function named({ symbols }: Lights): Meaning[] {
-  return [...new Map(symbols.map(([, meaning]) => [meaning.symbol, meaning])).values()];
+/** The meanings of the symbols, each once, with the letter and the index below it. */
+export function named({ symbols }: Lights): { meaning: Meaning; letter: string; below: string }[] {
+  return [...new Map(symbols.map(([element, meaning]) => [meaning.symbol, { meaning, ...partsOf(element, meaning.symbol) }])).values()];
+}
+
+/** Of a symbol as it stands in a formula or picture; dots of rates are left out. */
+function partsOf(element: Element, symbol: string): { letter: string; below: string } {
+  const letter = bare(element.children.length > 1 ? element.children[0]!.textContent : null);
+  return letter && symbol.startsWith(letter) ? { letter, below: symbol.slice(letter.length) } : { letter: symbol, below: "" };
 }
 
 /** What lies under the pointer. */

@@ -34,6 +34,18 @@ export function sliderRange(value: number, isPositive: boolean, unit: string): {
   return { min: isPositive ? step : -max, max, step };
 }
 
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** A number with so many digits, as it is printed: 3.7·10⁻¹¹ where it is very small or large. */
+export function printed(value: number, language: string, digits = 3): string {
+  const shown = (each: number) => each.toLocaleString(language, { maximumSignificantDigits: digits }).replace("-", "−");
+  const size = Math.abs(value);
+  if (size === 0 || (size >= 1e-3 && size < 1e6)) return shown(value);
+  const [mantissa, power] = value.toExponential(digits - 1).split("e") as [string, string];
+  const exponent = Number(power), sign = exponent < 0 ? "⁻" : "";
+  return `${shown(Number(mantissa))}·10${sign}${[...String(Math.abs(exponent))].map((each) => RAISED[Number(each)]).join("")}`;
+}
+
 /** Without the last digits of floating point. */
 export function round(value: number): number {
   return Number(value.toPrecision(6));

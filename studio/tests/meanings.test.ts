@@ -1,6 +1,6 @@
 // What lights up together: an arrow, the symbol of its force, and the same force on the other body.
 import { expect, test } from "vitest";
-import { isLit, isMarkLit, pointedAt, type Lights } from "../src/meanings";
+import { isLit, isMarkLit, named, pointedAt, type Lights } from "../src/meanings";
 
 const tension = { symbol: "T", bodies: ["left", "pulley"], owner: "rope", forces: ["rope.left"] };
 const gravity = { symbol: "g", bodies: ["left", "right"], owner: "weight", forces: ["weight.left", "weight.right"] };
@@ -41,4 +41,11 @@ test("a body lights its own symbols, and no arrow", () => {
 test("nothing is lit where nothing is pointed at", () => {
   expect(isLit(tension, null)).toBe(false);
   expect(isMarkLit("body left", null)).toBe(false);
+});
+
+test("a symbol is called by its letter with the index below, as it stands in the formula", () => {
+  const parts = (...texts: string[]) => ({ children: texts.map((textContent) => ({ textContent })) }) as unknown as Element;
+  const force = { symbol: "Nfs", bodies: [], owner: "", forces: [] };
+  const found = named({ symbols: [[parts("N", "fs"), force], [parts(), gravity]], marks: [] });
+  expect(found.map(({ letter, below }) => [letter, below])).toEqual([["N", "fs"], ["g", ""]]);
 });

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { changeBetween, csvOf, quantityOf, sliderRange, sweepRange } from "../src/text";
+import { changeBetween, csvOf, printed, quantityOf, sliderRange, sweepRange } from "../src/text";
 
 describe("a change between two texts", () => {
   test.each([
@@ -53,4 +53,9 @@ test("a sweep goes from half of what the file has to twice as much", () => {
 
 test("words in a table are quoted where they have to be", () => {
   expect(csvOf([{ name: "L", unit: "m", values: [1, 2] }, { name: "status", unit: "", values: ["no value", 'a "b", c'] }])).toBe('L [m],status\n1,no value\n2,"a ""b"", c"\n');
+});
+
+test("a number is printed with powers of ten where it is very small or large", () => {
+  expect([0, 0.25, -12.345, 3.73e-11, -2.5e7].map((value) => printed(value, "en"))).toEqual(["0", "0.25", "−12.3", "3.73·10⁻¹¹", "−2.5·10⁷"]);
+  expect(printed(2.44e-12, "de", 2)).toBe("2,4·10⁻¹²");
 });

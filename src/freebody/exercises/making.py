@@ -20,6 +20,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_s
 from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from freebody.language.plain_text import plain, shortened
+from freebody.language.raising import raised
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Argument, Sentence, ready
@@ -35,7 +36,6 @@ from freebody.narrative.sheets.variants import Variant
 from freebody.narrative.sheets.worked import lowered, renumbered, without_statement
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.house import in_style
-from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import Block, Figure, Text
 from freebody.progress import busy_with
 from freebody.questions.reading import Question

@@ -10,6 +10,7 @@ from typing import Literal
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr, Symbol
 from freebody.language.notation import compared, to_text
+from freebody.language.raising import raised
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
@@ -19,7 +20,6 @@ from freebody.narrative.lines.naming import asked_symbol, side_of
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, OptionText, Script, Sentence, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
-from freebody.narrative.telling.raising import raised
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import Answer

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, further, in_turn
+from freebody.messages import Shown
 from freebody.model.states import state_name
 from freebody.system.system import System
 
@@ -34,8 +35,8 @@ def plural(n: int, one: str, many: str | None = None) -> str:
 
 
 def symbol_text(name: str) -> str:
-    """theta1 -> θ₁; what is no symbol stays as it is."""
-    return to_text(Symbol(name)) if name.isidentifier() else name
+    """theta1 -> θ₁, a formula where formulas are set; what is no symbol stays as it is."""
+    return Shown(to_text(Symbol(name)), Symbol(name)) if name.isidentifier() else name
 
 
 def amount_text(value: float, unit: str) -> str:
@@ -43,6 +44,11 @@ def amount_text(value: float, unit: str) -> str:
     value = 0.0 if abs(value) < _ROUND_OFF else value
     degrees = f" ({number_text(math.degrees(value))}°)" if unit == "rad" else ""
     return f"{number_text(value)} {unit}{degrees}"
+
+
+def value_text(name: str, value: float, unit: str) -> str:
+    """θ₁ = 0.5 rad (28.648°)"""
+    return Message("{name} = {amount}", name=symbol_text(name), amount=amount_text(value, unit))
 
 
 def system_line(system: System, dof: int | None, coordinates: Sequence[str] = (), dependent: Sequence[str] = ()) -> str:
@@ -70,4 +76,4 @@ def system_line(system: System, dof: int | None, coordinates: Sequence[str] = ()
 
 
 def _symbols(names: Sequence[str]) -> str:
-    return ", ".join(map(symbol_text, names))
+    return in_turn([symbol_text(name) for name in names])

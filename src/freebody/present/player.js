@@ -440,9 +440,9 @@ function overlaid({ found, isStale }) {
     const letter = { velocity: "v", acceleration: "a" }[each.kind] ?? each.label, text = letter + " = " + shown.quantity(size, UNITS[scale]);
     pen.textAlign = way[0] < -0.3 * l ? "right" : way[0] > 0.3 * l ? "left" : "center";
     const spot = [tip[0] + 6 * way[0] / (l || 1), tip[1] + 11 * way[1] / (l || 1)]; // within the picture
-    const w = pen.measureText(text).width, before = { left: 0, right: w, center: w / 2 }[pen.textAlign];
+    const w = widthOf(text), before = { left: 0, right: w, center: w / 2 }[pen.textAlign];
     const [x, y] = [Math.max(before, Math.min(view.width - w + before, spot[0])), Math.max(9, Math.min(view.height - 9, spot[1]))];
-    write(text, [x, y], paint);
+    spell(text, [x - before, y], paint);
     valued.push({ spot: [x - before + w / 2, y], half: [w / 2, 8] });
   }
   pen.globalAlpha = 1;
@@ -657,6 +657,33 @@ function write(text, [x, y], paint) {
   pen.fillStyle = paint;
   pen.strokeText(text, x, y);
   pen.fillText(text, x, y);
+}
+const INDEX = 0.75; // how large an index is beside its letter
+/** A text in runs: those behind a low line stand below, as in T_rod1 = 5 N. */
+function runsOf(text) {
+  const plain = pen.font, small = plain.replace(/[\d.]+px/, (size) => INDEX * parseFloat(size) + "px");
+  return text.split(/_(\w+)/).map((part, k) => ({ part, font: k % 2 ? small : plain, down: k % 2 ? 4 : 0 }));
+}
+function eachRun(text, work) {
+  const before = pen.font;
+  for (const run of runsOf(text)) { pen.font = run.font; work(run, pen.measureText(run.part).width); }
+  pen.font = before;
+}
+function widthOf(text) {
+  let width = 0;
+  eachRun(text, (_run, own) => { width += own; });
+  return width;
+}
+function spell(text, [left, y], paint) {
+  // first the paper behind all of it
+  pen.textAlign = "left";
+  pen.lineWidth = 3;
+  pen.strokeStyle = theme().paper;
+  pen.fillStyle = paint;
+  for (const draw of ["strokeText", "fillText"]) {
+    let x = left;
+    eachRun(text, ({ part, down }, own) => { pen[draw](part, x, y + down); x += own; });
+  }
 }
 function corner() {
   // the axes of the ground with their length, and the direction of gravity

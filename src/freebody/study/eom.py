@@ -13,7 +13,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
 from freebody.model.states import shown_rate, state_name
 from freebody.present.lines import system_line
-from freebody.present.report.blocks import Block, Formula, Paragraph, Report, Section
+from freebody.present.report.blocks import Block, Formula, Paragraph, Remark, Report, Section
 from freebody.present.report.results import Result, line, summary, table
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
@@ -94,7 +94,9 @@ class Equations(Result):
             )
         if self.velocity_constraints:
             yield Section((Message("Velocity constraints"),), tuple(map(zero, self.velocity_constraints)))
-        yield Section((Message("Equations of motion"),), tuple(line(Formula(sides, ("=",))) for sides in self.lines()))
+        equations = tuple(line(Formula(sides, ("=",))) for sides in self.lines())
+        still = Remark((Message("Nothing can move, so there are no equations of motion."),))
+        yield Section((Message("Equations of motion"),), equations or (still,))
         own = [k for k, name in enumerate(self.coordinates) if not state_name(name)]  # states have no mass
         if len(own) > 1:
             rows = (((Formula((self.mass_matrix[j][k],)),) for k in own) for j in own)

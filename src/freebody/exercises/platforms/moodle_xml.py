@@ -32,8 +32,8 @@ from freebody.exercises.package import Package
 from freebody.exercises.selftests import Judged, Marked, SelfTest
 from freebody.exercises.xml import HEAD, content, parsed, text_at, words
 from freebody.language.plain_text import plain
+from freebody.language.raising import raised
 from freebody.language.sentences import Message
-from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import Block, Figure, Text
 
 NAME = "moodle-xml"

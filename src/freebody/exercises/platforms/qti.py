@@ -31,8 +31,8 @@ from freebody.exercises.package import Package
 from freebody.exercises.qti import SPACE, QtiItem, canonical, item_of, tagged
 from freebody.exercises.selftests import SelfTest
 from freebody.exercises.xml import HEAD, parsed, words
+from freebody.language.raising import raised
 from freebody.language.sentences import Message
-from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import Figure
 
 NAME = "qti"

@@ -18,9 +18,9 @@ from freebody.exercises.stack.question import Input, Node, QuestionTest, Tree
 from freebody.exercises.typed import parts_of
 from freebody.language.expression import Call, Expr, Symbol
 from freebody.language.parser import parse
+from freebody.language.raising import raised
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import Emphasis, Formula, Text
 
 INPUT, TREE = "ans1", "prt1"

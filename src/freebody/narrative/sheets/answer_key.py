@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from freebody.language.expression import Expr
+from freebody.language.raising import raised, typeset
 from freebody.narrative.lines.script import Sentence, ready
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.raising import raised, typeset
 from freebody.present.report.blocks import Emphasis, Formula, Table, Text
 from freebody.study.answering.answer import Answer
 

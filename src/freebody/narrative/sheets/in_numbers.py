@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from freebody.errors import FreebodyError
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
 from freebody.language.parser import parse
+from freebody.language.raising import raised, typeset
 from freebody.narrative.sheets.variants import rounded
-from freebody.narrative.telling.raising import raised, typeset
 from freebody.present.report.blocks import Text
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer

@@ -8,6 +8,7 @@ from typing import Any, cast
 from freebody.errors import ExpressionError, FreebodyError
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
 from freebody.language.parser import parse
+from freebody.language.raising import raised, typeset
 from freebody.language.units import DIMENSIONLESS, TIME, quantities_within
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
@@ -18,7 +19,6 @@ from freebody.narrative.sheets.asking import asking
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.raising import raised, typeset
 from freebody.present.report.blocks import (
     Block,
     Choices,

@@ -18,6 +18,7 @@ from freebody.errors import InputError
 from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import Stated
 from freebody.language.parser import GREEK
+from freebody.language.raising import raised
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.messages import Shown
@@ -25,7 +26,6 @@ from freebody.model.noting import did_you_mean
 from freebody.narrative.lines.script import REFERENCES, Argument, Sentence
 from freebody.narrative.telling.dollars import formula_of, with_rates
 from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
-from freebody.narrative.telling.raising import raised
 from freebody.narrative.words import languages, tables_of
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Relation, Text
 from freebody.present.report.words import ENGLISH

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
 
 from freebody.language.expression import Expr
+from freebody.language.raising import raised
 from freebody.narrative.lines.script import (
     Argument,
     Cell,
@@ -21,7 +22,6 @@ from freebody.narrative.lines.script import (
 )
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import (
     Block,
     Bullets,

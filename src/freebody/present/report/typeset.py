@@ -7,19 +7,21 @@ from typing import cast
 
 from freebody.language.expression import Expr
 from freebody.language.notation import Stated
+from freebody.language.raising import typeset_words
 from freebody.messages import Message, Shown
 from freebody.present.report.blocks import Formula, Piece, Relation, Text
 
 
 def typeset(words: str) -> Text:
-    """A text with its formulas as such, where it remembers them: 'needs μ ≥ tan(α)' with a formula behind a word."""
+    """A text with its formulas as such, where it remembers them: 'needs μ ≥ tan(α)' with a formula behind a word; its
+    numbers and units as they are printed."""
     found: list[Piece] = []
     for piece in _pieces(words):
         if isinstance(piece, str) and found and isinstance(found[-1], str):
             found[-1] += piece
         elif piece != "":
             found.append(piece)
-    return tuple(found)
+    return tuple(typeset_words(piece) if isinstance(piece, str) else piece for piece in found)
 
 
 def _pieces(words: str) -> Text:

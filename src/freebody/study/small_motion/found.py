@@ -13,7 +13,7 @@ from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest import CountedPose
-from freebody.present.lines import amount_text, number_text, symbol_text, system_line
+from freebody.present.lines import number_text, symbol_text, system_line, value_text
 from freebody.present.report.blocks import Block, Report, Section
 from freebody.present.report.results import Result, entries, entry, line, summary
 from freebody.system.system import System
@@ -112,7 +112,7 @@ class Equilibria(Result):
         for k, rest in enumerate(self, 1):
             one, several = Message("Equilibrium"), Message("Equilibrium {k} of {n}", k=k, n=len(self))
             title = Message("{what}: {verdict}", what=one if len(self) == 1 else several, verdict=_verdict(rest))
-            at = [f"{symbol_text(n)} = {amount_text(x, self.unit(n))}" for n, x in rest.measures.items()]
+            at = [value_text(n, x, self.unit(n)) for n, x in rest.measures.items()]
             said = entries(
                 entry(Message("at"), *(at or (_pose(body, pose) for body, pose in rest.poses.items()))),
                 entry(Message("reactions"), *self._reactions(rest)),

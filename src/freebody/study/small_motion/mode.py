@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from freebody.language.sentences import Message, in_turn
-from freebody.present.lines import number_text, symbol_text
+from freebody.present.lines import number_text, symbol_text, value_text
 from freebody.study.small_motion.found import plain_number
 from freebody.tolerances import ROUND_OFF
 
@@ -79,7 +79,8 @@ class NaturalMode:
             return in_turn(growing)
         assert self.frequency_hz is not None
         swings: list[str] = [
-            f"omega = {number_text(self.frequency)} rad/s, f = {number_text(self.frequency_hz)} Hz",
+            value_text("omega", self.frequency, "rad/s"),
+            value_text("f", self.frequency_hz, "Hz"),
         ]
         if self.damping_ratio:
             swings.append(Message("damping ratio {ratio}", ratio=number_text(self.damping_ratio)))

@@ -30,7 +30,7 @@ from freebody.numeric.small_motion import LinearisationPoint, SmallCoordinate, S
 from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.system import NumericSystem
 from freebody.numeric.vibration import NaturalMotion, natural_motions
-from freebody.present.lines import amount_text, symbol_text, system_line
+from freebody.present.lines import system_line, value_text
 from freebody.present.report.blocks import Block, Remark, Report, Section
 from freebody.present.report.results import Result, entries, entry, line, summary
 from freebody.study.given import named_measure
@@ -160,7 +160,7 @@ class NaturalModes(Result):
     def _blocks(self) -> Iterator[Block]:
         yield line(system_line(self.system, len(self.small.speeds) - len(self.system.states)))
         units = self._units
-        at = ", ".join(f"{symbol_text(n)} = {amount_text(x, units[n])}" for n, x in self.measures.items())
+        at = in_turn([value_text(n, x, units[n]) for n, x in self.measures.items()])
         about = (
             Message("small motions about the equilibrium")
             if self.about == "equilibrium"
