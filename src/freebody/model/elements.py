@@ -123,6 +123,17 @@ class Edge(Generic[P]):
 
 
 @dataclass(frozen=True)
+class BodyPart:
+    """A part of a composite body: its mass, moment of inertia about its own mass centre, and where that is from the
+    mass centre of the body. Of a hole both are negative."""
+
+    name: str
+    mass: Expr
+    inertia: Expr
+    center: Components
+
+
+@dataclass(frozen=True)
 class RigidBody:
     """A body: mass, moment of inertia about the mass centre, and points by components from the mass centre."""
 
@@ -142,6 +153,7 @@ class RigidBody:
     edges: tuple[
         Edge[Components], ...
     ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon
+    parts: tuple[BodyPart, ...] = ()  # in the plane: of which it is composed
     copies: tuple[str, ...] = ()  # the further ones of equal bodies on one carrier, of which this one is written
     tensor: Components = ()  # in space: of inertia about the mass centre in body axes, xx, yy, zz, xy, xz, yz
     round: str = ""  # what of it can roll: "disk" (its rim), "sphere", "cone"

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _ORDERS = {"position": 0, "x": 0, "y": 0, "z": 0, "velocity": 1, "speed": 1, "acceleration": 2}
-_CENTER = r"(?:common )?(?:mass cent(?:er|re)|cent(?:er|re) of (?:mass|gravity))"
+CENTER = r"(?:common )?(?:mass cent(?:er|re)|cent(?:er|re) of (?:mass|gravity))"
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def of_mass_center(system: Described, state: State[Any], group: Group, order: in
 # -- words ------------------------------------------------------------------------------------
 @asked(
     "x | y | position | velocity | speed | acceleration of mass center of system | of BODY and BODY [along DIRECTION]",
-    rf"(?P<what>x|y|z|position|velocity|speed|acceleration) of (?:the |their |its )?{_CENTER}"
+    rf"(?P<what>x|y|z|position|velocity|speed|acceleration) of (?:the |their |its )?{CENTER}"
     rf"(?: of (?:the )?(?:whole )?(?P<of>system|{NAME}(?:(?:, | and ){NAME})+))?(?: along (?P<along>.+))?",
     rank=65,
 )

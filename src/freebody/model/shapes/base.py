@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import PI, Call, Expr, divide, number, power
 from freebody.measures.geometry import ZERO, Components
-from freebody.model.elements import Edge
+from freebody.model.elements import BodyPart, Edge
 from freebody.model.kinds import Kinds
 from freebody.model.solids import NO_SOLID, SolidKind
 from freebody.model.spec import Spec
@@ -37,6 +37,7 @@ class Build:
     is_ring: bool = False
     edges: tuple[Edge[Components], ...] = ()  # what is drawn of it, where that is no full circle and not straight
     # in space
+    parts: tuple[BodyPart, ...] = ()  # in the plane: of which it is composed
     tensor: Components = ()  # about the mass centre: xx, yy, zz, xy, xz, yz
     round: str = ""
     axis: Components = ()

@@ -14,7 +14,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.chains import read_chain
-from freebody.model.elements import Edge
+from freebody.model.elements import BodyPart, Edge
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, columns_of
 from freebody.model.shapes.base import Build, Shape, circle
@@ -45,6 +45,7 @@ class Composite(Shape, kind="composite"):
         mass: Expr = ZERO
         moment: Components = names.origin
         placed: list[Placed] = []
+        composed: list[BodyPart] = []
         points: dict[str, Components] = {"origin": names.origin}
         edges: list[Edge[Components]] = []
         listed = [("parts", name, value) for name, value in self.parts.items()]
@@ -58,6 +59,13 @@ class Composite(Shape, kind="composite"):
                 continue
             build, at, axes = found
             if field == "holes":
+                if build.mass == ZERO:
+                    told = Message(
+                        "a hole needs the mass of what was there, and {name} has none: e.g. mass: M*pi*r^2/(b*h) for a "
+                        "round hole in a rectangle of the mass M",
+                        name=name,
+                    )
+                    names.problem(told)
                 build = _taken_away(build)
             center = tuple(a + c for a, c in zip(at, _turned(axes, build.center_of_mass, len(at)), strict=True))
             points[name] = at
@@ -65,6 +73,7 @@ class Composite(Shape, kind="composite"):
             mass = mass + build.mass
             moment = tuple(m + build.mass * c for m, c in zip(moment, center, strict=True))
             placed.append((build, center, axes))
+            composed.append(BodyPart(name, build.mass, build.inertia, center))
         if not placed:
             names.problem(
                 Message("a composite needs parts, e.g. parts: {{hub: {{disk: {{mass: m, radius: R}}}}}}"), "parts"
@@ -76,7 +85,10 @@ class Composite(Shape, kind="composite"):
         middle = tuple(m / mass for m in moment)
         tensor = _tensor(placed, middle) if names.space else ()
         inertia = tensor[2] if tensor else _polar(placed, middle)
-        return Build(mass, inertia, middle, points, default_point="origin", tensor=tensor, edges=tuple(edges))
+        parts = () if names.space else tuple(composed)
+        return Build(
+            mass, inertia, middle, points, default_point="origin", tensor=tensor, edges=tuple(edges), parts=parts
+        )
 
 
 def _edges(build: Build, at: Components, axes: Columns, *, is_hole: bool) -> Iterator[Edge[Components]]:

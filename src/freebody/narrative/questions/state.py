@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import singledispatch
-from typing import Protocol
+from typing import Any, Protocol
 
 from freebody.language.expression import Expr, Symbol, add, multiply, n_operations, number, power
-from freebody.measures.geometry import Point
-from freebody.model.elements import AppliedLoad, RigidBody
+from freebody.measures.geometry import ZERO, Point
+from freebody.model.elements import AppliedLoad, BodyPart, RigidBody
+from freebody.model.state import State
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
@@ -19,6 +20,7 @@ from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre, motion_at_origin
 from freebody.questions.energy import Energy, is_lossy
+from freebody.questions.inertia import MomentOfInertia, squared_distance
 from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, point_about
 from freebody.questions.reading import Question
 from freebody.questions.vectors import ORIGIN, is_among, place
@@ -253,6 +255,49 @@ def _spin_of(context: Context, script: Script, q: AngularMomentum, body: RigidBo
     context.rates.announce(script, moving)
     own = script.line(symbol, positive_first(shown), why="momentum.of_body", args={"body": body.name})
     return [own, *context.rates.explain_velocities(script, moving)]
+
+
+# -- moments of inertia -----------------------------------------------------------------------
+@_told.register(MomentOfInertia)
+def _inertia(q: MomentOfInertia, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
+    """I = I_S + m d^2 of every body, or of the parts of which it is composed."""
+    lines: list[int] = []
+    symbols: list[Expr] = []
+    with script.stage("stage.parts", "hint.parts"):
+        script.say("inertia.principle")
+        for body in q.meant(context.system):
+            own = (BodyPart("", body.mass, body.inertia if body.turns else ZERO, (ZERO, ZERO)),)
+            for part in body.parts or own:
+                lines.append(_inertia_of(context, script, q, body, part))
+                symbols.append(_inertia_symbol(context, q, body, part))
+    return lines, ([] if q.is_radius else symbols)
+
+
+def _inertia_symbol(context: Context, q: MomentOfInertia, body: RigidBody, part: BodyPart) -> Symbol:
+    """I_rim_A: each axis has its own, as a sheet may ask for several."""
+    about = "S" if q.about is None else str(q.about).removeprefix(f"{body.name}.").replace(".", "_")
+    name = f"{part.name or body.name}_{about}"
+    return context.symbol(f"I_{name}", f"I_{body.name}_{name}")
+
+
+def _inertia_of(context: Context, script: Script, q: MomentOfInertia, body: RigidBody, part: BodyPart) -> int:
+    system, f = context.system, context.setup.model.field
+    middle = Point(body.name, part.center)
+
+    def about(state: State[Any]) -> tuple[Any, Any, Any]:
+        distance = squared_distance(system, state, middle, q.through(system, state))
+        return state.scalar(part.inertia), state.scalar(part.mass), distance
+
+    def read(world: World) -> float:
+        inertia, mass, distance = about(world.snapshot)
+        return float(inertia + mass * distance)
+
+    symbol = _inertia_symbol(context, q, body, part)
+    what = Sentence("symbol.inertia_of", {"part": part.name or body.name})
+    script.introduce(Meaning(symbol, what, read, "kg m^2"))
+    inertia, mass, distance = (f.lowest_terms(f.element(one)) for one in about(context.setup.state))
+    moved = multiply(tidy(mass), tidy(distance))
+    return script.line(symbol, add(tidy(inertia), moved), why="inertia.of_part")
 
 
 # -- instant centres --------------------------------------------------------------------------

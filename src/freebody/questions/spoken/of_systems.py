@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.distance import Distance
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, losing
 from freebody.questions.spoken.composing import ALONG, JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.of_motion import motion
@@ -52,6 +53,20 @@ def _momentum(names: Names, quantity: str, rest: Clause) -> Groups:
     whose = f" of {' and '.join(of)}" if of else ""
     size = "size of " if rest.has("part", "size") else ""
     yield [f"{size}{quantity}{whose}{''.join(ends)}"]
+
+
+@said_of("moment of inertia", "radius of gyration")
+def _inertia(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of what is named, about a joint or a point of it that is named, else about its mass centre."""
+    named = [(before, name.removesuffix(".mass_center")) for before, name in rest.names]
+    about = [name for before, name in named if before in ("about", "relative") or name not in names.bodies]
+    of = [name for _, name in named if name not in about]
+    if not rest.only("name", "pronoun", *SILENT) or len(about) > 1 or any(before == "along" for before, _ in named):
+        return
+    own = [name.partition(".")[0] for name in about if name.partition(".")[0] in names.bodies]
+    of = of or [name for name in own if name != GROUND] or lookup.massive(names)[:1]
+    where = "".join(f" about {name}" for name in about)
+    yield [f"{quantity} of {' and '.join(of)}{where}"]
 
 
 @said_of("period")

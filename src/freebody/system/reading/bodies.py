@@ -12,7 +12,7 @@ from freebody.language.sentences import Message, listed
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Components
 from freebody.model.chains import read_chain
-from freebody.model.elements import BodyPlane, Edge, Line, RigidBody, Rotation
+from freebody.model.elements import BodyPart, BodyPlane, Edge, Line, RigidBody, Rotation
 from freebody.model.names import placeholder
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Build, Shape
@@ -138,6 +138,7 @@ class BodySections:
             copies=copied_names(names, name, entry.get("copies"), self.source.mapping("bodies")),
             is_ring=build.is_ring,
             edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
+            parts=tuple(self._part_from_mass_center(part, build) for part in build.parts),
             tensor=build.tensor,
             round=build.round,
             axis=build.axis,
@@ -223,6 +224,9 @@ class BodySections:
 
     def _from_mass_center(self, at: Components, middle: Components) -> Components:
         return tuple(c + negate(m) for c, m in zip(self._full(at), middle, strict=True))
+
+    def _part_from_mass_center(self, part: BodyPart, build: Build) -> BodyPart:
+        return replace(part, center=tuple(c - m for c, m in zip(part.center, build.center_of_mass, strict=True)))
 
     def _edge_from_mass_center(self, edge: Edge[Components], build: Build) -> Edge[Components]:
         middle = self._full(build.center_of_mass)
