@@ -21,7 +21,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, Direction, Point, SpatialPose, Vector
-from freebody.measures.lead import Lead
+from freebody.measures.lead import Lead, LeadInPlane
 from freebody.measures.turn import Alignment, Turn
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
@@ -112,6 +112,8 @@ MEASURES: dict[str, Measure] = {
     "bearing": Bearing(ON_A, ON_B, C, number(0.2)),
     "bearing from the ground": Bearing(ON_A, FIXED),
     "lead": Lead(ON_A, ON_B, number(0.35)),
+    "lead in a plane": LeadInPlane(ON_A, ON_B, number(0.35), Direction(GROUND, ALONG), Direction(GROUND, ACROSS)),
+    "lead in a plane of a body": LeadInPlane(ON_A, ON_B, number(0.2), Direction(C, ALONG), Direction(C, ACROSS)),
 }
 THREE_BODIES = """
 space: true

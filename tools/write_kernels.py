@@ -31,7 +31,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, Direction, Point, Pose, SpatialPose, Vector
-from freebody.measures.lead import Lead
+from freebody.measures.lead import Lead, LeadInPlane
 from freebody.measures.turn import Alignment, Turn
 
 ENGINE = Path(__file__).parents[1] / "src/freebody/numeric/kernels"
@@ -57,6 +57,7 @@ SPATIAL: Kinds = [
     (Angle, ()),
     (Bearing, ()),
     (Lead, ()),
+    (LeadInPlane, ()),
 ]
 
 

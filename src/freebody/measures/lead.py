@@ -8,6 +8,9 @@ at C_1 - s_1 R_1 n and meets circle 2 at C_2 - s_2 R_2 n, so with rho = s_2 R_2 
 The arc on pulley i has the length s_i R_i (a_out - a_in). Gathering what belongs to one lead, the length of
 the whole string is the sum over its leads of  l - rho a,  whose differential is e . d(C_2 - C_1): the pull
 of the string along its line and nothing else.
+
+In space the circles lie in one plane, that of x and y or the one of two perpendicular directions e_1, e_2:
+the components of C_2 - C_1 are those along them.
 """
 
 from __future__ import annotations
@@ -19,7 +22,7 @@ from typing import ClassVar, TypeVar
 from freebody.language.expression import Expr
 from freebody.language.units import LENGTH, Dimension
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Geometry, Point, Scalar, Vector, position
+from freebody.measures.geometry import Direction, Geometry, Point, Scalar, Vector, position, unit
 
 S = TypeVar("S", bound=Scalar)
 
@@ -49,3 +52,21 @@ class Lead(Measure):
 
     def lines(self) -> Iterator[tuple[Point, Point]]:
         yield self.start, self.end
+
+
+@dataclass(frozen=True)
+class LeadInPlane(Lead):
+    """In space: the lead between circles in the plane of two perpendicular unit vectors, about along x side."""
+
+    along: Direction
+    side: Direction
+
+    def value(self, g: Geometry[S]) -> S:
+        rho = g.scalar(self.rho)
+        between = position(g, self.end) - position(g, self.start)
+        seen = Vector(between.dot(unit(g, self.along)), between.dot(unit(g, self.side)))
+        length, angle = g.tangent(seen, rho)
+        return length - rho * angle
+
+    def bodies(self) -> Iterator[str]:
+        yield from (*super().bodies(), self.along.body, self.side.body)

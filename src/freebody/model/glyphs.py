@@ -158,13 +158,15 @@ class Rod(Generic[P, N]):
 
 
 @dataclass(frozen=True)
-class Node(Generic[P, N]):
+class Node(Generic[P, D, N]):
     """A place on a rope's way: it runs round a circle counter-clockwise (arm = +R), clockwise (-R), or through a point
-    (0). On a drum it is wound up."""
+    (0). On a drum it is wound up. In space: about which axis, and a point of what carries that."""
 
     place: P
     arm: N
     is_drum: bool = False
+    axis: D | None = None
+    carrier: P | None = None
 
 
 @dataclass(frozen=True)
@@ -182,7 +184,7 @@ class Rope(Generic[P, D, N]):
     else states. With a free first end it comes to the first node along `comes`, as long as is left of the `whole`. An
     elastic one is slack where it is shorter than `relaxed`."""
 
-    nodes: tuple[Node[P, N], ...]
+    nodes: tuple[Node[P, D, N], ...]
     leads: tuple[Lead[D], ...]
     hanging: tuple[str, ...] = ()
     is_closed: bool = False

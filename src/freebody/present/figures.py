@@ -124,7 +124,7 @@ class Figure:
 Rail = glyphs.Rail[Place, Heading]
 Track = glyphs.Track[Place, Heading, float]
 Wheels = glyphs.Wheels[Place, float]
-Node = glyphs.Node[Place, float]
+Node = glyphs.Node[Place, Heading, float]
 Belt = glyphs.Belt[Place, float]
 Groove = glyphs.Groove[Place, float]
 Roller = glyphs.Roller[Place, float]

@@ -24,7 +24,6 @@ from freebody.connections.string.node import StringNode
 from freebody.language.expression import Call, Expr, Symbol, evaluate, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
-from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, ONE, ZERO, Direction
@@ -93,7 +92,7 @@ def rub(names: Names, passage: DrumPassage, friction: Friction, wrap: Any, conne
     terms = passage.before
     body = names.known(passage.node.body)
     if body.turns and not body.fixed and body.name != GROUND and passage.arm != ZERO:
-        terms = (*terms, (passage.arm, Angle(body.name)))
+        terms = (*terms, *((multiply(passage.arm, share), angle) for share, angle in passage.node.turned))
     row = ConstraintRow(
         slip_of(passage.node), "friction force", Combination(terms, LENGTH), ends=(body.name,), connection=connection
     )
@@ -141,7 +140,7 @@ def _wrap(names: Names, passage: DrumPassage, given: Any, label: str) -> Expr | 
         beta = names.formula(given, DIMENSIONLESS, "wrap")
     else:
         into, out = passage.leads
-        if into is None or out is None or {into.body, out.body} != {GROUND}:
+        if into is None or out is None or {into.body, out.body} != {GROUND} or passage.node.plane is not None:
             names.problem(
                 Message(
                     "the angle of wrap on {label} changes as the string moves, or is not known: give wrap: "

@@ -10,9 +10,17 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 from pydantic import ConfigDict, Field
 
 from freebody.connections.base import Connection
-from freebody.connections.standing import ground_guide_of, ground_line_under, is_parallel, number_of, starts_at
+from freebody.connections.standing import (
+    ground_guide_of,
+    ground_line_under,
+    is_parallel,
+    moves_out_of_plane,
+    number_of,
+    starts_at,
+)
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
 from freebody.connections.string.hanging import Hook, askew
+from freebody.connections.string.in_space import SpatialRun, in_planes, lie_in_space
 from freebody.connections.string.laying import (
     StringLead,
     StringRun,
@@ -32,7 +40,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ONE, RIGHT, ZERO, Direction, Point
+from freebody.measures.geometry import GROUND, RIGHT, ZERO, Direction, Point
 from freebody.measures.turned import turned_in
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint, Validity
@@ -102,15 +110,25 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return [*start[:1], *middle, *start[1:]]
 
     def is_in_plane(self, names: Names) -> bool:
-        return not self._is_of_points(names)
+        if not names.space or self._is_of_points(names) or self.leads is not None:
+            return not self._is_of_points(names)
+        way = self._places_read(names)
+        return way is None or not self._is_of_space(names, way)
+
+    def _is_of_space(self, names: Names, way: list[StringNode]) -> bool:
+        """In space: whether something on its way moves elsewhere than in the plane of x and y."""
+        return moves_out_of_plane(names, (node.body for node in way if node.body != GROUND))
+
+    def _places_read(self, names: Names) -> list[StringNode] | None:
+        places, fields = zip(*self._places(), strict=True) if self._places() else ((), ())
+        with names.quietly():
+            return read_way(names, places, fields, swings=True)
 
     def _is_of_points(self, names: Names) -> bool:
         """In space: whether it runs from point to point, through rings and over small pulleys, and not in the plane."""
         if not names.space or self.leads is not None:
             return False
-        places, fields = zip(*self._places(), strict=True) if self._places() else ((), ())
-        with names.quietly():
-            way = read_way(names, places, fields, swings=True)
+        way = self._places_read(names)
         flat = {body for c in names.connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
         return way is not None and all(
             node.radius == ZERO and (node.body == GROUND or node.body not in flat) for node in way
@@ -121,7 +139,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if run is None:
             return []
         grips = self._grips(names, run)
-        if not self._is_of_points(names):
+        if not self._is_of_points(names) and not isinstance(run, SpatialRun):
             check_ends(names, run)
         sections = sections_of(run, grips)
         rough = rough_drums(self.friction, _slid_over(sections))
@@ -176,6 +194,8 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if self._is_of_points(names):  # nothing hangs in a direction of its own, and no lead is along a guide
             way = [replace(node, hangs=False, is_put=False, guide=None, track=None) for node in way]
             return StringRun(way, [None] * (len(way) - 1), [0] * len(way), [ZERO] * len(way))
+        if names.space and self._is_of_space(names, way):
+            return self._run_in_space(names, way)
         names.laying.append(self)
         run = run_over(names, way, self.leads)
         loose = loose_drum(names, run)
@@ -194,10 +214,19 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             return None
         return run
 
+    def _run_in_space(self, names: Names, way: list[StringNode]) -> StringRun | None:
+        """How it lies over wheels whose planes need not be that of x and y; None with a problem noted."""
+        if self.leads is not None:
+            names.problem(Message("in space the leads follow from the wheels and guides; leave leads out"), "leads")
+            return None
+        placed = in_planes(names, way)
+        return None if placed is None else lie_in_space(names, placed)
+
     def _grips(self, names: Names, run: StringRun) -> set[str]:
         """The pulleys on which it does not slip: all that can turn, or those that the model names."""
         pulleys = {node.body for node in run.way[1:-1] if node.radius != ZERO}
         pulleys = {p for p in pulleys if names.known(p).turns and not names.known(p).fixed}
+        pulleys &= {node.body for node in run.way if node.turned}
         if self.grips is None:
             free = {p for p in pulleys if not self._is_kept_from_turning(names, p)}
             return free - set(self.friction if isinstance(self.friction, dict) else ())
@@ -232,7 +261,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
     def _hanging(self, names: Names, run: StringRun) -> list[ConstraintRow]:
         """Holds every body that hangs on this string, and on no other, across its lead."""
         me = self.own_name(names)
-        rows: list[ConstraintRow] = []
+        rows: list[ConstraintRow] = [*run.hanging()] if isinstance(run, SpatialRun) else []
         for body, hook in self._own_hooks(names, run):
             rows.append(hook.row(names))
             self._note_guided(names, me, rows[-1], hook)
@@ -244,6 +273,8 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                     body=body,
                 )
                 names.assumptions.append(told)
+        if isinstance(run, SpatialRun):
+            return rows
         for first, second, lead in askew(names, run.way, run.leads, run.arms):
             told = Message(
                 "{connection}: from {first} to {second} its direction is taken to be {direction}, although it would be "
@@ -309,13 +340,13 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         turned = {name for push in names.applied_loads for name in turned_in(push.measure)}
         for node in way[1:-1]:
             body = names.known(node.body)
-            if node.body in grips or node.radius == ZERO or body.fixed or body.inertia != ZERO:
+            if node.body in grips or node.radius == ZERO or body.fixed or body.inertia != ZERO or not node.turned:
                 continue
             if node.body in turned or drum_name(node) in rough:
                 continue
             others = [c for c in names.connections.values() if c is not self and node.body in c.mentions(names)]
             if all(c.lets_turn or c.keeps_flat(names) for c in others):
-                held = Combination(((ONE, Angle(node.body)),), DIMENSIONLESS)
+                held = Combination(node.turned, DIMENSIONLESS)
                 rows.append(
                     ConstraintRow(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True)
                 )
@@ -359,10 +390,18 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if run is None:
             return
         sections = sections_of(run, self._grips(names, run))
-        nodes = tuple(glyphs.Node(n.point, arm, n.way == "drum") for n, arm in zip(run.way, run.arms, strict=True))
+        nodes = tuple(_drawn(node, arm) for node, arm in zip(run.way, run.arms, strict=True))
         rows = [s.component(len(sections)) for s in sections for _lead in itertools.pairwise(s.nodes)]
         leads = tuple(glyphs.Lead(along, row) for along, row in zip(run.leads, rows, strict=True))
         yield glyphs.Rope(nodes, leads, tuple(body for body, _hook in self._own_hooks(names, run)))
+
+
+def _drawn(node: StringNode, arm: Expr) -> glyphs.Node[Point, Direction, Expr]:
+    """A place as it is drawn."""
+    is_drum, plane = node.way == "drum", node.plane
+    if plane is None:
+        return glyphs.Node(node.point, arm, is_drum)
+    return glyphs.Node(node.point, arm, is_drum, plane.normal, plane.carrier)
 
 
 def _is_placed(names: Names, lead: StringLead) -> bool:

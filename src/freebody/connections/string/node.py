@@ -4,8 +4,28 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from freebody.language.expression import Expr
-from freebody.measures.geometry import Direction, Point
+from freebody.language.expression import Expr, negate
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.geometry import ONE, Direction, Point
+
+
+@dataclass(frozen=True)
+class WheelPlane:
+    """In space: the plane in which a string runs round a wheel, by its normal, along which the axis of the wheel stays,
+    and two directions in it with along x side = normal, all of the ground; by how much the wheel turns about it, and a
+    point of what carries it."""
+
+    normal: Direction
+    along: Direction
+    side: Direction
+    turned: tuple[tuple[Expr, Measure], ...]
+    carrier: Point
+
+    def reversed(self) -> WheelPlane:
+        """The same plane seen from behind."""
+        turned = tuple((negate(share), angle) for share, angle in self.turned)
+        return WheelPlane(self.normal.reversed(), self.side, self.along, turned, self.carrier)
 
 
 @dataclass(frozen=True)
@@ -22,6 +42,7 @@ class StringNode:
     guide: Direction | None  # the lead runs along it
     track: Direction | None  # of a body that is guided where the model puts it
     place: tuple[float, float] | None
+    plane: WheelPlane | None = None  # of a wheel in space, where it need not be that of x and y
 
     @property
     def body(self) -> str:
@@ -31,3 +52,8 @@ class StringNode:
     def called(self) -> tuple[str, ...]:
         """Names by which people ask for the tension there: the body, the point where it is one of several."""
         return tuple(dict.fromkeys((str(self.point), self.body)))
+
+    @property
+    def turned(self) -> tuple[tuple[Expr, Measure], ...]:
+        """By how much it turns counter-clockwise, as seen against its axis."""
+        return ((ONE, Angle(self.body)),) if self.plane is None else self.plane.turned

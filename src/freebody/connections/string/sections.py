@@ -16,15 +16,14 @@ from dataclasses import dataclass
 from freebody.connections.string.capstan import DrumPassage, drum_name, slip_of
 from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode
-from freebody.language.expression import Expr, add, negate
+from freebody.language.expression import Expr, add, multiply, negate
 from freebody.language.units import LENGTH
-from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import ONE, ZERO
-from freebody.measures.lead import Lead
+from freebody.measures.lead import Lead, LeadInPlane
 from freebody.model.elements import ConstraintRow, StringStretch
 
 
@@ -77,7 +76,7 @@ def sections_of(run: StringRun, grips: Container[str]) -> list[StringSection]:
     passages: list[DrumPassage] = []
     begin = 0
     if way[0].way == "drum":
-        terms.append((negate(arms[0]), Angle(way[0].body)))
+        terms += wound(negate(arms[0]), way[0])
     for k, direction in enumerate(leads):
         a, b = way[k], way[k + 1]
         if direction is not None:
@@ -85,15 +84,22 @@ def sections_of(run: StringRun, grips: Container[str]) -> list[StringSection]:
         elif len(a.point.offset) > 2 and a.radius == b.radius == ZERO:
             terms.append((ONE, Distance(a.point, b.point)))  # in space
         else:
-            terms.append((ONE, Lead(a.point, b.point, add(arms[k + 1], negate(arms[k])))))
+            rho, plane = add(arms[k + 1], negate(arms[k])), a.plane or b.plane
+            in_plane = None if plane is None else LeadInPlane(a.point, b.point, rho, plane.along, plane.side)
+            terms.append((ONE, in_plane or Lead(a.point, b.point, rho)))
         last = k + 1 == len(way) - 1
         marked = (not last and b.body in grips and b.radius != ZERO) or (last and b.way == "drum")
         if marked:
-            terms.append((arms[k + 1], Angle(b.body)))
+            terms += wound(arms[k + 1], b)
         if marked or last:
             found.append(StringSection(tuple(terms), tuple(way[begin : k + 2]), tuple(passages)))
-            terms = [(negate(arms[k + 1]), Angle(b.body))] if marked else []
+            terms = wound(negate(arms[k + 1]), b) if marked else []
             begin, passages = k + 1, []
         else:
             passages.append(DrumPassage(b, tuple(terms), arms[k + 1], run.turns[k + 1], (direction, leads[k + 1])))
     return found
+
+
+def wound(arm: Expr, wheel: StringNode) -> list[tuple[Expr, Measure]]:
+    """What is wound on a wheel as it turns, at an arm."""
+    return [(multiply(arm, share), angle) for share, angle in wheel.turned]

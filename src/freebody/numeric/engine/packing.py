@@ -14,6 +14,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, Direction, Point
+from freebody.measures.lead import Lead
 from freebody.measures.turn import Alignment
 from freebody.model.elements import (
     AppliedLoad,
@@ -96,7 +97,8 @@ class Packing:
             known[key] = len(self.pieces)
             self.pieces.append((index, key))
             if kind.has_bearing and name != "Distance":
-                self._with_bearing[known[key]] = (measure, constant, numbers[-1] if name == "Lead" else None)
+                rho = self.numbers.number(measure.rho) if isinstance(measure, Lead) else None
+                self._with_bearing[known[key]] = (measure, constant, rho)
         return Base(constant, ((known[key], 1.0),))
 
     def _fixed_angle(self, field_name: str, body: str) -> float:

@@ -15,7 +15,7 @@ from freebody.numeric.kernels.declaring import kernel
 from freebody.numeric.kernels.measures_planar import BEARING, BIAS, NEAR, TURN, VALUE, Kind
 from freebody.numeric.kernels.rotating import carried, crossed, returned
 
-MAX_BODIES = 3
+MAX_BODIES = 4
 MAX_NUMBERS = 19
 
 KINDS = (
@@ -116,6 +116,28 @@ KINDS = (
     ),
     Kind(
         "Lead", (), 2, 7, True, (2, 8), ((3, (1, 2)), (4, (0, 2)), (5, (0, 1)), (9, (4, 5)), (10, (3, 5)), (11, (3, 4)))
+    ),
+    Kind(
+        "LeadInPlane",
+        (),
+        4,
+        13,
+        True,
+        (12, 13, 14, 18, 19, 20),
+        (
+            (3, (1, 2)),
+            (4, (0, 2)),
+            (5, (0, 1)),
+            (9, (4, 5)),
+            (10, (3, 5)),
+            (11, (3, 4)),
+            (15, (8, 9)),
+            (16, (7, 9)),
+            (17, (7, 8)),
+            (21, (11, 12)),
+            (22, (10, 12)),
+            (23, (10, 11)),
+        ),
     ),
 )
 
@@ -939,6 +961,194 @@ def measure(kinds, starts, bodies, numbers, q, v, frames, out, gradient):
         gradient[o + 9] = m_r0x
         gradient[o + 10] = m_r0y
         gradient[o + 11] = m_r0z
+    # LeadInPlane: bodies start, end, along, side
+    for k in range(kinds[10], kinds[11]):
+        b0 = bodies[k, 0]
+        x0 = q[2 * b0, 0]
+        y0 = q[2 * b0, 1]
+        z0 = q[2 * b0, 2]
+        vx0 = v[2 * b0, 0]
+        vy0 = v[2 * b0, 1]
+        vz0 = v[2 * b0, 2]
+        wx0 = v[2 * b0 + 1, 0]
+        wy0 = v[2 * b0 + 1, 1]
+        wz0 = v[2 * b0 + 1, 2]
+        b1 = bodies[k, 1]
+        x1 = q[2 * b1, 0]
+        y1 = q[2 * b1, 1]
+        z1 = q[2 * b1, 2]
+        vx1 = v[2 * b1, 0]
+        vy1 = v[2 * b1, 1]
+        vz1 = v[2 * b1, 2]
+        wx1 = v[2 * b1 + 1, 0]
+        wy1 = v[2 * b1 + 1, 1]
+        wz1 = v[2 * b1 + 1, 2]
+        b2 = bodies[k, 2]
+        wx2 = v[2 * b2 + 1, 0]
+        wy2 = v[2 * b2 + 1, 1]
+        wz2 = v[2 * b2 + 1, 2]
+        b3 = bodies[k, 3]
+        wx3 = v[2 * b3 + 1, 0]
+        wy3 = v[2 * b3 + 1, 1]
+        wz3 = v[2 * b3 + 1, 2]
+        p0 = numbers[k, 0]
+        p1 = numbers[k, 1]
+        p2 = numbers[k, 2]
+        p3 = numbers[k, 3]
+        p4 = numbers[k, 4]
+        p5 = numbers[k, 5]
+        p6 = numbers[k, 6]
+        p7 = numbers[k, 7]
+        p8 = numbers[k, 8]
+        p9 = numbers[k, 9]
+        p10 = numbers[k, 10]
+        p11 = numbers[k, 11]
+        p12 = numbers[k, 12]
+        r0x, r0y, r0z = carried(frames, b1, p3, p4, p5)
+        t_r0x, t_r0y, t_r0z = crossed(wx1, wy1, wz1, p3, p4, p5)
+        dr0x, dr0y, dr0z = carried(frames, b1, t_r0x, t_r0y, t_r0z)
+        c_r0x, c_r0y, c_r0z = crossed(wx1, wy1, wz1, t_r0x, t_r0y, t_r0z)
+        r1x, r1y, r1z = carried(frames, b0, p0, p1, p2)
+        t_r1x, t_r1y, t_r1z = crossed(wx0, wy0, wz0, p0, p1, p2)
+        dr1x, dr1y, dr1z = carried(frames, b0, t_r1x, t_r1y, t_r1z)
+        c_r1x, c_r1y, c_r1z = crossed(wx0, wy0, wz0, t_r1x, t_r1y, t_r1z)
+        r2x, r2y, r2z = carried(frames, b2, p7, p8, p9)
+        t_r2x, t_r2y, t_r2z = crossed(wx2, wy2, wz2, p7, p8, p9)
+        dr2x, dr2y, dr2z = carried(frames, b2, t_r2x, t_r2y, t_r2z)
+        c_r2x, c_r2y, c_r2z = crossed(wx2, wy2, wz2, t_r2x, t_r2y, t_r2z)
+        r3x, r3y, r3z = carried(frames, b3, p10, p11, p12)
+        t_r3x, t_r3y, t_r3z = crossed(wx3, wy3, wz3, p10, p11, p12)
+        dr3x, dr3y, dr3z = carried(frames, b3, t_r3x, t_r3y, t_r3z)
+        c_r3x, c_r3y, c_r3z = crossed(wx3, wy3, wz3, t_r3x, t_r3y, t_r3z)
+        dx, dy, rho = (
+            r2x * (r0x - r1x - x0 + x1) + r2y * (r0y - r1y - y0 + y1) + r2z * (r0z - r1z - z0 + z1),
+            r3x * (r0x - r1x - x0 + x1) + r3y * (r0y - r1y - y0 + y1) + r3z * (r0z - r1z - z0 + z1),
+            p6,
+        )
+        length_0 = math.sqrt(dx * dx + dy * dy - rho * rho)
+        square = dx * dx + dy * dy
+        ex_0, ey_0 = (length_0 * dx + rho * dy) / square, (length_0 * dy - rho * dx) / square
+        bearing_0 = math.atan2(ey_0, ex_0)
+        bearing_0 += TURN * math.floor((out[k, NEAR] - bearing_0) / TURN + 0.5)
+        out[k, BEARING] = bearing_0
+        u0 = ex_0 * r2x + ey_0 * r3x
+        u1 = ex_0 * r2y + ey_0 * r3y
+        u2 = ex_0 * r2z + ey_0 * r3z
+        u3 = r0x - r1x - x0 + x1
+        u4 = r0y - r1y - y0 + y1
+        u5 = r0z - r1z - z0 + z1
+        u6 = dr2x * ex_0
+        u7 = dr3x * ey_0
+        u8 = u6 + u7
+        u9 = dr2y * ex_0
+        u10 = dr3y * ey_0
+        u11 = u10 + u9
+        u12 = dr2z * ex_0
+        u13 = dr3z * ey_0
+        u14 = u12 + u13
+        u15 = -u8
+        u16 = -u11
+        u17 = -u14
+        u18 = dr0x - dr1x - vx0 + vx1
+        u19 = dr0y - dr1y - vy0 + vy1
+        u20 = dr0z - dr1z - vz0 + vz1
+        u21 = ex_0 * (
+            dr0x * r3x
+            + dr0y * r3y
+            + dr0z * r3z
+            - dr1x * r3x
+            - dr1y * r3y
+            - dr1z * r3z
+            + dr3x * u3
+            + dr3y * u4
+            + dr3z * u5
+            - r3x * vx0
+            + r3x * vx1
+            - r3y * vy0
+            + r3y * vy1
+            - r3z * vz0
+            + r3z * vz1
+        )
+        u22 = ey_0 * (
+            dr0x * r2x
+            + dr0y * r2y
+            + dr0z * r2z
+            - dr1x * r2x
+            - dr1y * r2y
+            - dr1z * r2z
+            + dr2x * u3
+            + dr2y * u4
+            + dr2z * u5
+            - r2x * vx0
+            + r2x * vx1
+            - r2y * vy0
+            + r2y * vy1
+            - r2z * vz0
+            + r2z * vz1
+        )
+        u23 = (u21 - u22) / length_0
+        pull_r0x, pull_r0y, pull_r0z = returned(frames, b1, u0, u1, u2)
+        pull_r1x, pull_r1y, pull_r1z = returned(frames, b0, -u0, -u1, -u2)
+        pull_r2x, pull_r2y, pull_r2z = returned(frames, b2, ex_0 * u3, ex_0 * u4, ex_0 * u5)
+        pull_r3x, pull_r3y, pull_r3z = returned(frames, b3, ey_0 * u3, ey_0 * u4, ey_0 * u5)
+        m_r0x, m_r0y, m_r0z = crossed(p3, p4, p5, pull_r0x, pull_r0y, pull_r0z)
+        m_r1x, m_r1y, m_r1z = crossed(p0, p1, p2, pull_r1x, pull_r1y, pull_r1z)
+        m_r2x, m_r2y, m_r2z = crossed(p7, p8, p9, pull_r2x, pull_r2y, pull_r2z)
+        m_r3x, m_r3y, m_r3z = crossed(p10, p11, p12, pull_r3x, pull_r3y, pull_r3z)
+        out[k, VALUE] = -bearing_0 * p6 + length_0
+        out[k, BIAS] = (
+            c_r0x * pull_r0x
+            + c_r0y * pull_r0y
+            + c_r0z * pull_r0z
+            + c_r1x * pull_r1x
+            + c_r1y * pull_r1y
+            + c_r1z * pull_r1z
+            + c_r2x * pull_r2x
+            + c_r2y * pull_r2y
+            + c_r2z * pull_r2z
+            + c_r3x * pull_r3x
+            + c_r3y * pull_r3y
+            + c_r3z * pull_r3z
+            + dr0x * u8
+            + dr0y * u11
+            + dr0z * u14
+            + dr1x * u15
+            + dr1y * u16
+            + dr1z * u17
+            + u10 * u19
+            + u11 * vy1
+            + u12 * u20
+            + u13 * u20
+            + u14 * vz1
+            + u15 * vx0
+            + u16 * vy0
+            + u17 * vz0
+            + u18 * u6
+            + u18 * u7
+            + u19 * u9
+            + u21 * u23
+            - u22 * u23
+            + u8 * vx1
+        )
+        o = starts[10] + 24 * (k - kinds[10])
+        gradient[o + 0] = -u0
+        gradient[o + 1] = -u1
+        gradient[o + 2] = -u2
+        gradient[o + 3] = m_r1x
+        gradient[o + 4] = m_r1y
+        gradient[o + 5] = m_r1z
+        gradient[o + 6] = u0
+        gradient[o + 7] = u1
+        gradient[o + 8] = u2
+        gradient[o + 9] = m_r0x
+        gradient[o + 10] = m_r0y
+        gradient[o + 11] = m_r0z
+        gradient[o + 15] = m_r2x
+        gradient[o + 16] = m_r2y
+        gradient[o + 17] = m_r2z
+        gradient[o + 21] = m_r3x
+        gradient[o + 22] = m_r3y
+        gradient[o + 23] = m_r3z
 
 
 def fill(kinds: Any, starts: Any, numbers: Any, gradient: Any) -> None:

@@ -14,6 +14,7 @@ from freebody.present.scene import Scene
 from freebody.present.space.cuts import Cuts
 from freebody.present.space.figures import Poses, upright
 from freebody.present.space.pieces import Piece, ball
+from freebody.present.space.ropes import is_wound, rope_pieces
 from freebody.present.space.shells import Shells
 from freebody.present.space.solids import basis, box, prism
 from freebody.present.space.stands import Stands
@@ -44,6 +45,9 @@ class Loads:
                 yield self._wall(point, origin, along, limit)
             case Shoe(first, second):
                 yield from self._shoe(first, second)
+            case Rope(nodes) as rope if is_wound(rope):
+                yield from rope_pieces(rope, self.poses, 0.1 * self.u)
+                yield from self.stands.held(nodes[0].place, nodes[-1].place)
             case Rope(nodes):
                 yield from self._string([place for place, _same in groupby(node.place for node in nodes)])
             case Spring(first, second, is_spring, is_damper):

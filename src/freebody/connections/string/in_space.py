@@ -1,0 +1,492 @@
+"""How a string lies in space, over wheels whose axes keep their directions.
+
+With n_i the axis of wheel i, s_i = +1 where the string runs round it right-handed about n_i (-1: left-handed) and e the
+direction of a lead, the string leaves a wheel or comes to it at C_i + s_i R_i e x n_i, so that with l the length of the
+lead
+
+    C_2 - C_1 = l e + s_1 R_1 e x n_1 - s_2 R_2 e x n_2.
+
+Between wheels with parallel axes, or a wheel and a point, that is the plane's common tangent (see `measures.lead`) in
+the plane across n. Between axes that are not parallel the lead is perpendicular to both,
+e = +- n_1 x n_2 / |n_1 x n_2|: it keeps its direction, and the wheels have to stand so that it is in the plane of each,
+
+    n_1 . (C_2 - C_1) = s_2 R_2 e . (n_1 x n_2),      n_2 . (C_2 - C_1) = s_1 R_1 e . (n_1 x n_2).
+
+What is at an end has to be kept in the plane of the wheel to which its lead runs: otherwise it would draw the string
+off the wheel. A body that nothing else holds hangs straight down from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from freebody.connections.standing import begins_at, is_zero, number_of, vanishes
+from freebody.connections.standing_in_space import (
+    distance_along,
+    line_of,
+    on_ground,
+    opposite,
+    standing,
+    started_place,
+)
+from freebody.connections.string.laying import StringRun
+from freebody.connections.string.node import StringNode, WheelPlane
+from freebody.language.expression import Call, Expr, multiply, negate, number
+from freebody.language.sentences import Message
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, ZERO, Direction
+from freebody.model.elements import ConstraintRow
+from freebody.model.rotations import UNIT, dot, perpendiculars, vector_product
+from freebody.tolerances import ROUND_OFF
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_TOWARD = {"top": "up", "bottom": "down"}
+_SENSES = {"clockwise": -1, "counterclockwise": 1}
+
+
+@dataclass(frozen=True)
+class SpatialRun(StringRun):
+    """A string on its way in space. hung: of what hangs on it, the point, that from which it hangs, the directions
+    across the lead and how far it is aside along each."""
+
+    hung: tuple[tuple[int, int, tuple[tuple[Direction, Expr], ...]], ...] = ()
+
+    @property
+    def hooks(self) -> dict[str, Any]:
+        """Nothing else asks in space where strings place what hangs on them."""
+        return {}
+
+    def hanging(self) -> Iterator[ConstraintRow]:
+        """Rows that keep what hangs straight below."""
+        for k, j, sides in self.hung:
+            point, other = self.way[k].point, self.way[j].point
+            for (normal, offset), name in zip(sides, ("hangs", "hangs across"), strict=True):
+                across = Displacement(point, other, normal)
+                target = None if offset == ZERO else offset
+                yield ConstraintRow(
+                    f"{point.body} {name}", "sideways force", across, target, ends=(point.body,), if_needed=True
+                )
+
+
+def in_planes(names: Names, way: Sequence[StringNode]) -> list[StringNode] | None:
+    """The places on a way with the planes of their wheels; None with a problem noted."""
+    found: list[StringNode] = []
+    for node in way:
+        plane = None if node.radius == ZERO else _plane(names, node)
+        if node.radius != ZERO and plane is None:
+            return None
+        found.append(replace(node, plane=plane))
+    return found
+
+
+def _plane(names: Names, node: StringNode) -> WheelPlane | None:
+    """The plane across the axis of a wheel: that of its bearing, or its own."""
+    body = names.known(node.body)
+    axles: list[Direction] = []
+    carrier = names.ground_origin
+    for connection in names.connections.values():
+        bearing = connection.bearing(names) if body.name in connection.mentions(names) else None
+        if bearing is not None:
+            first, second, axis, other = bearing
+            axles.append(axis if axis.body == body.name else other)
+            carrier = second if first.body == body.name else first
+    flat = {b for c in names.connections.values() if c.keeps_flat(names) for b in c.mentions(names)}
+    if body.name in flat:
+        axles.append(Direction(body.name, UNIT[2]))
+    if body.axis:
+        axles.append(Direction(body.name, body.axis))
+    for axle in axles:
+        still = on_ground(names, axle)
+        if still is not None:
+            normal, turned = still
+            along, side = (Direction(GROUND, v) for v in perpendiculars(normal.components))
+            return WheelPlane(normal, along, side, turned, carrier)
+    told = Message(
+        "the axis of {wheel} does not keep its direction: a string in space runs over wheels that turn about axes "
+        "fixed on the ground, or on bodies that do not tilt them (revolute, prismatic)",
+        wheel=node.body,
+    )
+    if not axles:
+        told = Message("nothing says about which axis {wheel} turns: hold it by a revolute joint", wheel=node.body)
+    names.problem(told)
+    return None
+
+
+def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
+    """How a string runs over the wheels of its way; None with a problem noted."""
+    laying = _Laying(names, list(way))
+    for k in range(len(way) - 1):
+        if not laying.lead(k):
+            return None
+    for k in range(len(way)):
+        if not laying.sense(k):
+            return None
+    return laying.run()
+
+
+class _Laying:
+    """A string in the making: its leads, and in which sense it runs round each wheel."""
+
+    def __init__(self, names: Names, way: list[StringNode]) -> None:
+        self.names, self.way = names, way
+        self.leads: list[Direction | None] = [None] * (len(way) - 1)
+        self.senses: list[int | None] = [None if n.plane is None else _SENSES.get(n.turn or "") for n in way]
+        self.hanging: dict[int, int] = {}  # what hangs, and the wheel that it hangs from
+        self.fits: dict[int, list[tuple[int, int]]] = {}  # senses with which leads keep their directions
+
+    def run(self) -> SpatialRun:
+        turns = [0 if n.plane is None else s or 1 for n, s in zip(self.way, self.senses, strict=True)]
+        arms = [multiply(number(s), n.radius) if s else ZERO for s, n in zip(turns, self.way, strict=True)]
+        for k, fits in self.fits.items():
+            if (turns[k], turns[k + 1]) not in fits:
+                self.leads[k] = None
+        hung = tuple((k, j, self._sides(k, j, arms)) for k, j in self.hanging.items())
+        return SpatialRun(self.way, self.leads, turns, arms, hung)
+
+    def _sides(self, k: int, j: int, arms: list[Expr]) -> tuple[tuple[Direction, Expr], ...]:
+        """Of what hangs at one place from another: n . (C_2 - C_1) = s_2 R_2 - s_1 R_1 across the lead in the plane,
+        and nothing across the plane."""
+        plane, lead = self.way[j].plane, self.leads[min(j, k)]
+        assert plane is not None
+        assert lead is not None
+        normal = Direction(GROUND, vector_product(plane.normal.components, lead.components))
+        return (normal, negate(arms[j]) if k > j else arms[j]), (plane.normal, ZERO)
+
+    # -- leads ------------------------------------------------------------------------------------
+    def lead(self, k: int) -> bool:
+        """Finds how a lead runs; False with a problem noted."""
+        a, b = self.way[k], self.way[k + 1]
+        if a.plane is None and b.plane is None:
+            if not (a.hangs or b.hangs):
+                return True
+            told = Message(
+                "{body} would hang on {other}, which is no wheel: in space put it somewhere (at)",
+                body=a.body if a.hangs else b.body,
+                other=b.point if a.hangs else a.point,
+            )
+            self.names.problem(told)
+            return False
+        if a.plane is not None and b.plane is not None and not self._are_parallel(a.plane, b.plane):
+            return self._crossing(k, a.plane, b.plane)
+        plane = a.plane or b.plane
+        assert plane is not None
+        if a.plane is not None and b.plane is not None and dot_of(self.names, a.plane.normal, b.plane.normal) < 0.0:
+            self.way[k + 1] = replace(b, plane=b.plane.reversed())
+            if self.senses[k + 1] is not None:
+                told = Message(
+                    "the axes of {first} and {second} point against each other: name both the same way",
+                    first=a.body,
+                    second=b.body,
+                )
+                self.names.problem(told)
+                return False
+        if a.hangs or b.hangs or self._is_put_below(k, plane):
+            return self._hung(k, plane)
+        aside = distance_along(self.names, a.point, b.point, plane.normal)
+        if aside is None or not is_zero(self.names, aside):
+            self._note_off_plane(k, None if aside is None else number_of(self.names, aside))
+            return False
+        return self._guided(k, plane)
+
+    def _are_parallel(self, a: WheelPlane, b: WheelPlane) -> bool:
+        return all(is_zero(self.names, c) for c in vector_product(a.normal.components, b.normal.components))
+
+    def _note_off_plane(self, k: int, aside: float | None) -> None:
+        a, b = self.way[k], self.way[k + 1]
+        wheel, other = (a, b) if a.plane is not None else (b, a)
+        if aside is None:
+            told = Message(
+                "nothing keeps {other} in the plane of {wheel}, across its axis, where the string runs onto it: guide "
+                "it there (prismatic, revolute, planar), or let it hang on the string alone",
+                other=other.point,
+                wheel=wheel.body,
+            )
+        else:
+            told = Message(
+                "{other} is {aside:.6g} m beside the plane of {wheel}, across its axis, and would draw the string off "
+                "it: put it into that plane",
+                other=other.point,
+                wheel=wheel.body,
+                aside=abs(aside),
+            )
+        self.names.problem(told)
+
+    def _hung(self, k: int, plane: WheelPlane) -> bool:
+        """A lead straight down to what hangs."""
+        names, up = self.names, Direction(GROUND, self.names.up)
+        first_hangs = self.way[k].hangs or (self.way[k].is_put and not self.way[k + 1].hangs)
+        hung, wheel = (k, k + 1) if first_hangs else (k + 1, k)
+        if self.way[hung].plane is not None or not is_zero(names, dot(up.components, plane.normal.components)):
+            told = Message(
+                "{body} cannot hang on {wheel}, whose axis is not level: guide it by a joint",
+                body=self.way[hung].body,
+                wheel=self.way[wheel].body,
+            )
+            if self.way[hung].plane is not None:
+                told = Message(
+                    "in space a wheel that hangs on a string is held by a joint: {body}", body=self.way[hung].body
+                )
+            names.problem(told)
+            return False
+        self.leads[k] = up if first_hangs else opposite(up)
+        self.hanging.setdefault(hung, wheel)
+        return True
+
+    def _is_put_below(self, k: int, plane: WheelPlane) -> bool:
+        """Whether an end that nothing else holds is put where it would hang, and says so in which sense the string goes
+        round the wheel."""
+        hung, wheel = (k, k + 1) if self.way[k].is_put else (k + 1, k)
+        level, places = self._level(plane), (self._where(hung), self._where(wheel))
+        if not self.way[hung].is_put or level is None or places[0] is None or places[1] is None:
+            return False
+        away = [p - q for p, q in zip(*places, strict=True)]
+        radius, aside = number_of(self.names, self.way[wheel].radius), _dot(away, level[0])
+        n = [number_of(self.names, c) for c in plane.normal.components]
+        if abs(abs(aside) - radius) > ROUND_OFF or abs(_dot(away, n)) > ROUND_OFF or _dot(away, level[1]) >= 0.0:
+            return False
+        down_on_the_right = (aside > 0.0) == (
+            hung > wheel
+        )  # it leaves the wheel there going down, or comes up on the left
+        return self._turns(wheel, -1 if down_on_the_right else 1)
+
+    def _turns(self, k: int, sense: int) -> bool:
+        """Takes a sense for a wheel, unless it has another one."""
+        if self.senses[k] is None:
+            self.senses[k] = sense
+        return self.senses[k] == sense
+
+    def _guided(self, k: int, plane: WheelPlane) -> bool:
+        """A lead along the line on which one of its ends is guided, if it runs along that whatever the parameters are;
+        else the common tangent."""
+        a, b = self.way[k], self.way[k + 1]
+        for end in (b, a):
+            line = line_of(self.names, end.point, plane.normal)
+            if line is None:
+                continue
+            normal = Direction(GROUND, vector_product(plane.normal.components, line.components))
+            across = distance_along(self.names, a.point, b.point, normal)
+            if across is None:
+                continue
+            forward = self._is_ahead(k, line, end is b)
+            if forward is None:
+                return False
+            along, sign = (line, 1) if forward else (opposite(line), -1)
+            fits = [s for s in self._senses_of(k) if vanishes(self.names, _gap(across, sign, s, (a.radius, b.radius)))]
+            if fits:
+                self.leads[k], self.fits[k] = along, fits
+                return len(fits) > 1 or self._agree(k, fits[0])
+        return True
+
+    def _senses_of(self, k: int) -> list[tuple[int, int]]:
+        """The senses in which the string may run round both ends of a lead."""
+        options = [
+            (0,) if n.plane is None else (s,) if s else (1, -1)
+            for n, s in zip(self.way[k : k + 2], self.senses[k : k + 2], strict=True)
+        ]
+        return [(s, t) for s in options[0] for t in options[1]]
+
+    def _agree(self, k: int, senses: tuple[int, int]) -> bool:
+        """Takes the senses that a lead asks for; False with a problem noted where they are others already."""
+        for j, s in zip((k, k + 1), senses, strict=True):
+            if s and self.senses[j] not in (None, s):
+                told = Message(
+                    "{wheel} stands so that the string runs round it one way before it and the other way after it: put "
+                    "its ends elsewhere",
+                    wheel=self.way[j].body,
+                )
+                self.names.problem(told)
+                return False
+            if s:
+                self.senses[j] = s
+        return True
+
+    def _is_ahead(self, k: int, line: Direction, is_last: bool) -> bool | None:
+        """Whether a lead runs along the line of an end, seen from its start; None with a problem noted where nothing
+        tells on which side of the wheel the end is."""
+        names = self.names
+        first, last = (self._where(j) for j in (k, k + 1))
+        if first is not None and last is not None:
+            ahead = sum((q - p) * number_of(names, e) for p, q, e in zip(first, last, line.components, strict=True))
+            if abs(ahead) > ROUND_OFF:
+                return ahead > 0.0
+        rise = number_of(names, dot(line.components, names.up))
+        if abs(rise) > ROUND_OFF:  # what is guided up and down is below
+            return (rise < 0.0) == is_last
+        end, wheel = (k + 1, k) if is_last else (k, k + 1)
+        told = Message(
+            "on which side of {wheel} is {body}? Say where it is at the start (at, near, or start)",
+            body=self.way[end].body,
+            wheel=self.way[wheel].body,
+        )
+        names.problem(told)
+        return None
+
+    def _crossing(self, k: int, first: WheelPlane, second: WheelPlane) -> bool:
+        """A lead between wheels whose axes are not parallel."""
+        names, (a, b) = self.names, self.way[k : k + 2]
+        n1, n2 = first.normal.components, second.normal.components
+        cross = vector_product(n1, n2)
+        size = Call("sqrt", dot(cross, cross)) if not is_zero(names, dot(cross, cross) - number(1)) else number(1)
+        e = Direction(GROUND, tuple(c / size for c in cross))
+        asides = [distance_along(names, a.point, b.point, p.normal) for p in (first, second)]
+        places = self._where(k), self._where(k + 1)
+        if asides[0] is None or asides[1] is None or places[0] is None or places[1] is None:
+            told = Message(
+                "the common tangent of {first} and {second}, whose axes are not parallel, would not stay one: hold "
+                "both wheels so that neither moves along the axis of the other",
+                first=a.body,
+                second=b.body,
+            )
+            names.problem(told)
+            return False
+        ahead = sum((q - p) * number_of(names, c) for p, q, c in zip(places[0], places[1], e.components, strict=True))
+        sign = 1 if ahead > 0.0 else -1
+        offsets = [number_of(names, x) for x in asides if x is not None]
+        senses = tuple(sign if x > 0.0 else -sign for x in reversed(offsets))
+        wanted = [multiply(number(sign * s), size, r) for s, r in zip(senses, (a.radius, b.radius), strict=True)]
+        misses = [number_of(names, x - w) for x, w in zip(asides, reversed(wanted), strict=True) if x is not None]
+        if abs(ahead) <= ROUND_OFF or any(abs(m) > ROUND_OFF for m in misses):
+            told = Message(
+                "the string from {first} to {second} runs along the line in which their planes meet: put {second} "
+                "{own:.6g} m from {first} along the axis of {first} (now {own_now:.6g} m), and {other:.6g} m along the "
+                "axis of {second} (now {other_now:.6g} m)",
+                first=a.body,
+                second=b.body,
+                own=number_of(names, wanted[1]),
+                own_now=offsets[0],
+                other=number_of(names, wanted[0]),
+                other_now=offsets[1],
+            )
+            names.problem(told)
+            return False
+        self.leads[k] = e if sign > 0 else opposite(e)
+        return self._agree(k, (senses[0], senses[1]))
+
+    # -- senses -----------------------------------------------------------------------------------
+    def sense(self, k: int) -> bool:
+        """Finds in which sense the string runs round a wheel; False with a problem noted."""
+        node = self.way[k]
+        if node.plane is None or self.senses[k] is not None:
+            return True
+        self.senses[k] = self._of_drum(k) if node.way == "drum" else self._of_wheel(k)
+        if self.senses[k] is None:
+            told = Message(
+                "in which sense does the string go round {wheel}? Write '{way} clockwise' or '{way} counterclockwise', "
+                "as seen against its axis",
+                wheel=node.body,
+                way=f"wound on {node.body}" if node.way == "drum" else f"{node.way} {node.body}",
+            )
+            self.names.problem(told)
+        return self.senses[k] is not None
+
+    def _of_drum(self, k: int) -> int | None:
+        """e = s n x p, p from the centre to where the string leaves it: up or down, right or left on the ground."""
+        plane, heading, side = self.way[k].plane, self._heading(k if k == 0 else k - 1), self.way[k].side
+        if plane is None or heading is None or side is None:
+            return None
+        toward = self.names.compass[_TOWARD.get(side, side)]
+        n, p = ([number_of(self.names, c) for c in d.components] for d in (plane.normal, toward))
+        ahead = _dot(heading, _cross(n, p))
+        return None if abs(ahead) <= ROUND_OFF else 1 if ahead > 0.0 else -1
+
+    def _of_wheel(self, k: int) -> int | None:
+        """Over the top to the right it runs clockwise; round the shorter side where the leads say so."""
+        node, plane = self.way[k], self.way[k].plane
+        assert plane is not None
+        before, after = self._heading(k - 1), self._heading(k)
+        n = [number_of(self.names, c) for c in plane.normal.components]
+        bend = None if before is None or after is None else _dot(n, _cross(before, after))
+        are_known = self.leads[k - 1] is not None and self.leads[k] is not None
+        level = self._level(plane)
+        if bend is not None and abs(bend) > ROUND_OFF and (node.way == "around" or are_known or level is None):
+            return 1 if bend > 0.0 else -1
+        if level is None or node.way == "around":
+            return None
+        right = self._goes_right(k, level[0])
+        return None if right is None else (-1 if right else 1) * (-1 if node.way == "under" else 1)
+
+    def _goes_right(self, k: int, right: list[float]) -> bool | None:
+        """Whether the string comes to a wheel from the left and goes on to the right. What hangs is on the other side
+        than what is beside the wheel."""
+        here = self._where(k)
+        sides: list[float | None] = []
+        for j in (k - 1, k + 1):
+            there = None if j in self.hanging else self._where(j)
+            away = (
+                None
+                if there is None or here is None
+                else _dot([q - p for p, q in zip(here, there, strict=True)], right)
+            )
+            sides.append(None if away is None or abs(away) <= ROUND_OFF else away)
+        before, after = sides
+        if before is not None and after is not None and abs(after - before) > ROUND_OFF:
+            return after > before
+        if before is None and after is None:
+            return True if k - 1 in self.hanging and k + 1 in self.hanging else None
+        return before < 0.0 if before is not None else after is not None and after > 0.0
+
+    def _level(self, plane: WheelPlane) -> tuple[list[float], list[float]] | None:
+        """What is to the right and up in the plane of a wheel, seen against its axis; None where that is upright."""
+        n = [number_of(self.names, c) for c in plane.normal.components]
+        up = [number_of(self.names, c) for c in self.names.up]
+        rise = [u - _dot(up, n) * c for u, c in zip(up, n, strict=True)]
+        size = _dot(rise, rise) ** 0.5
+        if size <= ROUND_OFF:
+            return None
+        upward = [x / size for x in rise]
+        return _cross(upward, n), upward
+
+    def _heading(self, k: int) -> list[float] | None:
+        """The direction of a lead in numbers, from its stated direction or from where its ends are."""
+        if not 0 <= k < len(self.leads):
+            return None
+        lead = self.leads[k]
+        if lead is not None:
+            return [number_of(self.names, c) for c in lead.components]
+        first, last = self._where(k), self._where(k + 1)
+        return None if first is None or last is None else [q - p for p, q in zip(first, last, strict=True)]
+
+    def _where(self, k: int) -> list[float] | None:
+        """Where a place is at the start in numbers: as it is held, put, or guessed to be, or as a named measure of it
+        starts."""
+        names, point = self.names, self.way[k].point
+        body = names.known(point.body)
+        guess = body.start.at or (None if body.start.near is None else body.start.near.at)
+        found: list[float] = []
+        for j, axis in enumerate(UNIT):
+            along = Direction(GROUND, axis)
+            place = standing(names, point, along)
+            begun = begins_at(names, point, along)
+            if place.body == GROUND:
+                found.append(number_of(names, place.far))
+            elif begun is not None:
+                found.append(number_of(names, begun))
+            elif guess is not None:
+                name, at = guess
+                found.append(number_of(names, at[j] + point.offset[j] - body.points[name][j]))
+            else:
+                return started_place(names, point)
+        return found
+
+
+def _gap(across: Expr, sign: int, senses: tuple[int, int], radii: tuple[Expr, Expr]) -> Expr:
+    """sign n . (C_2 - C_1) - (s_2 R_2 - s_1 R_1), n the line turned by a quarter turn."""
+    (s, t), (r1, r2) = senses, radii
+    return multiply(number(sign), across) - multiply(number(t), r2) + multiply(number(s), r1)
+
+
+def dot_of(names: Names, a: Direction, b: Direction) -> float:
+    """The cosine between two directions of the ground in numbers."""
+    return number_of(names, dot(a.components, b.components))
+
+
+def _dot(a: Sequence[float], b: Sequence[float]) -> float:
+    return sum(x * y for x, y in zip(a, b, strict=True))
+
+
+def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
+    return [a[j] * b[k] - a[k] * b[j] for j, k in ((1, 2), (2, 0), (0, 1))]
