@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from functools import cache
+from itertools import takewhile
 
 from freebody.questions.spoken.lexicon import ENGLISH, Word, tables
 
@@ -223,7 +224,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
     },
 }
 _NTH = re.compile(r"(second|third|fourth|fifth)")
-_WHEN, _LEAST = Word("mark", "when"), Word("degree", "least")
+_WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degree", "least")
 _MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
 _BY_ITSELF = ("long",)  # asks for how long something is done
 _AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
@@ -237,7 +238,8 @@ def _pattern(kind: str, what: str) -> re.Pattern[str]:
 
 def dropped(words: Sequence[Word], text: str) -> list[Word]:
     """The words that nothing in words of the grammar expresses."""
-    return [*_unexpressed(words, text), *_without_end(words, text), *_of_other_end(words, text)]
+    others = (_without_end, _of_other_end, _up_to_what_was_before)
+    return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
 
 
 def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
@@ -264,6 +266,15 @@ def _of_other_end(words: Sequence[Word], text: str) -> list[Word]:
     """The least that moves something is the most that does not: but without a verb least is least."""
     is_least = text.startswith("largest ") and not any(word.kind == "verb" for word in words)
     return [word for word in words if is_least and word == _LEAST]
+
+
+def _up_to_what_was_before(words: Sequence[Word], text: str) -> list[Word]:
+    """How far it goes on after something has happened is no way until that happens."""
+    k = words.index(_AFTER) if _AFTER in words and re.search(r" until |^time when ", text) else len(words)
+    clause = list(takewhile(lambda word: word.kind not in ("mark", "ask"), words[k + 1 :]))
+    is_event = any(word.kind == "verb" for word in clause)
+    is_counted = any(word.kind in ("value", "turns", "relation") for word in words[k + 1 :])
+    return [_AFTER] if is_event and not is_counted else []
 
 
 def _without_end(words: Sequence[Word], text: str) -> list[Word]:

@@ -42,6 +42,20 @@ def for_what(names: Names, words: list[Word]) -> list[Word]:
     return words
 
 
+def balanced_at(names: Names, words: list[Word]) -> list[Word]:
+    """For which y is it in equilibrium: the equilibrium of y."""
+    clause = Clause(words)
+    measures = [name for _, name in clause.names if name in names.measures]
+    asks = clause.all("ask") in (["for"], ["with"], ["where"], ["what"]) and words[0].kind == "ask"
+    rests = clause.all("verb") in ([], ["hold"]) and clause.all("instant") in ([], ["in equilibrium"])
+    rests &= clause.all("quantity") in ([], ["equilibrium"]) and not clause.only("ask", "name", *SILENT)
+    others = [name for _, name in clause.names if name not in measures and name not in lookup.moving(names)]
+    plain = clause.only("ask", "name", "verb", "instant", "quantity", *SILENT)
+    if not (asks and rests and plain and len(measures) == 1) or others:
+        return words
+    return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
+
+
 def in_turns(words: list[Word]) -> list[Word]:
     """While it turns once is over a turn."""
     leads = [Word("mark", "while"), *(Word("preposition", what) for what in ("of", "in", "over"))]

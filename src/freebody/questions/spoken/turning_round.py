@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import free_symbols
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, poses
@@ -233,6 +234,18 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
     return named[0] if named else k  # who does something stands before the verb
 
 
+def _speeds(names: Names, asked: str, of: list[str]) -> list[str]:
+    """The speed with which something starts, or with which what is driven goes round."""
+    driven = [name for name in joining.drive_parameters(names) if set(of) <= joining.driven_bodies(names, name)]
+    driven = [name for name in driven if name in given.of_kind(names, asked)]
+    if asked == "angular velocity" and (of or driven):
+        return driven
+    started = given.started_with(names, of or lookup.massive(names))
+    rates = given.of_kind(names, "angular velocity")  # of a swing, that of its angle
+    begun = frozenset[str]().union(*map(free_symbols, names.start_rates.values()))
+    return started or ([] if of else [name for name in rates if name in begun])
+
+
 def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) -> tuple[list[str], Clause, str] | None:
     if head.words and head.words[0].kind == "verb":
         return None  # does friction suffice: yes or no
@@ -247,6 +260,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         return None
     end = {"least": "least", "greatest": "largest"}.get(next(iter(degrees), ""), "")
     asked_by = [given.ASKED_BY[ask].words[0] for ask in head.all("ask") if ask in ("high", "far", "steep", "flat")]
+    if head.has("ask", "fast") and is_marked:
+        asked_by = ["speed"]
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
     if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
@@ -260,8 +275,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
-    if not named and others and len(asked) == 1 and asked[0] in ("speed", "velocity") and is_marked:
-        found = given.started_with(names, others)  # the speed that the bullet must have
+    if not named and len(asked) == 1 and asked[0] in ("speed", "velocity", "angular velocity") and is_marked:
+        found = _speeds(names, asked[0], others)  # the speed that the bullet must have
         return (found, rest, end) if len(found) == 1 else None
     loads = [name for name in others if name in names.loads]
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
