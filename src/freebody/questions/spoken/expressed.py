@@ -128,7 +128,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "period": rf"period|time|{_CHOICE}",
         "period of small oscillations": rf"period|{_CHOICE}",
         "period of the motion": rf"period|{_CHOICE}",
-        "tension": rf"tension|force|{_CHOICE}|theta when|speed of|slack|taut|ratio|conserved",
+        "tension": rf"tension|force|reaction|{_CHOICE}|theta when|speed of|slack|taut|ratio|conserved",
         "normal force": rf"normal|tension|contact|reaction|{_CHOICE}|leav|open|lost|speed of",
         "friction force": rf"friction|lost|work|slip|{_CHOICE}|does it|hold",
         "contact force": rf"force|reaction|impulse|{_CHOICE}|leav|open|lost",

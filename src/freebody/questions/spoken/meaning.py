@@ -68,7 +68,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
-    said = rewording.balanced_at(names, said)
+    said = rewording.pulling(names, rewording.balanced_at(names, said))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))

@@ -56,6 +56,23 @@ def balanced_at(names: Names, words: list[Word]) -> list[Word]:
     return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
 
 
+def pulling(names: Names, words: list[Word]) -> list[Word]:
+    """How strongly does the car pull the trailer: the force between both, where no rope is."""
+    pull = Word("quantity", "tension")
+    k = words.index(pull) if pull in words else 0
+    after = [word for word in words[k + 1 :] if word.kind != "preposition"]
+    is_asked = words[:1] in ([word] for word in _HOW_HARD) and [w.kind for w in words[1:k]] == ["name"]
+    both = [word.what for word in (*words[1:k], *after[:1])]
+    if not k or not is_asked or not both[1:] or not {*both} <= {*lookup.moving(names)}:
+        return words
+    between = [joint for joint in names.connections if all(joining.touches(names, joint, body) for body in both)]
+    pulled = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
+    if len(between) != 1 or between[0] in pulled:
+        return words
+    on = [Word("preposition", "on"), *after]
+    return [Word("quantity", "reaction"), _FOR, Word("name", between[0]), *on]
+
+
 def in_turns(words: list[Word]) -> list[Word]:
     """While it turns once is over a turn."""
     leads = [Word("mark", "while"), *(Word("preposition", what) for what in ("of", "in", "over"))]

@@ -35,7 +35,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
-    if verbs == {"hold"} and not negated and lookup.is_forced(names):  # the bead stays at 60 deg on the hoop that turns
+    stays = verbs == {"hold"} or (not verbs and clause.has("relation"))
+    if stays and not negated and lookup.is_forced(names):  # the bead stays at 60 deg on the hoop that turns
         yield [f"{text} in steady motion" for text in _staying(names, clause, of)]
     if verbs == {"return"} and not negated:
         yield from _returning(names, clause, of)

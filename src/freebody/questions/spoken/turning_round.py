@@ -220,6 +220,8 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
     ]
     if not chosen and words[0] in _FOR:  # from which force on, for which angle
         chosen = [k for k, w in enumerate(words) if w.kind == "quantity" and given.is_by_unit(w.what)][:1]
+    if not chosen and words[0].kind == "degree" and words[1:2] and any(w.kind == "not" for w in words[2:]):
+        chosen = [1] if given.is_by_unit(words[1].what) else []  # the greatest speed without slipping
     if not chosen and words[0] in (Word("ask", "heavy"), Word("ask", "rough")):
         chosen = [k for k, word in enumerate(words) if word.kind == "name"]
     if not chosen:
