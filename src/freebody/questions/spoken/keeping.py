@@ -185,6 +185,8 @@ def _is_of(names: Names, thing: str, parameter: str) -> bool:
             places = [c for on in load.measure.bodies() for at in names.bodies[on].points.values() for c in at]
             if any(parameter in free_symbols(x) for x in (load.law, *(places if thing == load.load else ()))):
                 return True
+    if parameter in joining.drive_parameters(names) and body in joining.driven_bodies(names, parameter):
+        return True
     joints = [name for name in names.connections if name == thing or joining.touches(names, name, thing)]
     return any(
         parameter in _THING.findall(str(value))

@@ -210,7 +210,8 @@ def _without_auxiliary(words: list[Word]) -> list[Word]:
 
 def _not_slipping(names: Names, words: list[Word]) -> list[Word]:
     """`without sliding` is to roll, for what can, and else not to slide."""
-    meant = [Word("verb", "roll")] if lookup.can_roll(names) else [Word("not", "not"), Word("verb", "slide")]
+    can_roll = lookup.can_roll(names) and (joining.rolls_on(names) or not joining.rough(names, ""))
+    meant = [Word("verb", "roll")] if can_roll else [Word("not", "not"), Word("verb", "slide")]
     if Word("verb", "roll") in words:
         meant = []
     denied = {Word("verb", "no_slip"): meant, Word("verb", "no_move"): [_NOT, Word("verb", "move")]}

@@ -45,7 +45,7 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     for parameter in chosen:
         for group in so(names, relation, whole):
             for text in group:
-                if text.partition(" = ")[0] in names.measures:
+                if text.partition(" = ")[0] in names.measures and not text.endswith(" in steady motion"):
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
                 yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
@@ -96,8 +96,13 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     rpm does the tappet lift off its cam, or the coin slip off its table: the largest of the drive with which it does
     not."""
     is_over = clause.all("ask") in (["with"], ["from"], ["for"])
-    is_before = clause.all("ask") == ["fast"] and clause.all("mark") == ["until"]  # how fast may it spin before
-    clause = clause.without("mark").without("degree", "greatest") if is_before else clause
+    leads, is_denied = clause.all("mark"), clause.has("not")
+    is_before = leads in (["until"], ["without"]) if not is_denied else leads in ([], ["so_that"])
+    is_before &= clause.all("ask") == ["fast"]  # how fast may it spin before, so that it does not
+    if is_before:
+        clause = clause.without("mark").without("degree", "greatest").without("not")
+        turns = clause.has("verb", "turn") and not clause.has("quantity")
+        clause = Clause([Word("quantity", "angular velocity"), *clause.without("verb", "turn").words]) if turns else clause
     known = clause.only("ask", "quantity", "name", "verb", *SILENT) and (is_over or is_before)
     asked = clause.all("quantity")
     doing = set(clause.all("verb")) - {"start"}
@@ -273,13 +278,14 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         return named, rest, end
     if head.has("ask", "up_to", "from"):
         end = "largest" if head.has("ask", "up_to") else "least"
+    of_speed = asked in (["speed"], ["velocity"], ["angular velocity"]) and (others or head.has("ask", "fast"))
+    if of_speed and not named and is_marked:
+        found = _speeds(names, asked[0], others)  # the speed that the bullet must have
+        return (found, rest, end) if len(found) == 1 else None
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
-    if not named and len(asked) == 1 and asked[0] in ("speed", "velocity", "angular velocity") and is_marked:
-        found = _speeds(names, asked[0], others)  # the speed that the bullet must have
-        return (found, rest, end) if len(found) == 1 else None
     loads = [name for name in others if name in names.loads]
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque
