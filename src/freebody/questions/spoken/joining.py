@@ -28,6 +28,13 @@ def rolls(names: Names) -> bool:
     return any(names.bodies[name].radius is not None or names.bodies[name].round for name in held)
 
 
+def rolls_on(names: Names) -> bool:
+    """Whether something round is all that dry friction acts on by its own surface, and no face of it."""
+    ends = [end for joint in rough(names, "") for end in ends_of(names, joint) if end in names.bodies]
+    free = [names.bodies[end] for end in ends if not names.bodies[end].fixed]
+    return any(body.radius is not None or body.round for body in free)
+
+
 def rough(names: Names, thing: str) -> list[str]:
     """Connections with dry friction that are, or touch, a thing; all where none is named."""
     joints_ = dict.fromkeys(

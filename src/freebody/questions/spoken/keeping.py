@@ -18,6 +18,7 @@ from freebody.language.expression import free_symbols
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.accounting import is_accounted_for
+from freebody.questions.spoken.expressed import dropped
 from freebody.questions.spoken.lexicon import ENGLISH, Word, tells_apart
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether each name and each number of what was asked stands in words of the grammar, and its kind and way."""
-    if not is_accounted_for(names, words, text):
+    if dropped(words, text) or not is_accounted_for(names, words, text):
         return False
     things = {thing for thing in _THING.findall(text) if _is_thing(names, thing)}
     if _counts_from(names, words, text, things):
@@ -184,6 +185,8 @@ def _is_of(names: Names, thing: str, parameter: str) -> bool:
             places = [c for on in load.measure.bodies() for at in names.bodies[on].points.values() for c in at]
             if any(parameter in free_symbols(x) for x in (load.law, *(places if thing == load.load else ()))):
                 return True
+    if parameter in joining.drive_parameters(names) and body in joining.driven_bodies(names, parameter):
+        return True
     joints = [name for name in names.connections if name == thing or joining.touches(names, name, thing)]
     return any(
         parameter in _THING.findall(str(value))

@@ -94,7 +94,8 @@ def _grip(names: Names, words: list[Word]) -> Groups:
     is_over = head.has("ask", "from", "with") or head.has("degree", "least")
     is_up_to = head.has("degree", "greatest") or head.has("ask", "up_to", "large", "far", "fast", "high")
     is_end = is_up_to if _is_denied(state) else is_over
-    if parameter and is_end and len(joints) == 1 and set(state.all("verb")) <= {"slide", "start"}:
+    doing = set(state.all("verb"))
+    if parameter and is_end and len(joints) == 1 and doing and doing <= {"slide", "start"}:
         yield [f"largest {parameter} so that {joints[0]} does not slip"]
 
 

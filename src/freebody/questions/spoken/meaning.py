@@ -68,6 +68,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
+    said = rewording.pulling(names, rewording.balanced_at(names, said))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
@@ -209,7 +210,8 @@ def _without_auxiliary(words: list[Word]) -> list[Word]:
 
 def _not_slipping(names: Names, words: list[Word]) -> list[Word]:
     """`without sliding` is to roll, for what can, and else not to slide."""
-    meant = [Word("verb", "roll")] if lookup.can_roll(names) else [Word("not", "not"), Word("verb", "slide")]
+    can_roll = lookup.can_roll(names) and (joining.rolls_on(names) or not joining.rough(names, ""))
+    meant = [Word("verb", "roll")] if can_roll else [Word("not", "not"), Word("verb", "slide")]
     if Word("verb", "roll") in words:
         meant = []
     denied = {Word("verb", "no_slip"): meant, Word("verb", "no_move"): [_NOT, Word("verb", "move")]}

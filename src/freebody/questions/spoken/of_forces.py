@@ -93,6 +93,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
     if quantity == "force" and joints <= pulling and joints and rest.only("name", *SILENT) and len(rest.names) == 1:
         kinds = ("force",)  # the force in a rope is no sum of what its parts pull with
+    bearings = [name for name in joining.axles(names) if all(joining.touches(names, name, x) for _, x in rest.names)]
+    if quantity == "bearing reaction" and bearings and not joints:  # of no rope that runs over what turns in it
+        kinds = ("bearing reaction",)
     for kind in kinds:
         if kind not in ("radial tooth force", "axial tooth force") or joining.feel_as_first(names, rest.names):
             yield from _of_joint(names, kind, rest)
@@ -290,6 +293,18 @@ def _in_spring(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
         yield [f"force in {name}" for name in of or lookup.springs(names)]
+
+
+@said_of("braking force")
+def _braking(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What slows wheels down on a road is its friction; else a force that is named."""
+    things = [name for _, name in rest.names]
+    rough = [joint for joint in joining.rough(names, "") if "contact" in names.called.get(joint, ())]
+    if rough and rest.only("name", *SILENT):
+        of = [joint for joint in rough if all(name == joint or joining.touches(names, joint, name) for name in things)]
+        yield [f"friction force of {joint}" for joint in of]
+    elif not rough:
+        yield from _transmitted(names, "force", rest)
 
 
 @said_of("friction torque")

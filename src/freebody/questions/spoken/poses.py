@@ -88,6 +88,8 @@ def begins_uppermost(names: Names, body: str) -> bool:
 
 def lowermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight below it, or at the bottom of a curve."""
+    if body in names.bodies and joining.keeps_height(names, body):  # of a cart: that is where the bob hangs
+        body = ""
     return _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True) or _caught(names, body)
 
 

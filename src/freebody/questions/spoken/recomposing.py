@@ -191,6 +191,8 @@ def _in_any_order(names: Names, sentence: Sentence) -> Groups:
         return  # relative to the lower one: a thing, and nothing that is done
     if set(main.all("ask")) - {"what", "with", "large", "much", "for"} or (len(verbs) > 1 and others):
         return
+    if main.all("instant") == ["in steady motion"]:  # at which angle does it stay then
+        main, verbs = main.without("verb", "hold"), [verb for verb in verbs if verb != "hold"]
     comes = [verb for verb in verbs if verb in HAPPENS and verb not in (*_LIGHT, "vanish")]
     if set(verbs) - _LIGHT - {*comes} or len(comes) > 1 or (comes and (others or main.has("instant"))):
         return

@@ -42,6 +42,37 @@ def for_what(names: Names, words: list[Word]) -> list[Word]:
     return words
 
 
+def balanced_at(names: Names, words: list[Word]) -> list[Word]:
+    """For which y is it in equilibrium: the equilibrium of y."""
+    clause = Clause(words)
+    measures = [name for _, name in clause.names if name in names.measures]
+    asks = clause.all("ask") in (["for"], ["with"], ["where"], ["what"]) and words[0].kind == "ask"
+    rests = clause.all("verb") in ([], ["hold"]) and clause.all("instant") in ([], ["in equilibrium"])
+    rests &= clause.all("quantity") in ([], ["equilibrium"]) and not clause.only("ask", "name", *SILENT)
+    others = [name for _, name in clause.names if name not in measures and name not in lookup.moving(names)]
+    plain = clause.only("ask", "name", "verb", "instant", "quantity", *SILENT)
+    if not (asks and rests and plain and len(measures) == 1) or others:
+        return words
+    return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
+
+
+def pulling(names: Names, words: list[Word]) -> list[Word]:
+    """How strongly does the car pull the trailer: the force between both, where no rope is."""
+    pull = Word("quantity", "tension")
+    k = words.index(pull) if pull in words else 0
+    after = [word for word in words[k + 1 :] if word.kind != "preposition"]
+    is_asked = words[:1] in ([word] for word in _HOW_HARD) and [w.kind for w in words[1:k]] == ["name"]
+    both = [word.what for word in (*words[1:k], *after[:1])]
+    if not k or not is_asked or not both[1:] or not {*both} <= {*lookup.moving(names)}:
+        return words
+    between = [joint for joint in names.connections if all(joining.touches(names, joint, body) for body in both)]
+    pulled = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
+    if len(between) != 1 or between[0] in pulled:
+        return words
+    on = [Word("preposition", "on"), *after]
+    return [Word("quantity", "reaction"), _FOR, Word("name", between[0]), *on]
+
+
 def in_turns(words: list[Word]) -> list[Word]:
     """While it turns once is over a turn."""
     leads = [Word("mark", "while"), *(Word("preposition", what) for what in ("of", "in", "over"))]

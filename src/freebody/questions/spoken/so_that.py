@@ -35,6 +35,9 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
+    stays = verbs == {"hold"} or (not verbs and clause.has("relation"))
+    if stays and not negated and lookup.is_forced(names):  # the bead stays at 60 deg on the hoop that turns
+        yield [f"{text} in steady motion" for text in _staying(names, clause, of)]
     if verbs == {"return"} and not negated:
         yield from _returning(names, clause, of)
     if (
@@ -138,6 +141,17 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
         measures = [*lookup.angles(names, of[0]), *lookup.hung(names, of[0])] if is_angle else lookup.ways(names, of[0])
         measures = [of[0]] if of[0] in names.measures else list(dict.fromkeys(measures))
         yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
+
+
+def _staying(names: Names, clause: Clause, of: list[str]) -> list[str]:
+    """Something stays where its angle has a value."""
+    values = [value for _, value in clause.values]
+    plain = clause.only("verb", "name", "value", "relation", *SILENT) and len(of) <= 1
+    if not plain or len(values) != 1 or not dimensions.is_angle(values[0]):
+        return []
+    who = next(iter(of), "")
+    angles = [who] if who in names.measures else [*lookup.angles(names, who), *lookup.hung(names, who)]
+    return [f"{angle} = {values[0]}" for angle in dict.fromkeys(angles)]
 
 
 def _returning(names: Names, clause: Clause, of: list[str]) -> Groups:

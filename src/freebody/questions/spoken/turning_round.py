@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import free_symbols
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, poses
@@ -44,7 +45,7 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     for parameter in chosen:
         for group in so(names, relation, whole):
             for text in group:
-                if text.partition(" = ")[0] in names.measures:
+                if text.partition(" = ")[0] in names.measures and not text.endswith(" in steady motion"):
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
                 yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
@@ -95,8 +96,13 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     rpm does the tappet lift off its cam, or the coin slip off its table: the largest of the drive with which it does
     not."""
     is_over = clause.all("ask") in (["with"], ["from"], ["for"])
-    is_before = clause.all("ask") == ["fast"] and clause.all("mark") == ["until"]  # how fast may it spin before
-    clause = clause.without("mark").without("degree", "greatest") if is_before else clause
+    leads, is_denied = clause.all("mark"), clause.has("not")
+    is_before = leads in (["until"], ["without"]) if not is_denied else leads in ([], ["so_that"])
+    is_before &= clause.all("ask") == ["fast"]  # how fast may it spin before, so that it does not
+    if is_before:
+        clause = clause.without("mark").without("degree", "greatest").without("not")
+        turns = clause.has("verb", "turn") and not clause.has("quantity")
+        clause = Clause([Word("quantity", "angular velocity"), *clause.without("verb", "turn").words]) if turns else clause
     known = clause.only("ask", "quantity", "name", "verb", *SILENT) and (is_over or is_before)
     asked = clause.all("quantity")
     doing = set(clause.all("verb")) - {"start"}
@@ -219,6 +225,8 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
     ]
     if not chosen and words[0] in _FOR:  # from which force on, for which angle
         chosen = [k for k, w in enumerate(words) if w.kind == "quantity" and given.is_by_unit(w.what)][:1]
+    if not chosen and words[0].kind == "degree" and words[1:2] and any(w.kind == "not" for w in words[2:]):
+        chosen = [1] if given.is_by_unit(words[1].what) else []  # the greatest speed without slipping
     if not chosen and words[0] in (Word("ask", "heavy"), Word("ask", "rough")):
         chosen = [k for k, word in enumerate(words) if word.kind == "name"]
     if not chosen:
@@ -231,6 +239,18 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
         return None
     named = [j for j in range(chosen[0] + 1, k) if words[j].kind == "name" and words[j - 1].kind != "preposition"]
     return named[0] if named else k  # who does something stands before the verb
+
+
+def _speeds(names: Names, asked: str, of: list[str]) -> list[str]:
+    """The speed with which something starts, or with which what is driven goes round."""
+    driven = [name for name in joining.drive_parameters(names) if set(of) <= joining.driven_bodies(names, name)]
+    driven = [name for name in driven if name in given.of_kind(names, asked)]
+    if asked == "angular velocity" and (of or driven):
+        return driven
+    started = given.started_with(names, of or lookup.massive(names))
+    rates = given.of_kind(names, "angular velocity")  # of a swing, that of its angle
+    begun = frozenset[str]().union(*map(free_symbols, names.start_rates.values()))
+    return started or ([] if of else [name for name in rates if name in begun])
 
 
 def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) -> tuple[list[str], Clause, str] | None:
@@ -247,6 +267,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         return None
     end = {"least": "least", "greatest": "largest"}.get(next(iter(degrees), ""), "")
     asked_by = [given.ASKED_BY[ask].words[0] for ask in head.all("ask") if ask in ("high", "far", "steep", "flat")]
+    if head.has("ask", "fast") and is_marked:
+        asked_by = ["speed"]
     named = [name for _, name in head.names if name in names.parameters]
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
     if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
@@ -256,13 +278,14 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         return named, rest, end
     if head.has("ask", "up_to", "from"):
         end = "largest" if head.has("ask", "up_to") else "least"
+    of_speed = asked in (["speed"], ["velocity"], ["angular velocity"]) and (others or head.has("ask", "fast"))
+    if of_speed and not named and is_marked:
+        found = _speeds(names, asked[0], others)  # the speed that the bullet must have
+        return (found, rest, end) if len(found) == 1 else None
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
-    if not named and others and len(asked) == 1 and asked[0] in ("speed", "velocity") and is_marked:
-        found = given.started_with(names, others)  # the speed that the bullet must have
-        return (found, rest, end) if len(found) == 1 else None
     loads = [name for name in others if name in names.loads]
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque

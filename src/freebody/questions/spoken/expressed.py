@@ -1,0 +1,297 @@
+"""Whether each word of a question is expressed by what is understood: what was dropped could change the quantity.
+
+Every verb, instant, degree, mark and quantity that the lexicon knows is either empty (it says nothing that another word
+does not say: the force that *acts*) or has words of the grammar of which one must stand in the text. A word that none of
+them expresses has been dropped, and then another quantity is understood than was asked for: the force *while it slides*
+is not that at the start.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import cache
+from itertools import takewhile
+
+from freebody.questions.spoken.lexicon import ENGLISH, Word, tables
+
+# classes of words of the grammar: a question about a choice, what lasts, what ends it, an instant, an equation
+_CHOICE = r"value of|range of|largest|least|critical"
+_REST = r"at rest|hold|equilibrium|stable|stability|\bzero\b|= 0\b|-> 0"
+_SLIP = r"slip|slid|roll|friction|belt|clutch|lost|lossless|tip|lift|grow"
+_INSTANT = r"\b(?:when|until|after|before|at|as|while|during|between|in|over) |~"
+_EQUAL = r"(?<![<>])=|reach|within"
+_IMPACT = r"impact|blow|collision|bounce|catch|caught|hit|touch|struck|at start|taut|clos|jerk|lost"
+_WAY = r"change of|distance|displacement|turns|degrees|stroke|travel|path|\bwhen\b|\bafter\b|position|greatest|least|largest"
+_MOVES = r"speed|velocity|rate|acceleration|frequency|period|ratio|turns"
+_END_OF_SWING = r"=|turn|top|highest|greatest|farthest|extreme|amplitude|largest"
+
+# kinds of words of which each must be expressed, and how: by words of the grammar, one of which the text must have.
+# An empty string: it says nothing by itself
+EXPRESSED: dict[str, dict[str, str]] = {
+    "instant": {
+        "at start": rf"start|begin|once|initial|release|blow|time |until|change of|before|after |{_CHOICE}",
+        "in steady motion": r"steady|grows|terminal|stationary|resonance|mean",
+        "when t grows": r"grows|steady|end|terminal|stop|until|limit|when",
+        "at the end": r"grows|steady|end|terminal|stop|until|limit|when|=",
+        "over the motion": r"over|until|greatest|least|work|period|^(?!.*\b(?:when|at start)\b)",
+        "over a turn": r"turn|cycle|period|range|stroke|mean|greatest|least|ratio|pi\b|extremes",
+        "at once": r"once|immediately|start",
+        "at the top": rf"{_END_OF_SWING}|height|start",
+        "at the bottom": r"=|bottom|lowest|least|greatest|start|equilibrium",
+        "at the top of the loop": rf"{_END_OF_SWING}|start",
+        "at the dead points": r"=|dead",
+        "in equilibrium": rf"{_REST}|steady|static",
+        "level": r"=|level|horizontal|start",
+        "upright pose": r"=|upright|vertical|start",
+        "turning point": _END_OF_SWING,
+        "after engagement": r"slip|engage|common|after|until",
+        "at separation": r"leav|open|contact|lost|lift|separat|taut|slack|relaxed",
+        "after the impact": rf"{_IMPACT}|after|greatest|height|rate\(",
+        "before the impact": rf"{_IMPACT}|before|value",
+        "at the impact": rf"{_IMPACT}|=",
+        "in the impact": rf"{_IMPACT}|=",
+    },
+    "degree": {
+        "greatest": r"greatest|largest|most|highest|maximum|max|range|value|farthest|top|extremes|"
+        r"when rate|when .*turns back|until|first|stop|limit|critical|resonance|lowest|dead|equilibrium",
+        "least": r"least|smallest|lowest|minimum|min\b|range|value|ratio of \||critical|equilibrium|stop|"
+        r"extremes|first|shortest|\|.*friction|closest|when .*rate|over a turn|largest .* so that",
+        "range": r"range|for which|least|largest|value|extremes|limits",
+        "value": rf"{_CHOICE}|equilibrium|for which| over | when ",
+        "first": r"first|tip|when|until|before|mode|lowest",
+    },
+    "mark": {
+        "when": rf"{_INSTANT}|{_CHOICE}|so that|for which|keeps|time|{_REST}|{_IMPACT}|->|grow|terminal|resonance|"
+        r"tip or slide|critical|flight|escape|[*] ratio|efficiency",
+        "until": rf"{_INSTANT}|{_CHOICE}|so that|time|lost|{_REST}|stopping|turns",
+        "after": rf"{_INSTANT}|{_CHOICE}|time|{_IMPACT}",
+        "while": r"while|until|during|over|so that|for which|lost|work|greatest|least|at start|^(?!.*\bwhen\b)",
+        "so_that": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|needed|driving|friction force|\bto\b|until|when",
+        "to": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|force|torque|power|work|energy|reaction|tension|until",
+        "without": r"not|no |without|->|roll|rest|so that|hold|for which|= 0|least|largest|range|static",
+    },
+    "not": {
+        "not": rf"not|no |{_REST}|least|largest|range|roll|stay|keep|lossless|independent|without|same|never|stands|"
+        r"greatest|-> |value of .* for which|when .*(?:rate|stops)|ratio of [|]|friction force",
+    },
+    "part": {
+        "angular": r"angular|turns|angle",
+        "horizontal": rf"horizontal|right|along|\bx\b|component|momentum|{_CHOICE}|{_EQUAL}|range|change of|distance|when|steady|level|\by\b|tension",
+        "vertical": rf"vertical|\bup\b|down|along|\by\b|component|momentum|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|level|tension|when",
+        "initial": rf"start|initial|{_CHOICE}|\d",
+        "size": r"size|\||speed|magnitude|of|greatest|largest",
+        "small": r"small|frequenc|period|damp|stab|mode|decrement|swing|natural|equation|acceleration",
+        "driving": r"driving|motor|torque|force|power",
+        "upright": r"=|upright|vertical|stable|stability|equilibrium|start",
+        "only": "",
+        "upward": "",
+        "downward": "",
+        "downhill": "",
+        "uphill": "",
+    },
+    "quantity": {
+        "acceleration": rf"acceler|decel|rate|{_CHOICE}|does it",
+        "normal acceleration": r"normal acceleration|\^2",
+        "tangential acceleration": r"tangential|acceleration",
+        "radius of curvature": r"curvature",
+        "velocity": rf"velocity|speed|rate|{_CHOICE}|ratio",
+        "speed": rf"velocity|speed|rate|{_CHOICE}|ratio|turns|[*]|time|steady",
+        "impact speed": r"velocity|speed|rate",
+        "common speed": r"velocity|speed|rate",
+        "relative velocity": r"velocity|speed|rate",
+        "slip speed": r"velocity|speed|rate|slip",
+        "angular velocity": rf"velocity|speed|rate|{_CHOICE}|ratio|turns|[*]|time|steady|frequency|angular|does it",
+        "angular acceleration": rf"acceleration|rate|{_CHOICE}",
+        "angular deceleration": rf"acceleration|rate|{_CHOICE}",
+        "deceleration": rf"acceler|decel|rate|{_CHOICE}",
+        "kinetic energy": r"kinetic|lost|work",
+        "potential energy": r"potential|energy",
+        "total energy": r"total|energy|conserved",
+        "spring energy": r"spring|energy|\^2",
+        "rotational energy": r"kinetic energy",
+        "energy": r"energy|work|lost",
+        "energy lost": r"lost|heat|work|loss",
+        "kinetic energy lost": r"lost|kinetic|work",
+        "power": rf"power|{_CHOICE}",
+        "work": r"work|energy|lost",
+        "work of friction": r"work|lost",
+        "linear momentum": r"linear momentum",
+        "angular momentum": r"angular momentum",
+        "impulse": r"impulse",
+        "angular impulse": r"impulse",
+        "natural frequency": rf"frequenc|period|2 ?[*] ?pi|{_CHOICE}",
+        "natural frequencies": rf"frequenc|period|{_CHOICE}",
+        "cycles per second": r"frequency|period",
+        "damped frequency": rf"frequency|period|{_CHOICE}",
+        "damped period": rf"period|{_CHOICE}",
+        "period": rf"period|time|{_CHOICE}",
+        "period of small oscillations": rf"period|{_CHOICE}",
+        "period of the motion": rf"period|{_CHOICE}",
+        "tension": rf"tension|force|reaction|{_CHOICE}|theta when|speed of|slack|taut|ratio|conserved",
+        "normal force": rf"normal|tension|contact|reaction|{_CHOICE}|leav|open|lost|speed of",
+        "friction force": rf"friction|lost|work|slip|{_CHOICE}|does it|hold",
+        "contact force": rf"force|reaction|impulse|{_CHOICE}|leav|open|lost",
+        "bearing reaction": rf"reaction|{_CHOICE}|force in|impulse",
+        "reaction": rf"reaction|normal|tension|force|{_CHOICE}|moment|impulse",
+        "tooth force": rf"tooth|belt|chain|force|{_CHOICE}",
+        "driving torque": rf"torque|{_CHOICE}|moment",
+        "friction coefficient": rf"ratio of [|]|{_CHOICE}|friction coefficient",
+        "mass": _CHOICE,
+        "stiffness": _CHOICE,
+        "efficiency": r"efficiency|ratio",
+        "basic efficiency": r"efficiency",
+        "damping ratio": rf"damp|{_CHOICE}",
+        "phase lag": r"phase",
+        "stroke": r"stroke",
+        "time ratio": r"time ratio",
+        "transmission angle": r"transmission",
+        "pressure angle": r"pressure angle",
+        "gear ratio": rf"ratio|{_CHOICE}",
+        "mechanical advantage": rf"advantage|ratio|{_CHOICE}",
+        "ratio": rf"ratio|/|{_CHOICE}",
+        "difference": r" - |belt force|relative",
+        "sum": r" [+] ",
+        "fraction": r"ratio|/",
+        "change": r"change|kinetic energy| - |lost|sensitivity|derivative",
+        "instant centre": r"instant centre",
+        "degrees of freedom": r"degrees of freedom",
+        "terminal velocity": r"grows|terminal|steady|rolling",
+        "steady amplitude": r"amplitude|greatest",
+        "free amplitude": r"amplitude|greatest|=",
+        "resonance frequency": rf"resonance|frequency|{_CHOICE}",
+        "transmissibility": r"transmissib",
+        "equilibrium": rf"{_REST}|{_CHOICE}|speed|velocity|static",
+        "time": rf"time|{_CHOICE}|period|until|when",
+        "stopping time": r"time",
+        "flight time": rf"time|{_CHOICE}",
+        "turns": r"turns|ratio|angle",
+    },
+    "verb": {
+        # of motion itself, which what is asked of it says already
+        **dict.fromkeys(("move", "turn", "exert", "act", "become", "carry", "suffice", "compare", "change"), ""),
+        "accelerate": rf"acceler|{_CHOICE}|force|torque|reaction|tension|as \w+ grows|terminal|steady",
+        "slide": rf"{_SLIP}|{_REST}|{_WAY}|{_CHOICE}|{_MOVES}|time|flow|\bx\b|reaction|tension|energy",
+        "roll": rf"{_SLIP}|{_REST}|{_WAY}|{_CHOICE}|{_MOVES}|time|force|reaction|energy|torque|tension",
+        "fly": rf"{_WAY}|time|speed|velocity|{_EQUAL}|height|{_CHOICE}|leaves|range|open|energy|acceleration",
+        "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|energy|work|down|lower",
+        "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|energy|work|power|up|efficiency|lift|tip",
+        "hit": rf"{_IMPACT}|reach|{_EQUAL}|\bwhen\b|until|turns back|value of|range of|least|largest",
+        "leave": r"leav|open|contact|lost|lift|stays on|keeps|off|after the|>= 0|= 0|until|at once|slack|run|taut|range|"
+        r"when|tip|value of|largest|least|relaxed|after",
+        "be_open": r"=|open",
+        "lock": rf"lock|rate\(|= 0|slip|{_CHOICE}|first|hold",
+        "stop": rf"stop|rest|rate\(|= 0|hold|equilibrium|{_CHOICE}|slip|end|until|turns back|upright|=|roll",
+        "turn_back": r"rate\(|turns? back|highest|greatest|top|stop|farthest|until|=",
+        "return": rf"return|back|{_EQUAL}|changed|rate\(|{_CHOICE}|period",
+        "reach": rf"{_EQUAL}|reach|greatest|largest|{_CHOICE}|highest|when|until|hit|touch|at the|terminal|"
+        r"grows|period|time|resonance|over|acceleration|equilibrium",
+        "start": rf"start|begin|at once|roll|slip|{_REST}|time|{_CHOICE}|leav|open|slack|tip|motion|acceler|lift|"
+        r"unstable|grow|when|until|keeps|after",
+        "from_rest": r"start|rest|stands|zero|initial|when|after|time|until|=",
+        "begin_roll": r"roll|slip",
+        "end": rf"end|stop|{_REST}|until|when|over|{_CHOICE}|slip|after",
+        "stay_on": r"stays on|keeps|contact|leav|open|>= ?0|= ?0|normal force|force|tension|range|least|taut",
+        "slack": r"slack|taut|tension|relaxed|= 0|loose|free|>= 0|length|force",
+        "taut": r"slack|taut|tension|tight|>= 0|jerk|stretched|blow|impact",
+        "hold": rf"{_REST}|friction|force|torque|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|normal|stop|held",
+        "tip": rf"tip|turn over|lift|topple|{_CHOICE}|angular|=|open",
+        "conserved": r"conserved|constant|is ",
+        "stable": r"stable|stability|equilib|steady",
+        "unstable": r"stable|stability|equilib|steady",
+        "turn_fully": rf"fully|crank|grashof|degrees|turn|round|taut|reach|{_CHOICE}|can|is ",
+        "assemble": r"assembl|close|built|degrees|range",
+        "grow": r"grow|increas|->|as |rate|acceleration|derivative|sensitivity|does|steady| - ",
+        "top": rf"{_END_OF_SWING}|reach|height|rate\(|>= 0|time",
+        "bottom": r"=|bottom|lowest|least|greatest|reach|rate\(|turns back",
+        "damped": r"damp",
+        "critical": r"critical|damp",
+        "massless": r"->|= 0|massless|zero",
+        "smooth": r"->|= 0|smooth|friction|conserved",
+        "bounce": rf"{_IMPACT}|after|rate\(|greatest|height|velocity|speed|highest",
+        "lost": r"lost|loss|energy|heat|friction|efficiency|work|power|dissipat",
+        "vanish": r"= 0|zero|vanish|rate\(|relaxed|slack|open|stop|free|equilibrium|-> 0",
+        "self_locking": r"lock|hold|rest|efficiency|friction|slip|range|least|largest",
+        "no_slip": r"slip|roll|rest|hold|slid|lossless|tip",
+        "no_accel": rf"acceler|steady|{_REST}|{_CHOICE}|constant|rate|torque|force",
+        "halve": r"/ ?2|half|halv|0\.5",
+        "hang": rf"{_REST}|=|{_CHOICE}|start|when|below|down|tension|reaction",
+        "run_off": r"=|run|off|unwound|end|leav",
+        "no_move": rf"{_REST}|{_CHOICE}|slip|mov",
+        "engage": r"slip|common|engage|after|blow|impact|until",
+        "infinite": r"->|infin|grow",
+        "shrink": r"->|shrink|decreas|grow|as |rate",
+    },
+}
+_NTH = re.compile(r"(second|third|fourth|fifth)")
+_WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degree", "least")
+_MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
+_BY_ITSELF = ("long",)  # asks for how long something is done
+_AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
+_LEADS = ("until", "after", "to", "when", "while", "so_that")
+
+
+@cache
+def _pattern(kind: str, what: str) -> re.Pattern[str]:
+    return re.compile(EXPRESSED[kind][what])
+
+
+def dropped(words: Sequence[Word], text: str) -> list[Word]:
+    """The words that nothing in words of the grammar expresses."""
+    others = (_without_end, _of_other_end, _up_to_what_was_before)
+    return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
+
+
+def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
+    found: list[Word] = []
+    for k, word in enumerate(words):
+        if _goes_on(words, k):
+            continue
+        if word.kind == "instant" and (nth := _NTH.search(word.what)):
+            is_there = nth[1] in text
+        else:
+            is_there = word.what not in EXPRESSED.get(word.kind, ()) or bool(_pattern(word.kind, word.what).search(text))
+        if not is_there:
+            found.append(word)
+    return found
+
+
+def _goes_on(words: Sequence[Word], k: int) -> bool:
+    """Whether a clause only says that a motion goes on, and no instant of it: as the bucket falls."""
+    clause = [word for word in words[k + 1 :] if word.kind not in ("filler", "pronoun", "name", "preposition")]
+    return words[k] == _WHEN and [word.kind for word in clause] == ["verb"] and clause[0].what in _MOTIONS
+
+
+def _of_other_end(words: Sequence[Word], text: str) -> list[Word]:
+    """The least that moves something is the most that does not: but without a verb least is least."""
+    is_least = text.startswith("largest ") and not any(word.kind == "verb" for word in words)
+    return [word for word in words if is_least and word == _LEAST]
+
+
+def _up_to_what_was_before(words: Sequence[Word], text: str) -> list[Word]:
+    """How far it goes on after something has happened is no way until that happens."""
+    k = words.index(_AFTER) if _AFTER in words and re.search(r" until |^time when ", text) else len(words)
+    clause = list(takewhile(lambda word: word.kind not in ("mark", "ask"), words[k + 1 :]))
+    is_event = any(word.kind == "verb" for word in clause)
+    is_counted = any(word.kind in ("value", "turns", "relation") for word in words[k + 1 :])
+    return [_AFTER] if is_event and not is_counted else []
+
+
+def _without_end(words: Sequence[Word], text: str) -> list[Word]:
+    """How long something lasts that is over as soon as it happens is another time than that at which it happens."""
+    is_long = any(word.kind == "ask" and word.what in _BY_ITSELF for word in words)
+    is_led = any(word.kind == "mark" and word.what in _LEADS for word in words)
+    if not is_long or is_led or not text.startswith("time when "):
+        return []
+    return [word for word in words if word.kind == "verb" and word.what in _AT_AN_INSTANT]
+
+
+def kinds_without_entry() -> list[Word]:
+    """The words of the lexicon of which the table does not say how they are expressed."""
+    return [
+        Word(kind, what)
+        for kind, entries in EXPRESSED.items()
+        if kind != "quantity"  # of those that are not in it, the words of the grammar are the same, or names of measures
+        for what in tables(ENGLISH)[kind]
+        if what not in entries and not _NTH.search(what)
+    ]
