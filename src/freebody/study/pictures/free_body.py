@@ -35,7 +35,7 @@ from freebody.study.pictures.idle import idle_rows
 from freebody.study.pictures.load_symbols import LONGEST, LoadSymbols, shorter, without_sign
 from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.strings import Pull, pulls, rope_of
-from freebody.study.senses import drawn_symbols
+from freebody.study.senses import drawn_symbols, load_senses
 from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 from freebody.tolerances import ON_LINE, ROUND_OFF
@@ -90,7 +90,7 @@ class FreeBody:
 
     @cached_property
     def load_symbols(self) -> LoadSymbols:
-        return LoadSymbols(self.system, self.symbols, self.labels)
+        return LoadSymbols(self.system, self.symbols, self.labels, load_senses(self.system))
 
     def forces(self) -> tuple[ShownForce, ...]:
         """What acts from outside, in the order of the model: loads, then reactions."""
