@@ -10,10 +10,12 @@ import pytest
 import freebody as fb
 from freebody.language.expression import Expr, evaluate
 from freebody.present.picture.picture import Picture
-from freebody.present.picture.shapes import Shape
+from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.scene import Scene
 from freebody.present.space.bodies import body_pieces
 from freebody.present.space.drawing import shells_of
+from freebody.study.pictures.free_body import FreeBody
+from freebody.study.pictures.instant import start_of
 from freebody.study.pictures.picture import free_body, picture
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -257,3 +259,51 @@ BLOCK_LAWS = {
 
 def scene_of(text: str) -> Scene:
     return Scene.of(fb.System.from_text(text), float_of)
+
+
+def test_a_mass_on_a_spring_in_line_with_its_guide_is_not_pushed_sideways() -> None:
+    told = example("mass_on_spring").free_body("block").description.partition(". ")[2]
+    assert told.replace("\u2009", " ") == "weight m g, down; load spring F_spring, up."
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "told"),
+    [
+        ("cart_into_a_buffer", "cart", "F_buffer, to the left"),  # the buffer stands on the right
+        ("valve_spring", "valve", "F_spring, down"),  # preloaded from above
+    ],
+)
+def test_springs_that_push_are_drawn_pushing(name: str, body: str, told: str) -> None:
+    assert told in example(name).free_body(body).description
+
+
+def test_a_rope_rubs_on_a_drum_that_stands_still_at_its_rim() -> None:
+    system = example("capstan")
+    body = FreeBody(start_of(system).snapshot, ["drum"])
+    (rub,) = (force for force in body.forces() if force.about == "friction force")
+    assert rub.at == pytest.approx((-0.1, 0.0))
+    assert rub.force == pytest.approx((0.0, 1.0))
+
+
+def test_bodies_drawn_beside_each_other_have_their_coordinates_where_they_are_drawn() -> None:
+    picture = example("two_masses_three_springs").picture()
+    arrows = [s.points for s in picture.shapes if s.stroke == Ink("measure") and len(s.points) == 2]
+    level = sorted(float(np.ptp(points[:, 0])) for points in arrows if np.ptp(points[:, 0]) > 1.0)
+    assert len(level) == 2
+    assert level[0] == pytest.approx(level[1])
+
+
+def test_a_wall_behind_a_spring_is_hatched_once() -> None:
+    picture = example("two_masses_three_springs").picture()
+    hatched = [s for s in picture.shapes if s.stroke == Ink("muted") and s.width == 0.8 and len(s.points) > 4]
+    assert len(hatched) == 4  # two walls and two rails
+
+
+def test_forces_at_the_corners_of_a_body_are_named_by_their_corners() -> None:
+    told = example("tetrahedron_on_a_slope").free_body("stone").description
+    assert all(f"F_{corner},{axis}" in told.replace(" ", ",") for corner in "ABC" for axis in (1, 2))
+
+
+@pytest.mark.parametrize(("name", "radius"), [("hoist", "R"), ("ball_off_a_dome", "R"), ("ball_off_a_dome", "r")])
+def test_narrow_circles_and_spheres_have_their_radii(name: str, radius: str) -> None:
+    assert radius in [word.label.text for word in example(name).picture().words]

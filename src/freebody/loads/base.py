@@ -56,6 +56,11 @@ class Load(Spec):
         """What it takes for granted of where the bodies are."""
         return []
 
+    @property
+    def drawn_sign(self) -> int:
+        """The sign with which it is drawn where the numbers of a model do not say how it acts."""
+        return self.pulling_sign
+
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
         """The force or torque that people ask for, from the values of the laws of what it pushes; None where there is
         no single one, as of a weight on several bodies."""

@@ -94,6 +94,11 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         border = OneSided(distance, natural, stretch, negate(acting), pulls)
         return [AppliedLoad("", stretch, negate(force), one_sided=border)]
 
+    @property
+    def drawn_sign(self) -> int:
+        """A buffer pushes."""
+        return -self.pulling_sign if self.only == "compressed" else self.pulling_sign
+
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
         return super().pulls_with(laws, sqrt) if len(laws) == 1 else sqrt(sum(x * x for x in laws))
 

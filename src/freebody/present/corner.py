@@ -13,6 +13,7 @@ from freebody.present.view import View
 
 Word = tuple[Array, str, str]  # where, what, in which colour
 _ARM, _ARM_OF_PLANE = 3.6, 6.0  # the longest an arm may be, in heights of letters
+_ARM_ALONE = 2.7  # where no length stands beside
 _STRAIGHT = 1.0 - 1e-9  # cosine of what points at the viewer
 _TURN = 1.2  # [rad]
 
@@ -30,7 +31,7 @@ def corner_marks(
     height of one. Where z points at the viewer, the sense in which angles are positive stands instead."""
     is_plane = view.axes[2, 2] > _STRAIGHT
     longest = _ARM_OF_PLANE if is_plane else _ARM
-    arm = round_length(longest * letter)
+    arm = round_length(longest * letter) if has_lengths else _ARM_ALONE * letter
     origin = low + letter * np.array((5.2, 5.2))
     marks: list[Shape] = []
     words: list[Word] = []

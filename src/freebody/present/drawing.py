@@ -39,6 +39,7 @@ class Drawing:
     strokes: list[Stroke] = field(default_factory=list[Stroke])
     words: list[Caption] = field(default_factory=list[Caption])  # equations that have no sign
     contacts: ContactTrack | None = None  # with as many times as the poses
+    apart: tuple[str, ...] = ()  # as in `Layout`
 
     @classmethod
     def of(
@@ -58,7 +59,17 @@ class Drawing:
         every = np.concatenate(tracks, axis=1) if tracks else np.zeros((len(poses), 0))
         low, high = bounds(scene, layout.poses)
         scene, walls = Halts(scene, layout).walled()
-        drawing = cls(scene, layout.poses, every, layout.symbol, low, high, layout.moved, contacts=contacts)
+        drawing = cls(
+            scene,
+            layout.poses,
+            every,
+            layout.symbol,
+            low,
+            high,
+            layout.moved,
+            contacts=contacts,
+            apart=layout.apart,
+        )
         pen, surfaces = Pen(scene, layout), Surfaces(scene, layout)
         drawing.strokes.extend(walls)
         drawing.strokes.extend(Halts(scene, layout).strokes())

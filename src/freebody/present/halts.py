@@ -9,6 +9,7 @@ import numpy as np
 
 from freebody.model import glyphs
 from freebody.present.figures import (
+    GROUND,
     Array,
     Figure,
     Halt,
@@ -114,7 +115,9 @@ class Halts:
             )
             x, y = np.array(end.xy) - side * ahead * np.array((np.cos(turn), np.sin(turn)))
             end = Place(end.body, float(x), float(y))
-        return foot, end, list(self._wall(foot, tether.along.normal().angle, (-half, half), side))
+        # a spring that ends on the ground has its wall there from what draws springs
+        wall = [] if body == GROUND else list(self._wall(foot, tether.along.normal().angle, (-half, half), side))
+        return foot, end, wall
 
     # -- of a turning rod ---------------------------------------------------------------------
     def _turning(self, halt: TurnHalt) -> Iterator[Path]:

@@ -47,6 +47,7 @@ class Layout:
     ropes: tuple[Rope, ...]
     symbol: float
     moved: tuple[str, ...]  # names of the bodies that are not drawn where they are
+    apart: tuple[str, ...] = ()  # those of them that are drawn beside what stands where they do, on one rail
 
     @classmethod
     def of(cls, scene: Scene, poses: Array, symbol: float | None = None) -> Layout:
@@ -56,9 +57,9 @@ class Layout:
         for _ in scene.ropes:
             settling.hang()
         settling.mesh()
-        settling.spread()
+        apart = tuple(scene.names[k] for k in settling.spread())
         moved = tuple(n for n, s in zip(scene.names, settling.shifts, strict=True) if np.abs(s).max() > 1e-9)
-        return cls(settling.poses, tuple(settling.ropes), symbol or _symbol(scene, settling.poses), moved)
+        return cls(settling.poses, tuple(settling.ropes), symbol or _symbol(scene, settling.poses), moved, apart)
 
 
 class _Settling:
@@ -165,8 +166,8 @@ class _Settling:
             self.settled.add(self.group[rack])
 
     # -- bodies on one rail -------------------------------------------------------------------
-    def spread(self) -> None:
-        """Moves bodies apart along their rail that only it places, and that begin in one point."""
+    def spread(self) -> Iterator[int]:
+        """Moves bodies apart along their rail that only it places, and that begin in one point; those that moved."""
         straight = (rail for rail in self.scene.rails if rail.turning == "not" and rail.along.body == GROUND)
         rails = {rail.point.body: rail.along for rail in straight}
         free = [k for k in rails if k != GROUND and self.group[k] not in self.settled]
@@ -182,6 +183,7 @@ class _Settling:
                 members = [j for j, group in enumerate(self.group) if group == self.group[k]]
                 self.shifts[members] += shift
                 self.poses[:, members, :2] += shift
+                yield from members
 
 
 def _groups(scene: Scene) -> list[int]:

@@ -47,6 +47,21 @@ def _senses(system: System) -> Mapping[str, int]:
     return {row.name: -1 for row in free if values.get(row.name, 0.0) < -_NOTHING * largest}
 
 
+@lru_cache(maxsize=8)
+def load_senses(system: System) -> Mapping[str, int]:
+    """-1 for loads whose force is, at the start, against the sense in which they are drawn otherwise: a spring that is
+    pressed together pushes."""
+    if not system.has_values:
+        return {}
+    with suppress(FreebodyError):
+        snapshot = start_of(system).snapshot
+        own = {name: load.drawn_sign for name, load in system.loads.items()}
+        values = {p.name: own.get(p.load, 1) * snapshot.law(p) for p in system.applied_loads}
+        largest = max(map(abs, values.values()), default=0.0)
+        return {name: -1 for name, value in values.items() if value < -_NOTHING * largest}
+    return {}
+
+
 def _may_act_either_way(row: ConstraintRow) -> bool:
     """Whether no convention says how its reaction is counted."""
     is_component = bool(row.axis)

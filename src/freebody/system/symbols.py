@@ -85,6 +85,10 @@ def _wishes(
     if axis:  # a component: A_x, M_A_x
         if letter == "F" and len(connection) == 1:
             yield f"{connection}_{axis}"
+        elsewhere = {_place(other.component) for other in of_connection if other.axis == axis}
+        if " on " in row.component and len(elsewhere) > 1:  # at one of several corners: F_A_x
+            short = f"{letter}_{_initials(component)}"
+            yield from (f"{name}_{axis}" for name in (short, *_on_faces(short, row.component)))
         yield f"{letter}_{connection}_{axis}"
         return
     beside = [other for other in of_connection if other is not row]
@@ -97,8 +101,7 @@ def _wishes(
         is_elsewhere = any(component in own for other, own in places.items() if other != connection)
         short = f"{letter}_{_initials(connection) if is_elsewhere else ''}{_initials(component)}"
         yield short
-        if face := _face(row.component):  # of several that a corner may touch
-            yield f"{short}_{face}"
+        yield from _on_faces(short, row.component)
     if row.component.startswith("no slip "):  # one of two directions
         yield f"{letter}_{component}"
     else:
@@ -115,10 +118,15 @@ def _place(component: str) -> str:
     return flat + re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
 
 
-def _face(component: str) -> str:
-    """Where on the other body a corner touches: top of `crate.top`."""
-    _what, on, other = component.partition(" on ")
-    return re.sub(r"\W", "_", other.split(".")[-1]) if on and "." in other else ""
+def _on_faces(short: str, component: str) -> Iterator[str]:
+    """Names of what acts at a corner that may touch several faces of another body, such as `crate.top`; with its own
+    body where both bodies have corners of that name."""
+    what, on, other = component.partition(" on ")
+    if on and "." in other:
+        names = other.split()[0].split(".")[-1], what.split()[-1].split(".")[0]  # without the axis behind it
+        face, body = (re.sub(r"\W", "_", name) for name in names)
+        yield f"{short}_{face}"
+        yield f"{short}_{body}_{face}"
 
 
 def _initials(name: str) -> str:

@@ -82,6 +82,8 @@ class Arrows:
             self.sketch.add(head(end - 0.85 * HEAD * way, way, ink))
         self.drawn.append(Drawn(force, start, end))
         far, out = (start, -way) if from_outside else (end, way)
+        half = np.array((8.0, 0.0))
+        self.sketch.reserved.append(Shape(far + 8.0 * out + np.array((-half, half))))
         aside = across(way)
         middle_of = 0.5 * (start + end)
         places = (

@@ -27,7 +27,8 @@ _SHORT, _LONG = 14.0, 28.0  # [points] a displacement that is hardly seen, the a
 _SMALL = 0.2  # [rad] an angle that is hardly seen
 _WIDTH = 1.1
 _ASIDE = (0.0, 9.0, 18.0, 30.0)  # [points] from what moves
-_RADII = (26.0, 34.0, 44.0, 20.0)
+_RADII = (26.0, 34.0, 44.0, 20.0, 56.0)
+_NAME = 16.0  # [points] between two lines that have a name between them
 
 
 class Coordinates:
@@ -60,7 +61,8 @@ class Coordinates:
             case Bearing(start, end, origin, reference):
                 foot, tip = (self._at(self.places.place(point)) for point in (start, end))
                 begin = self._turn_of(origin) + self.places.number(reference)
-                self._between(called, foot, begin, math.atan2(*(tip - foot)[::-1]), sense, has_line=True)
+                arm = tip - foot
+                self._between(called, foot, begin, math.atan2(*arm[::-1]), sense, math.hypot(*arm), has_line=True)
             case Distance(start, end):
                 self._distance(called, self._at(self.places.place(start)), self._at(self.places.place(end)))
             case _:
@@ -82,9 +84,10 @@ class Coordinates:
         turn = 0.0 if heading.body == GROUND else float(self.drawing.poses[0, heading.body, 2])
         way = unit(heading.angle + turn)
         side = across(way)
-        length = float((tip - foot) @ way)
-        is_long = length > _SHORT
         figure = self.figures.get(self.places.place(measure.of).body)
+        is_aside = figure is not None and figure.name in self.drawing.apart  # its arrow begins where it is drawn
+        length = 0.0 if is_aside else float((tip - foot) @ way)
+        is_long = length > _SHORT
         options: list[list[Shape]] = []
         ends: list[tuple[Array, Array]] = []
         for aside in _ASIDE:
@@ -134,7 +137,7 @@ class Coordinates:
         far, tip = max(arms, default=(0.0, pivot))
         is_along = figure.radius is None and far > 1e-9 and abs(math.atan2(tip.y - pivot.y, tip.x - pivot.x)) < 0.02
         if is_along:
-            self._between(called, at, begin, angle, sense, has_line=False)
+            self._between(called, at, begin, angle, sense, far * self.sketch.scale, has_line=False)
             return
         rim = (figure.radius or 0.0) * self.sketch.scale
         radii = (0.72 * rim, rim + 7.0) if rim > 34.0 else (rim + 7.0, rim + 14.0) if rim else (18.0, 26.0)
@@ -150,12 +153,17 @@ class Coordinates:
         ]
         return min(found, key=lambda item: item[0])[1] if found else figure.center
 
-    def _between(self, called: str, at: Array, begin: float, angle: float, sense: int, *, has_line: bool) -> None:
-        """From a line of reference, drawn dashed, to a line that turns."""
+    def _between(
+        self, called: str, at: Array, begin: float, angle: float, sense: int, reach: float, *, has_line: bool
+    ) -> None:
+        """From a line of reference, drawn dashed, to a line that turns, which is so long [points]."""
         turn = math.remainder(angle - begin, math.tau)
         sweep = turn if abs(turn) > _SMALL else 0.9 * sense
         options: list[list[Shape]] = []
-        for radius in _RADII:
+        radii = [radius for radius in _RADII if radius <= max(reach, _RADII[0])]
+        # those that have room for a name between the two lines, if there are any
+        radii = [radius for radius in radii if radius * abs(sweep) > _NAME] or radii
+        for radius in radii:
             # a negative angle grows towards its line of reference
             first, way = (begin, sweep) if sweep * sense > 0 else (begin + sweep, -sweep)
             dashed = Shape(np.array((at, at + (radius + 12.0) * unit(begin))), Ink("muted"), 0.8, dashes=(3.0, 2.5))
@@ -164,10 +172,10 @@ class Coordinates:
         k = self.sketch.least_crowded([option[-2:] for option in options], 60)
         if k is not None:
             self.sketch.add(options[k])
-            spots = arc(at, _RADII[k], begin + 0.25 * sweep, 0.5 * sweep)
+            spots = arc(at, radii[k], begin + 0.25 * sweep, 0.5 * sweep)
             self._name(
                 called,
-                [(s, sign * (s - at) / _RADII[k]) for sign in (1.0, -1.0) for s in spots[:: max(1, len(spots) // 4)]],
+                [(s, sign * (s - at) / radii[k]) for sign in (1.0, -1.0) for s in spots[:: max(1, len(spots) // 4)]],
             )
 
     def _turning(self, called: str, at: Array, radii: Sequence[float], sense: int) -> None:

@@ -28,6 +28,8 @@ from freebody.present.strokes import Path
 from freebody.system.system import System
 
 _CROSSED = 14  # how much may be near the dimension of a whole length, which may cross another body
+_NARROW = 26.0  # [points] radius of a circle within which signs leave no room
+_OUTER_ANGLES = (2.36, 0.79, 3.93, 5.5, 2.0, 1.1, 3.5, 5.9)  # [rad] of an arrow to the rim
 _ANGLES = (-0.6, -1.0, -2.2, 0.6, 2.5, -0.2, 1.2, 3.6)  # [rad] of a radius
 _ARC = 34.0  # [points]
 _NAME_OF_ANGLE = 17.0  # [points] between two lines that have a name between them
@@ -68,6 +70,9 @@ class Dimensions(Dimensioned):
             way = unit(turn + angle)
             shaft = Shape(np.array((middle + 3.0 * way, middle + (rim - 4.0) * way)), INK, 0.7)
             options.append([shaft, head(middle + rim * way, way, INK, 5.0)])
+        if rim < _NARROW and self.sketch.least_crowded([option[:1] for option in options], 0) is None:
+            self._radius_from_outside(label, middle, rim)
+            return
         k = self.sketch.least_crowded([option[:1] for option in options], 14)
         if k is not None:
             self.show(label)
@@ -76,6 +81,23 @@ class Dimensions(Dimensioned):
             spots = [middle + share * rim * way for share in (0.55, 0.7, 0.4)]
             places = tuple((s, sign * across(way)) for s in spots for sign in (1.0, -1.0))
             self.sketch.wish(Wish(label, places, SIZE, INK, weight=3.0))
+
+    def _radius_from_outside(self, label: Label, middle: Array, rim: float) -> None:
+        """An arrow to the rim of a circle that has no room for one within."""
+        ways = [unit(angle) for angle in _OUTER_ANGLES]
+        options = [
+            [
+                Shape(np.array((middle + (rim + 4.0) * way, middle + (rim + 16.0) * way)), INK, 0.7),
+                head(middle + (rim + 0.5) * way, -way, INK, 5.0),
+                Shape(middle + (rim + 20.0) * way + 4.0 * np.array(((-1.0, 0.0), (1.0, 0.0)))),  # its name
+            ]
+            for way in ways
+        ]
+        k = self.sketch.least_crowded(options, 5)
+        if k is not None:
+            self.show(label)
+            self.sketch.add(options[k][:2])
+            self.sketch.wish(Wish(label, ((middle + (rim + 16.0) * ways[k], ways[k]),), SIZE, INK, weight=3.0))
 
     # -- lengths ------------------------------------------------------------------------------
     def _links(self) -> None:

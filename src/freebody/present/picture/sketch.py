@@ -23,6 +23,7 @@ class Sketch:
         self.shapes: list[Shape] = []
         self.wishes: list[Wish] = []
         self.words: list[Word] = []
+        self.reserved: list[Shape] = []  # where words will stand: nothing is drawn there that can stand elsewhere
         self._known = 0, np.zeros((0, 2))
         self._of = ""
 
@@ -60,8 +61,9 @@ class Sketch:
 
     def crowd(self, shapes: Sequence[Shape], room: float = 3.5) -> int:
         """How much of what is drawn comes near to shapes that might be."""
-        if self._known[0] != len(self.shapes):
-            self._known = len(self.shapes), dense(self.shapes)
+        n = len(self.shapes) + len(self.reserved)
+        if self._known[0] != n:
+            self._known = n, dense([*self.shapes, *self.reserved])
         taken, new = self._known[1], dense(shapes)
         if not len(new) or not len(taken):
             return 0

@@ -41,8 +41,9 @@ from freebody.present.space.symbols import arrow, curved_arrow
 from freebody.present.symbols import hatched
 from freebody.system.system import System
 
-_LETTER, _SIZE = 0.56, 9.0  # width of a letter by its height; points
-_ROOM = 350.0, 260.0  # [points]
+_LETTER, _SIZE = 0.56, 9.5  # width of a letter by its height; points
+_ROOMS = {1: (200.0, 150.0), 2: (290.0, 215.0)}  # [points], by the number of bodies
+_ROOM = 350.0, 260.0  # of more
 _ROOM_FREE = 200.0, 160.0
 _EDGE_ON = 1e-3  # sine of the angle between a plane and the line of sight
 _HATCH = 7.0  # [points]
@@ -191,7 +192,8 @@ class WholeInSpace(Whole):
         """poses: (1, n_moving, 3) centres and (1, n_moving, 3, 3) axes; turning: angles of which nothing but the rates
         is drawn, along their axes; nothing: all that are named, and dimensions."""
         drawing = SpatialDrawing.of(Scene.of(system, places.number), *poses)
-        sketch = SpaceSketch(drawing, angles, perspective=perspective)
+        room = _ROOMS.get(len(drawing.scene.figures), _ROOM)
+        sketch = SpaceSketch(drawing, angles, room, perspective=perspective)
         centers = {form.name: drawing.poses.centers[0, form.index] for form in drawing.scene.figures}
         super().__init__(system, places, drawing.scene, sketch, centers)
         self.poses, self.in_space, self.solid, self.drawn_in_space = drawing.poses, sketch, loads, drawing

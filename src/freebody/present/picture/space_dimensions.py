@@ -22,7 +22,7 @@ from freebody.model.elements import RigidBody
 from freebody.model.glyphs import Glyph, Pin, Rail
 from freebody.present.figures import Array, Figure, Place
 from freebody.present.picture.dimensioned import INK, SIZE, Dimensioned
-from freebody.present.picture.label import formula
+from freebody.present.picture.label import Label, formula
 from freebody.present.picture.placer import Wish
 from freebody.present.picture.shapes import Shape
 from freebody.present.picture.signs import across, head
@@ -72,6 +72,8 @@ class SpaceDimensions(Dimensioned):
         for figure in self.scene.figures:
             if figure.solid.has_flat_end and figure.axis is not None:
                 self._rim(figure, self.system.bodies[figure.name])
+            elif figure.solid.is_ball:
+                self._ball(figure, self.system.bodies[figure.name])
         for figure in self.scene.figures:
             self._lengths(figure, self.system.bodies[figure.name])
 
@@ -113,7 +115,17 @@ class SpaceDimensions(Dimensioned):
             self.dimension(label, self.sketch.seen(middle), self.sketch.seen(rim), 1.0, _CROWD)
             return
         first = level / float(np.linalg.norm(level)) if float(np.linalg.norm(level)) > 1e-9 else np.eye(3)[0]
-        second = np.cross(axis, first)
+        self._on_circle(label, figure, first, np.cross(axis, first))
+
+    def _ball(self, figure: Figure, body: RigidBody) -> None:
+        """From the middle of a sphere to its outline."""
+        label = self.plain(body.radius) if body.radius is not None else None
+        if label is not None and self.is_new(label):
+            self._on_circle(label, figure, *self.sketch.view.axes[:2])
+
+    def _on_circle(self, label: Label, figure: Figure, first: Array, second: Array) -> None:
+        """The radius of a body on a circle about its middle, between two unit vectors (3,)."""
+        middle = self.poses.place(figure.center, 0)
         tips = [figure.sizes[0] * (math.cos(a) * first + math.sin(a) * second) for a in _RADII]
         ends = [(self.sketch.seen(middle), self.sketch.seen(middle + tip)) for tip in tips]
         ends = [(start, end) for start, end in ends if not np.array_equal(start, end)]  # none of a disk without radius

@@ -35,7 +35,7 @@ from freebody.study.pictures.idle import idle_rows
 from freebody.study.pictures.load_symbols import LONGEST, LoadSymbols, shorter, without_sign
 from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.strings import Pull, pulls, rope_of
-from freebody.study.senses import drawn_symbols
+from freebody.study.senses import drawn_symbols, load_senses
 from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 from freebody.tolerances import ON_LINE, ROUND_OFF
@@ -90,7 +90,7 @@ class FreeBody:
 
     @cached_property
     def load_symbols(self) -> LoadSymbols:
-        return LoadSymbols(self.system, self.symbols, self.labels)
+        return LoadSymbols(self.system, self.symbols, self.labels, load_senses(self.system))
 
     def forces(self) -> tuple[ShownForce, ...]:
         """What acts from outside, in the order of the model: loads, then reactions."""
@@ -152,11 +152,16 @@ class FreeBody:
         rope = None if self.system.space else rope_of(self.system, rows[0].connection)
         leads = rope.sign.leads if rope is not None and isinstance(rope.sign, Rope) else ()
         taut = [row for row in rows if row.component in {lead.row for lead in leads}]
+        rims: dict[tuple[str, str], Array] = {}  # where a string leaves a body for another one
         for row, found in pulls(rope, taut, self.reference, self.snapshot) if rope is not None else ():
+            rims |= {(body, other): at for body, other, at, _pull in found}
             yield from self._string(row, found, only_outside=only_outside)
         rest = [row for row in rows if row not in taut]
         for row in rest:
-            if not (only_outside and self._is_internal(row.measure)):
+            rim = next((at for pair, at in rims.items() if self._rubs_on(row, *pair)), None)
+            if rim is not None:
+                yield from self._rub(row, rim)
+            elif not (only_outside and self._is_internal(row.measure)):
                 yield from self._reaction(row, rest)
 
     def _string(self, row: ConstraintRow, found: Sequence[Pull], *, only_outside: bool) -> Iterator[ShownForce]:
@@ -175,6 +180,19 @@ class FreeBody:
             away = tuple(map(float, at - self.action.center(body)))
             size = float(np.hypot(*pull))
             yield ShownForce(row.name, scaled(label, size), body, away, _components(pull), (0.0,), about=row.reaction)
+
+    def _rubs_on(self, row: ConstraintRow, drum: str, other: str) -> bool:
+        """Whether a string rubs on a body that stands still, of whose turning the row says nothing."""
+        is_shown = drum in self.bodies and drum != GROUND and self.system.bodies[drum].fixed
+        return is_shown and row.reaction == "friction force" and {drum, other} <= set(row.measure.bodies())
+
+    def _rub(self, row: ConstraintRow, rim: Array) -> Iterator[ShownForce]:
+        """Of the string, where it leaves the rim."""
+        drum = next(body for body in self.bodies if body in set(row.measure.bodies()))
+        f, _m = self.action.wrench(row.measure, drum)
+        away = tuple(map(float, rim - self.action.center(drum)))
+        force = _components(self.symbols[row.name].sign * f)
+        yield ShownForce(row.name, self._label_of(row), drum, away, force, (0.0,), about=row.reaction)
 
     def _adds_up(self, row: ConstraintRow, found: Sequence[tuple[str, Array, Array]]) -> bool:
         """Whether pulls at points are all that a row does to its bodies."""

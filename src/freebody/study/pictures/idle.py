@@ -47,15 +47,25 @@ def _is_alone(
 ) -> bool:
     """Whether a row pushes the mass centre along one direction, and nothing else has a component along it."""
     first = _push(seen[0], own, body)
-    if abs(first[2]) > _NOTHING:
+    if abs(first[2]) > _NOTHING or isinstance(own, NonholonomicForm):
         return False
-    for snapshot in seen:
+    for snapshot in [seen[0], *(_held(pose, own, body, first[:2], seen[0]) for pose in seen[1:])]:
         mine = _push(snapshot, own, body)
         if float(np.abs(mine - first).max()) > _NOTHING:
             return False
         if any(abs(float(mine[:2] @ _push(snapshot, other, body)[:2])) > _NOTHING for other in others):
             return False
     return True
+
+
+def _held(pose: Snapshot, own: Measure, body: str, along: Array, start: Snapshot) -> Snapshot:
+    """A pose with the body moved along the direction of its row until this holds what it holds at the start: a spring
+    from a point of the guide pushes along the guide alone."""
+    reference = pose.reference
+    gap = reference.jet(pose.geometry, own).value - reference.jet(start.geometry, own).value
+    q = pose.q.copy()
+    q[list(reference.frame.columns[body][:2])] -= gap * along / float(along @ along)
+    return reference.snapshot(q, np.zeros_like(q))
 
 
 def _push(snapshot: Snapshot, measure: Measure | NonholonomicForm, body: str) -> Array:

@@ -44,18 +44,19 @@ _LOAD = "@load of "  # the symbol of what sliding friction is pressed with, befo
 
 @dataclass(frozen=True)
 class LoadSymbols:
-    """symbols: of reactions, by row; given: other names, by the name of a load."""
+    """symbols: of reactions, by row; given: other names, by the name of a load; senses: as by `load_senses`."""
 
     system: System
     symbols: Mapping[str, ReactionSymbol]
     given: Mapping[str, str]
+    senses: Mapping[str, int]
 
     def of(self, push: AppliedLoad) -> tuple[Label, int]:
         """The label, and whether its force acts with the gradient of the measure (+1) or against it."""
         given = self.given.get(push.name, self.given.get(push.load))
         law, sign = self.law(push)
         if law is None:
-            sign = getattr(self.system.loads.get(push.load), "pulling_sign", 1)
+            sign = getattr(self.system.loads.get(push.load), "drawn_sign", 1) * self.senses.get(push.name, 1)
         if given is not None:
             return name(given), sign
         is_short = law is not None and len(to_text(law)) <= LONGEST
