@@ -198,8 +198,10 @@ def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Meas
         values = [float(event.quantity.value(system, s)) - target for s in seen]
         return _Gaps(times, values, [s.value(measure) for s in seen], max(abs(target), *map(abs, values)))
 
-    begin, whole = start.t, _period(draw, measure)
-    for end in _SPANS:
+    begin, whole = start.t, math.inf
+    for k, end in enumerate(_SPANS):
+        if k == 1:  # what comes at once needs no whole period to be followed
+            whole = _period(draw, measure)
         if begin - start.t > _MORE * whole:
             raise CannotAnswer(Message("'{event}' does not come in a whole period of the motion", event=event.text))
         gaps = along(np.linspace(begin, start.t + end, _N_STEPS + 1))
