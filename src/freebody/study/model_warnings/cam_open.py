@@ -31,8 +31,8 @@ class CamOpen(WarningKind, name="cam open"):
                 )
             elif abs(slope) > _SMALL * size:
                 told = Message(
-                    "the slope of the lift of {cam} changes by {slope:.4g} m per rad over a turn: the edge has a corner "
-                    "there, at which the velocity of the follower jumps",
+                    "the slope of the lift of {cam} changes by {slope:.4g} m per rad over a turn: the edge has a "
+                    "corner there, at which the velocity of the follower jumps",
                     cam=name,
                     slope=slope,
                 )
