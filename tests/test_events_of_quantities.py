@@ -8,11 +8,7 @@ Problem families: Meriam & Kraige, Dynamics, 6/4 and 3/6; Beer & Johnston, Dynam
 
 from __future__ import annotations
 
-import math
-import re
-
 import pytest
-from scipy.optimize import brentq
 
 import freebody as fb
 from freebody.api import System
@@ -145,28 +141,3 @@ def test_an_exercise_asks_for_a_change_by_its_value(language: str, said: str) ->
     system = System.from_text(f"{STONE}questions: {{it: speed of stone when y has changed by -d}}\n")
     [question] = system.questions
     assert said in Catalogue(language).plain(asking(system, question)).replace("\u2212", "-")
-
-
-@pytest.mark.slow
-def test_a_wheel_on_a_cycloid_leaves_it_before_the_cusp_where_no_motion_goes_on() -> None:
-    """x = R (s + sin s), y = R (1 + cos s) falls by b = s/2 and has the radius of curvature 4 R cos b; a disk has
-    v^2 = v0^2 + 4/3 g h, and leaves where g cos b = v^2/(4 R cos b + r)."""
-    r, big, g = 0.05, 0.5, 9.81
-
-    def lacking(s: float) -> float:
-        b = s / 2
-        drop = 2 * big + r - (big * (1 + math.cos(s)) + r * math.cos(b))
-        square = ((2 * big + r / 2) * 0.1) ** 2 + 4 / 3 * g * drop
-        return g * math.cos(b) - square / (4 * big * math.cos(b) + r)
-
-    answer = fb.System.from_text("""
-parameters: {m: 1 kg, r: 0.05 m, R: 0.5 m, g: 9.81 m/s^2}
-bodies: {ball: {disk: {mass: m, radius: r}, near: {at: [0, 2*R + r]}}}
-connections: {track: {rolling_on_curve: {body: ball, x: R*(s + sin(s)), y: R*(1 + cos(s))}}}
-loads: {weight: {gravity: g}}
-measures: {s: {parameter of track}}
-start: {s: 0, rate(s): 0.1 rad/s}
-""").solve("s when normal force of track = 0")["q1"]
-    told = re.search(r"it is first at s = ([\d.]+)", str(answer.reason))
-    assert told is not None
-    assert float(told[1]) == pytest.approx(brentq(lacking, 0.1, 2.5), abs=1e-5)
