@@ -3,6 +3,7 @@
 import math
 import struct
 import sys
+from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
@@ -205,6 +206,26 @@ loads: {weight: {gravity: g}}
 questions: [least mu so that it stays at rest]
 """
 ON_SLOPE = "    at: {origin: [0, 0, 0]}\n    turned: alpha about z\n"
+
+
+def test_a_cube_that_hangs_by_an_edge_has_simple_fractions_in_its_formula(tmp_path: Path) -> None:
+    # I = m (1 + 1)/12 + m/2 = 2 m/3 about the edge, at the arm 1/2: phi'' = -(g/2)/(2/3) = -3 g/4
+    corners, triangles = box(1.0, 1.0, 1.0)
+    (tmp_path / "part.stl").write_text(ascii_stl(corners, triangles))
+    text = """
+space: {up: z}
+parameters: {rho: 1000 kg/m^3, g: 9.81 m/s^2}
+bodies: {cube: {mesh: {file: part.stl, unit: m, density: rho}}}
+connections: {a: {revolute: {first: ground.O, second: cube, about: x}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of cube about x}
+start: {phi: 0}
+questions: [acceleration of phi at start]
+"""
+    (tmp_path / "cube.yaml").write_text(text)
+    answer = fb.System.load(tmp_path / "cube.yaml").solve()["q1"]
+    assert answer.expression is not None
+    assert evaluate(answer.expression, {"g": Fraction(1)}) == Fraction(-3, 4)
 
 
 def test_a_cube_of_triangles_holds_on_a_slope_as_a_box_does(tmp_path: Path) -> None:

@@ -32,6 +32,18 @@ loads: {w: {gravity: g}}
 measures: {theta: angle of line from ground.O to bob from down}
 start: {theta: ANGLE}
 """
+CAM = """
+parameters: {h: 8 mm, r: 60 mm}
+bodies:
+  disk: {body: {mass: 1 kg, inertia: 0.01 kg m^2}}
+  valve: {particle: {mass: 0.3 kg}, near: {at: [0, 70 mm]}}
+connections:
+  axle: {pin: [ground.O, disk]}
+  guide: {slider: {body: valve, along: up}}
+  cam: {cam: {cam: disk, follower: valve, base_radius: r, form: edge, lift: LIFT}}
+measures: {phi: angle of disk from up}
+start: {phi: 0}
+"""
 WALL = """
 parameters: {m: 1 kg, R: 0.1 m}
 ground: {points: {P: [0.5 m, 0]}, lines: {floor: {along: right}, wall: {through: ground.P, along: up}}}
@@ -136,6 +148,13 @@ def warned(text: str) -> list[tuple[str, str]]:
             "s acts between ground.O and bob, which start at the",
         ),
         (TOGGLE.replace("NEAR", ""), "elbow open", "fit with upper.end on either side"),
+        # z = phi/pi runs to 2: h (10 z^3 - 15 z^4 + 6 z^5) is 32 h there, h z (2 - z) has the slopes +-2 h/pi
+        (
+            CAM.replace("LIFT", "h*(10*(phi/pi)^3 - 15*(phi/pi)^4 + 6*(phi/pi)^5)"),
+            "cam open",
+            "changes by 0.256 m over",
+        ),
+        (CAM.replace("LIFT", "h*phi/pi*(2 - phi/pi)"), "cam open", "changes by -0.01019 m per rad over"),
         (MAN.replace("PLACE", "6 m"), "off the rod", "S lies 1 m beyond the end of ladder"),
     ],
 )
@@ -160,6 +179,7 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
         SPRING.replace("PLACE", "[0, -1 m]"),
         SPRING.replace("PLACE", "[0, 0]").replace("length: 1 m", "length: 0"),
         MAN.replace("PLACE", "4 m"),
+        CAM.replace("LIFT", "h/2*(1 - cos(phi))"),
         WEDGE.replace("NEAR", ", near: {at: [1 m, 1 m]}"),
         RACK.replace("GUIDES", "guide: {slider: {body: bar, along: right}}"),
     ],

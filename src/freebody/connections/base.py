@@ -188,6 +188,11 @@ class Connection(Spec):
         the axis on each of both."""
         return None
 
+    def step_of_edge(self, names: Names) -> tuple[float, float, float] | None:
+        """Of an edge that goes round a body: by how much its distance from the middle, and the slope of that by the
+        angle, change over a turn, and the distance itself [m]. None where there is no such edge, or no numbers."""
+        return None
+
     def for_copy(self, names: Names, carrier: str, turned: Callable[[Components], Components]) -> dict[str, Any]:
         """Of what each copy has of its own (`with_copies`): the fields in which that of a copy differs, which stands on
         the carrier as the first one turned about the axis of the carrier."""

@@ -200,6 +200,16 @@ connections:
         )
         return Composed(Call("atan", divide(across + steep * along, along - steep * across)), used, DIMENSIONLESS)
 
+    def step_of_edge(self, names: Names) -> tuple[float, float, float] | None:
+        """r(2 pi) - r(0), and the same of r'."""
+        with names.quietly():
+            r = self._radius(names)
+            ends = [self._looked_at(names, r, phi) for phi in (0.0, math.tau)]
+        if ends[0] is None or ends[1] is None:
+            return None
+        (a, slope, _b), (c, last, _d) = ends[0], ends[1]
+        return c - a, last - slope, max(abs(a), abs(c))
+
     def edge_radius(self, names: Names) -> Measure | Message:
         """Of the edge that is cut: r + r'' under a flat face, else that of the path of the middle less the roller."""
         with names.quietly():
@@ -223,23 +233,25 @@ connections:
         return Composed(path - self._roller(names), used, LENGTH)
 
     # -- its edge -----------------------------------------------------------------------------
-    def _round(self, names: Names, r: Expr) -> list[list[float]] | None:
+    def _round(self, names: Names, r: Expr) -> list[tuple[float, float, float]] | None:
         """r, r' and r'' in numbers at angles of a turn; None where parameters have no values."""
+        found = [self._looked_at(names, r, math.tau * k / _N_LOOKED_AT) for k in range(_N_LOOKED_AT)]
+        known = [at for at in found if at is not None]
+        return known if len(known) == len(found) else None
+
+    def _looked_at(self, names: Names, r: Expr, phi: float) -> tuple[float, float, float] | None:
+        """The same at one angle."""
         first = differentiate(r, _PHI)
-        values = names.numbers_in(r)
-
-        def at(e: Expr, phi: float) -> float:
-            return float(evaluate(e, {**values, _PHI: phi}))
-
+        values = {**names.numbers_in(r), _PHI: phi}
         try:
-            return [
-                [at(e, math.tau * k / _N_LOOKED_AT) for e in (r, first, differentiate(first, _PHI))]
-                for k in range(_N_LOOKED_AT)
-            ]
+            a, b, c = (float(evaluate(e, values)) for e in (r, first, differentiate(first, _PHI)))
         except (ArithmeticError, ValueError, FreebodyError):  # parameters without values
             return None
+        return a, b, c
 
-    def _look_for_miss(self, names: Names, cam: RigidBody, point: Point, found: list[list[float]]) -> None:
+    def _look_for_miss(
+        self, names: Names, cam: RigidBody, point: Point, found: list[tuple[float, float, float]]
+    ) -> None:
         """Notes a problem where the line on which an edge or a roller runs misses the cam, however that is turned."""
         guide = None if self.form == "flat" else ground_guide_of(names, point.body, turning=True)
         if guide is None or any(p.value is None and p.form is None for p in names.parameters.values()):
@@ -261,7 +273,7 @@ connections:
             )
             names.problem(told, "follower")
 
-    def _look_for_undercut(self, names: Names, found: list[list[float]]) -> None:
+    def _look_for_undercut(self, names: Names, found: list[tuple[float, float, float]]) -> None:
         """Notes a problem where the edge cannot be cut, with the size that would do."""
         if self.form == "flat":
             least = min(a + c for a, _b, c in found)

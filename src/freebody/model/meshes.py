@@ -33,6 +33,8 @@ MOST_DRAWN = 1300  # triangles of a picture
 _FLAT = 1e-12  # of the third power of the size: volumes that are none
 _ALIKE = 1e-6  # relative: what single precision leaves of flat faces and of convexity
 _DIGITS = 13  # of the largest of numbers of one kind: what is left of double precision in sums over triangles
+_SIMPLE = 9999  # the largest divisor of a fraction that is seen in rounded digits
+_LUCK = 3  # digits: one number in a thousand may be near a simple fraction by chance
 _N_DIRECTIONS = 160  # of the corners that stand for a finer mesh in pictures
 _GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
 
@@ -271,5 +273,11 @@ def _coarse(mesh: Any) -> Any:
 
 
 def _rounded(value: Fraction, largest: float) -> Fraction:
-    """To the digits that numbers of this size have: what is zero but for rounding becomes zero."""
-    return round(value, _DIGITS - math.ceil(math.log10(largest)))
+    """To the digits that numbers of this size have: what is zero but for rounding becomes zero, and what is a simple
+    fraction but for rounding becomes that: 2/3 of a cube, not 0.6666666666667."""
+    n_decimals = _DIGITS - math.ceil(math.log10(largest))
+    rounded = round(value, n_decimals)
+    # there are some d^2 fractions with divisors up to d in every unit: so few that none is near by chance
+    largest_divisor = min(_SIMPLE, max(1, math.isqrt(10 ** max(0, n_decimals - _LUCK))))
+    simple = rounded.limit_denominator(largest_divisor)
+    return simple if abs(simple - rounded) < Fraction(1, 10) ** n_decimals else rounded

@@ -180,22 +180,9 @@ class FirstIntegrals:
     def resting(self) -> dict[int, Ratio]:
         """The coordinates, by generator, that stay where they start, and their speeds: they start at rest, and while
         all of them are there none is accelerated, whatever the others do."""
-        model, f = self.model, self.field
-        if model.dependent or is_driven(model) or len(model.coordinates) < 2:
+        if self.model.dependent or is_driven(self.model) or len(self.model.coordinates) < 2:
             return {}
-        pairs = list(zip(model.coordinates, model.accelerations, strict=True))
-        pairs = [(c, a) for c, a in pairs if self.start.of(c.speed).is_zero()]
-        while pairs:
-            there = {k: x for c, _a in pairs for k, x in ((c.index, self.start.of(c.index)), (c.speed, f.zero))}
-            still = [
-                (c, a)
-                for c, a in pairs
-                if f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], there)).is_zero()
-            ]
-            if len(still) == len(pairs):
-                return there
-            pairs = still
-        return {}
+        return staying_of(self.model, self.start)
 
     @cached_property
     def _closure(self) -> Closure:
@@ -375,3 +362,21 @@ class JacobiParts:
 def is_driven(model: SymbolicModel) -> bool:
     """True where something is held at a function of time."""
     return any(row.general is not None or row.is_driven for row in model.system.constraint_rows)
+
+
+def staying_of(model: SymbolicModel, start: StartState) -> dict[int, Ratio]:
+    """The independent coordinates, by generator, that stay where they start, and their speeds: they start at rest, and
+    while all of them are there none is accelerated, whatever the others do."""
+    f = model.field
+    pairs = [(c, a) for c, a in zip(model.coordinates, model.accelerations, strict=True) if start.of(c.speed).is_zero()]
+    while pairs:
+        there = {k: x for c, _a in pairs for k, x in ((c.index, start.of(c.index)), (c.speed, f.zero))}
+        still = [
+            (c, a)
+            for c, a in pairs
+            if f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], there)).is_zero()
+        ]
+        if len(still) == len(pairs):
+            return there
+        pairs = still
+    return {}

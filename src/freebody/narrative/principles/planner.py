@@ -244,18 +244,20 @@ class Planner:
             bound, _k, chosen = heapq.heappop(queue)
             if best is not None and bound >= best[0]:
                 break
-            for k in self._useful(support, chosen, wanted):
-                more = tuple(sorted((*chosen, int(k))))
+            useful = self._useful(support, chosen, wanted)
+            # how often each unknown stands in the set with each of these more, all at once
+            times = support[list(chosen)].sum(axis=0) + support[useful]
+            n_reactions = ((times > 0) & ~wanted)[:, self.n_accelerations :].sum(axis=1).tolist()
+            is_open = ((times == 1) & ~wanted).any(axis=1).tolist()
+            for place, k in enumerate(useful.tolist()):
+                more = tuple(sorted((*chosen, k)))
                 if more in seen:
                     continue
                 seen.add(more)
-                times = support[list(more)].sum(axis=0)
-                reactions = np.flatnonzero((times > 0) & ~wanted)
-                n_reactions = int((reactions >= self.n_accelerations).sum())
-                cost = float(costs[list(more)].sum()) + REACTION * n_reactions
+                cost = float(costs[list(more)].sum()) + REACTION * n_reactions[place]
                 if best is not None and cost >= best[0]:
                     continue
-                if not ((times == 1) & ~wanted).any() and _spans(np.array([entries[i].row for i in more]), target):
+                if not is_open[place] and _spans(np.array([entries[i].row for i in more]), target):
                     best = cost, more
                 elif len(more) < MOST_EQUATIONS:
                     heapq.heappush(queue, (cost + cheapest, next(tie), more))

@@ -8,7 +8,7 @@ is the first such place is seen in numbers, at the model's own values and at oth
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -35,7 +35,9 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 _SPANS = (0.0625, 0.25, 1.0, 4.0, 16.0, 60.0)  # [s] of a motion in which the event is looked for, one after the other
+_SOON = 4  # of these, before it is asked whether the motion repeats itself
 _N_STEPS = 192
+_N_PIECES = 8  # in which a part of a motion is looked at that ends in it
 _N_CLOSER, _ROUNDS = 32, 6  # steps in which a part is looked at, again and again
 _MORE = 1.1  # periods after which all of a motion has been seen
 _SAME = 1e-5  # relative: a place found in numbers, and a formula
@@ -198,17 +200,37 @@ def _first_place(draw: Draw, system: System, event: QuantityEvent, measure: Meas
         values = [float(event.quantity.value(system, s)) - target for s in seen]
         return _Gaps(times, values, [s.value(measure) for s in seen], max(abs(target), *map(abs, values)))
 
-    begin, whole = start.t, _period(draw, measure)
-    for end in _SPANS:
+    begin, whole = start.t, math.inf
+    for k, end in enumerate(_SPANS):
+        if k == _SOON:  # what comes before needs no whole period to be followed
+            whole = _period(draw, measure)
         if begin - start.t > _MORE * whole:
             raise CannotAnswer(Message("'{event}' does not come in a whole period of the motion", event=event.text))
-        gaps = along(np.linspace(begin, start.t + end, _N_STEPS + 1))
-        for part in gaps.candidates(is_start=begin == start.t):
-            place = _refined(along, part, gaps.size)
-            if place is not None:
-                return place
+        for gaps in _as_far_as_it_goes(along, begin, start.t + end):
+            for part in gaps.candidates(is_start=gaps.times[0] == start.t):
+                place = _refined(along, part, gaps.size)
+                if place is not None:
+                    return place
         begin = start.t + end
     raise CannotAnswer(Message("'{event}' is not seen within {t:g} s", event=event.text, t=_SPANS[-1]))
+
+
+def _as_far_as_it_goes(along: Callable[[Array], _Gaps], begin: float, end: float) -> Iterator[_Gaps]:
+    """A part of a motion; where that ends in it, piece by piece up to there. Raises CannotAnswer at its end."""
+    broken: CannotAnswer | None = None
+    size = end - begin
+    for _piece in range(_N_PIECES):
+        try:
+            gaps = along(np.linspace(begin, begin + size, _N_STEPS + 1))
+        except CannotAnswer as error:
+            broken, size = broken or error, size / 2
+            continue
+        yield gaps
+        if broken is None:
+            return
+        begin, size = begin + size, size / 2  # the end lies within as much again
+    assert broken is not None
+    raise broken
 
 
 def _period(draw: Draw, measure: Measure) -> float:

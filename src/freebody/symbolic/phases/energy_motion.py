@@ -7,14 +7,14 @@ What is even in u is a function of q; speeds of other coordinates follow by thei
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 from contextlib import suppress
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
+from freebody.symbolic.first_integrals import FirstIntegrals, is_driven, staying_of
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
@@ -165,7 +165,8 @@ def course_of(model: SymbolicModel, start: StartState, slips: Sequence[Ratio] = 
     none."""
     f = model.field
     bound = [c for c in model.dependent if c.index not in model.unfollowed]  # nothing depends on the others' places
-    resting = [c for c in bound if model.samples.vanishes(model.dependent_speed(c))]
+    staying = staying_of(model, start)
+    resting = [c for c in bound if _is_kept(model, c, staying)]
     unknown = [c.name for c in resting if c.index not in start.values]
     if unknown:
         raise CannotAnswer(
@@ -215,6 +216,13 @@ def course_of(model: SymbolicModel, start: StartState, slips: Sequence[Ratio] = 
             "the accelerations of {names} are not constant, and energy alone gives the speed of one only", names=names
         )
     )
+
+
+def _is_kept(model: SymbolicModel, c: Coordinate, staying: Mapping[int, Ratio]) -> bool:
+    """Whether a dependent coordinate stays where it is: always, or as long as those stay that do (a ball that rolls
+    straight on does not leave its line)."""
+    speed = model.dependent_speed(c)
+    return model.samples.vanishes(speed) or model.field.lowest_terms(model.field.follow(speed, staying)).is_zero()
 
 
 def _one_way(model: SymbolicModel, slips: Sequence[Ratio]) -> set[int]:
