@@ -20,7 +20,7 @@ from freebody.connections.standing import (
 )
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
 from freebody.connections.string.hanging import Hook, askew
-from freebody.connections.string.in_space import SpatialRun, in_planes, lie_in_space
+from freebody.connections.string.in_space import SpatialRun, lie_in_space
 from freebody.connections.string.laying import (
     StringLead,
     StringRun,
@@ -219,8 +219,10 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if self.leads is not None:
             names.problem(Message("in space the leads follow from the wheels and guides; leave leads out"), "leads")
             return None
-        placed = in_planes(names, way)
-        return None if placed is None else lie_in_space(names, placed)
+        names.laying.append(self)
+        run = lie_in_space(names, way)
+        names.laying.pop()
+        return run
 
     def _grips(self, names: Names, run: StringRun) -> set[str]:
         """The pulleys on which it does not slip: all that can turn, or those that the model names."""

@@ -23,14 +23,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.standing import begins_at, is_zero, number_of, vanishes
-from freebody.connections.standing_in_space import (
-    distance_along,
-    line_of,
-    on_ground,
-    opposite,
-    standing,
-    started_place,
-)
+from freebody.connections.standing_in_space import StandingInSpace, opposite
 from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode, WheelPlane
 from freebody.language.expression import Call, Expr, multiply, negate, number
@@ -72,19 +65,20 @@ class SpatialRun(StringRun):
                 )
 
 
-def in_planes(names: Names, way: Sequence[StringNode]) -> list[StringNode] | None:
+def _in_planes(space: StandingInSpace, way: Sequence[StringNode]) -> list[StringNode] | None:
     """The places on a way with the planes of their wheels; None with a problem noted."""
     found: list[StringNode] = []
     for node in way:
-        plane = None if node.radius == ZERO else _plane(names, node)
+        plane = None if node.radius == ZERO else _plane(space, node)
         if node.radius != ZERO and plane is None:
             return None
         found.append(replace(node, plane=plane))
     return found
 
 
-def _plane(names: Names, node: StringNode) -> WheelPlane | None:
+def _plane(space: StandingInSpace, node: StringNode) -> WheelPlane | None:
     """The plane across the axis of a wheel: that of its bearing, or its own."""
+    names = space.names
     body = names.known(node.body)
     axles: list[Direction] = []
     carrier = names.ground_origin
@@ -100,7 +94,7 @@ def _plane(names: Names, node: StringNode) -> WheelPlane | None:
     if body.axis:
         axles.append(Direction(body.name, body.axis))
     for axle in axles:
-        still = on_ground(names, axle)
+        still = space.on_ground(axle)
         if still is not None:
             normal, turned = still
             along, side = (Direction(GROUND, v) for v in perpendiculars(normal.components))
@@ -118,7 +112,11 @@ def _plane(names: Names, node: StringNode) -> WheelPlane | None:
 
 def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
     """How a string runs over the wheels of its way; None with a problem noted."""
-    laying = _Laying(names, list(way))
+    still = StandingInSpace(names)
+    placed = _in_planes(still, way)
+    if placed is None:
+        return None
+    laying = _Laying(still, placed)
     for k in range(len(way) - 1):
         if not laying.lead(k):
             return None
@@ -131,8 +129,8 @@ def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
 class _Laying:
     """A string in the making: its leads, and in which sense it runs round each wheel."""
 
-    def __init__(self, names: Names, way: list[StringNode]) -> None:
-        self.names, self.way = names, way
+    def __init__(self, still: StandingInSpace, way: list[StringNode]) -> None:
+        self.names, self.way, self.still = still.names, way, still
         self.leads: list[Direction | None] = [None] * (len(way) - 1)
         self.senses: list[int | None] = [None if n.plane is None else _SENSES.get(n.turn or "") for n in way]
         self.hanging: dict[int, int] = {}  # what hangs, and the wheel that it hangs from
@@ -186,7 +184,7 @@ class _Laying:
                 return False
         if a.hangs or b.hangs or self._is_put_below(k, plane):
             return self._hung(k, plane)
-        aside = distance_along(self.names, a.point, b.point, plane.normal)
+        aside = self.still.distance_along(a.point, b.point, plane.normal)
         if aside is None or not is_zero(self.names, aside):
             self._note_off_plane(k, None if aside is None else number_of(self.names, aside))
             return False
@@ -264,11 +262,11 @@ class _Laying:
         else the common tangent."""
         a, b = self.way[k], self.way[k + 1]
         for end in (b, a):
-            line = line_of(self.names, end.point, plane.normal)
+            line = self.still.line_of(end.point, plane.normal)
             if line is None:
                 continue
             normal = Direction(GROUND, vector_product(plane.normal.components, line.components))
-            across = distance_along(self.names, a.point, b.point, normal)
+            across = self.still.distance_along(a.point, b.point, normal)
             if across is None:
                 continue
             forward = self._is_ahead(k, line, end is b)
@@ -332,7 +330,7 @@ class _Laying:
         cross = vector_product(n1, n2)
         size = Call("sqrt", dot(cross, cross)) if not is_zero(names, dot(cross, cross) - number(1)) else number(1)
         e = Direction(GROUND, tuple(c / size for c in cross))
-        asides = [distance_along(names, a.point, b.point, p.normal) for p in (first, second)]
+        asides = [self.still.distance_along(a.point, b.point, p.normal) for p in (first, second)]
         places = self._where(k), self._where(k + 1)
         if asides[0] is None or asides[1] is None or places[0] is None or places[1] is None:
             told = Message(
@@ -459,7 +457,7 @@ class _Laying:
         found: list[float] = []
         for j, axis in enumerate(UNIT):
             along = Direction(GROUND, axis)
-            place = standing(names, point, along)
+            place = self.still.standing(point, along)
             begun = begins_at(names, point, along)
             if place.body == GROUND:
                 found.append(number_of(names, place.far))
@@ -469,7 +467,7 @@ class _Laying:
                 name, at = guess
                 found.append(number_of(names, at[j] + point.offset[j] - body.points[name][j]))
             else:
-                return started_place(names, point)
+                return self.still.started(point)
         return found
 
 
