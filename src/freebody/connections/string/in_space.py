@@ -22,10 +22,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from freebody.connections.standing import begins_at, is_zero, number_of, vanishes
+from freebody.connections.standing import is_zero, number_of, vanishes
 from freebody.connections.standing_in_space import StandingInSpace, opposite
 from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode, WheelPlane
+from freebody.connections.string.way_in_space import WaySeen, dot_product
 from freebody.language.expression import Call, Expr, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
@@ -37,7 +38,6 @@ from freebody.tolerances import ROUND_OFF
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_TOWARD = {"top": "up", "bottom": "down"}
 _SENSES = {"clockwise": -1, "counterclockwise": 1}
 
 
@@ -126,14 +126,12 @@ def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
     return laying.run()
 
 
-class _Laying:
+class _Laying(WaySeen):
     """A string in the making: its leads, and in which sense it runs round each wheel."""
 
     def __init__(self, still: StandingInSpace, way: list[StringNode]) -> None:
-        self.names, self.way, self.still = still.names, way, still
-        self.leads: list[Direction | None] = [None] * (len(way) - 1)
+        super().__init__(still, way)
         self.senses: list[int | None] = [None if n.plane is None else _SENSES.get(n.turn or "") for n in way]
-        self.hanging: dict[int, int] = {}  # what hangs, and the wheel that it hangs from
         self.fits: dict[int, list[tuple[int, int]]] = {}  # senses with which leads keep their directions
 
     def run(self) -> SpatialRun:
@@ -238,13 +236,17 @@ class _Laying:
         """Whether an end that nothing else holds is put where it would hang, and says so in which sense the string goes
         round the wheel."""
         hung, wheel = (k, k + 1) if self.way[k].is_put else (k + 1, k)
-        level, places = self._level(plane), (self._where(hung), self._where(wheel))
+        level, places = self.level(plane), (self.where(hung), self.where(wheel))
         if not self.way[hung].is_put or level is None or places[0] is None or places[1] is None:
             return False
         away = [p - q for p, q in zip(*places, strict=True)]
-        radius, aside = number_of(self.names, self.way[wheel].radius), _dot(away, level[0])
+        radius, aside = number_of(self.names, self.way[wheel].radius), dot_product(away, level[0])
         n = [number_of(self.names, c) for c in plane.normal.components]
-        if abs(abs(aside) - radius) > ROUND_OFF or abs(_dot(away, n)) > ROUND_OFF or _dot(away, level[1]) >= 0.0:
+        if (
+            abs(abs(aside) - radius) > ROUND_OFF
+            or abs(dot_product(away, n)) > ROUND_OFF
+            or dot_product(away, level[1]) >= 0.0
+        ):
             return False
         down_on_the_right = (aside > 0.0) == (
             hung > wheel
@@ -306,7 +308,7 @@ class _Laying:
         """Whether a lead runs along the line of an end, seen from its start; None with a problem noted where nothing
         tells on which side of the wheel the end is."""
         names = self.names
-        first, last = (self._where(j) for j in (k, k + 1))
+        first, last = (self.where(j) for j in (k, k + 1))
         if first is not None and last is not None:
             ahead = sum((q - p) * number_of(names, e) for p, q, e in zip(first, last, line.components, strict=True))
             if abs(ahead) > ROUND_OFF:
@@ -331,7 +333,7 @@ class _Laying:
         size = Call("sqrt", dot(cross, cross)) if not is_zero(names, dot(cross, cross) - number(1)) else number(1)
         e = Direction(GROUND, tuple(c / size for c in cross))
         asides = [self.still.distance_along(a.point, b.point, p.normal) for p in (first, second)]
-        places = self._where(k), self._where(k + 1)
+        places = self.where(k), self.where(k + 1)
         if asides[0] is None or asides[1] is None or places[0] is None or places[1] is None:
             told = Message(
                 "the common tangent of {first} and {second}, whose axes are not parallel, would not stay one: hold "
@@ -370,7 +372,7 @@ class _Laying:
         node = self.way[k]
         if node.plane is None or self.senses[k] is not None:
             return True
-        self.senses[k] = self._of_drum(k) if node.way == "drum" else self._of_wheel(k)
+        self.senses[k] = self.of_drum(k) if node.way == "drum" else self.of_wheel(k)
         if self.senses[k] is None:
             told = Message(
                 "in which sense does the string go round {wheel}? Write '{way} clockwise' or '{way} counterclockwise', "
@@ -380,95 +382,6 @@ class _Laying:
             )
             self.names.problem(told)
         return self.senses[k] is not None
-
-    def _of_drum(self, k: int) -> int | None:
-        """e = s n x p, p from the centre to where the string leaves it: up or down, right or left on the ground."""
-        plane, heading, side = self.way[k].plane, self._heading(k if k == 0 else k - 1), self.way[k].side
-        if plane is None or heading is None or side is None:
-            return None
-        toward = self.names.compass[_TOWARD.get(side, side)]
-        n, p = ([number_of(self.names, c) for c in d.components] for d in (plane.normal, toward))
-        ahead = _dot(heading, _cross(n, p))
-        return None if abs(ahead) <= ROUND_OFF else 1 if ahead > 0.0 else -1
-
-    def _of_wheel(self, k: int) -> int | None:
-        """Over the top to the right it runs clockwise; round the shorter side where the leads say so."""
-        node, plane = self.way[k], self.way[k].plane
-        assert plane is not None
-        before, after = self._heading(k - 1), self._heading(k)
-        n = [number_of(self.names, c) for c in plane.normal.components]
-        bend = None if before is None or after is None else _dot(n, _cross(before, after))
-        are_known = self.leads[k - 1] is not None and self.leads[k] is not None
-        level = self._level(plane)
-        if bend is not None and abs(bend) > ROUND_OFF and (node.way == "around" or are_known or level is None):
-            return 1 if bend > 0.0 else -1
-        if level is None or node.way == "around":
-            return None
-        right = self._goes_right(k, level[0])
-        return None if right is None else (-1 if right else 1) * (-1 if node.way == "under" else 1)
-
-    def _goes_right(self, k: int, right: list[float]) -> bool | None:
-        """Whether the string comes to a wheel from the left and goes on to the right. What hangs is on the other side
-        than what is beside the wheel."""
-        here = self._where(k)
-        sides: list[float | None] = []
-        for j in (k - 1, k + 1):
-            there = None if j in self.hanging else self._where(j)
-            away = (
-                None
-                if there is None or here is None
-                else _dot([q - p for p, q in zip(here, there, strict=True)], right)
-            )
-            sides.append(None if away is None or abs(away) <= ROUND_OFF else away)
-        before, after = sides
-        if before is not None and after is not None and abs(after - before) > ROUND_OFF:
-            return after > before
-        if before is None and after is None:
-            return True if k - 1 in self.hanging and k + 1 in self.hanging else None
-        return before < 0.0 if before is not None else after is not None and after > 0.0
-
-    def _level(self, plane: WheelPlane) -> tuple[list[float], list[float]] | None:
-        """What is to the right and up in the plane of a wheel, seen against its axis; None where that is upright."""
-        n = [number_of(self.names, c) for c in plane.normal.components]
-        up = [number_of(self.names, c) for c in self.names.up]
-        rise = [u - _dot(up, n) * c for u, c in zip(up, n, strict=True)]
-        size = _dot(rise, rise) ** 0.5
-        if size <= ROUND_OFF:
-            return None
-        upward = [x / size for x in rise]
-        return _cross(upward, n), upward
-
-    def _heading(self, k: int) -> list[float] | None:
-        """The direction of a lead in numbers, from its stated direction or from where its ends are."""
-        if not 0 <= k < len(self.leads):
-            return None
-        lead = self.leads[k]
-        if lead is not None:
-            return [number_of(self.names, c) for c in lead.components]
-        first, last = self._where(k), self._where(k + 1)
-        return None if first is None or last is None else [q - p for p, q in zip(first, last, strict=True)]
-
-    def _where(self, k: int) -> list[float] | None:
-        """Where a place is at the start in numbers: as it is held, put, or guessed to be, or as a named measure of it
-        starts."""
-        names, point = self.names, self.way[k].point
-        body = names.known(point.body)
-        guess = body.start.at or (None if body.start.near is None else body.start.near.at)
-        found: list[float] = []
-        for j, axis in enumerate(UNIT):
-            along = Direction(GROUND, axis)
-            place = self.still.standing(point, along)
-            begun = begins_at(names, point, along)
-            if place.body == GROUND:
-                found.append(number_of(names, place.far))
-            elif begun is not None:
-                found.append(number_of(names, begun))
-            elif guess is not None:
-                name, at = guess
-                found.append(number_of(names, at[j] + point.offset[j] - body.points[name][j]))
-            else:
-                return self.still.started(point)
-        return found
 
 
 def _gap(across: Expr, sign: int, senses: tuple[int, int], radii: tuple[Expr, Expr]) -> Expr:
@@ -480,11 +393,3 @@ def _gap(across: Expr, sign: int, senses: tuple[int, int], radii: tuple[Expr, Ex
 def dot_of(names: Names, a: Direction, b: Direction) -> float:
     """The cosine between two directions of the ground in numbers."""
     return number_of(names, dot(a.components, b.components))
-
-
-def _dot(a: Sequence[float], b: Sequence[float]) -> float:
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
-    return [a[j] * b[k] - a[k] * b[j] for j, k in ((1, 2), (2, 0), (0, 1))]
