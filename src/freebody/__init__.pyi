@@ -1022,8 +1022,8 @@ class Rolling(_Rolling):
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one, fixed or moving (3 rows). On a curve see rolling_on_curve, on a surface z = f(x, y)
-    rolling_on_surface."""
+    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. On a curve see
+    rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
 
     def __init__(
         self,
