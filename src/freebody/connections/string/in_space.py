@@ -27,10 +27,10 @@ from freebody.connections.standing_in_space import StandingInSpace, opposite
 from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode, WheelPlane
 from freebody.connections.string.way_in_space import WaySeen, dot_product
-from freebody.language.expression import Call, Expr, multiply, negate, number
+from freebody.language.expression import Call, Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ZERO, Direction
+from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.model.elements import ConstraintRow
 from freebody.model.rotations import UNIT, dot, perpendiculars, vector_product
 from freebody.tolerances import ROUND_OFF
@@ -43,10 +43,10 @@ _SENSES = {"clockwise": -1, "counterclockwise": 1}
 
 @dataclass(frozen=True)
 class SpatialRun(StringRun):
-    """A string on its way in space. hung: of what hangs on it, the point, that from which it hangs, the directions
-    across the lead and how far it is aside along each."""
+    """A string on its way in space. hung: of what hangs on it, its number on the way, and the directions across the
+    lead with the point from which it is held along each, and how far."""
 
-    hung: tuple[tuple[int, int, tuple[tuple[Direction, Expr], ...]], ...] = ()
+    hung: tuple[tuple[int, tuple[tuple[Direction, Point, Expr], ...]], ...] = ()
 
     @property
     def hooks(self) -> dict[str, Any]:
@@ -55,11 +55,10 @@ class SpatialRun(StringRun):
 
     def hanging(self) -> Iterator[ConstraintRow]:
         """Rows that keep what hangs straight below."""
-        for k, j, sides in self.hung:
-            point, other = self.way[k].point, self.way[j].point
-            for (normal, offset), name in zip(sides, ("hangs", "hangs across"), strict=True):
-                across = Displacement(point, other, normal)
-                target = None if offset == ZERO else offset
+        for k, sides in self.hung:
+            point = self.way[k].point
+            for (normal, origin, far), name in zip(sides, ("hangs", "hangs across"), strict=True):
+                across, target = Displacement(point, origin, normal), None if far == ZERO else far
                 yield ConstraintRow(
                     f"{point.body} {name}", "sideways force", across, target, ends=(point.body,), if_needed=True
                 )
@@ -140,17 +139,24 @@ class _Laying(WaySeen):
         for k, fits in self.fits.items():
             if (turns[k], turns[k + 1]) not in fits:
                 self.leads[k] = None
-        hung = tuple((k, j, self._sides(k, j, arms)) for k, j in self.hanging.items())
+        hung = tuple((k, self._sides(k, j, arms)) for k, j in self.hanging.items())
         return SpatialRun(self.way, self.leads, turns, arms, hung)
 
-    def _sides(self, k: int, j: int, arms: list[Expr]) -> tuple[tuple[Direction, Expr], ...]:
+    def _sides(self, k: int, j: int, arms: list[Expr]) -> tuple[tuple[Direction, Point, Expr], ...]:
         """Of what hangs at one place from another: n . (C_2 - C_1) = s_2 R_2 - s_1 R_1 across the lead in the plane,
-        and nothing across the plane."""
-        plane, lead = self.way[j].plane, self.leads[min(j, k)]
+        and nothing across the plane; counted from the ground where the other one has its place there."""
+        plane, lead, other = self.way[j].plane, self.leads[min(j, k)], self.way[j].point
         assert plane is not None
         assert lead is not None
         normal = Direction(GROUND, vector_product(plane.normal.components, lead.components))
-        return (normal, negate(arms[j]) if k > j else arms[j]), (plane.normal, ZERO)
+        found: list[tuple[Direction, Point, Expr]] = []
+        for along, offset in ((normal, negate(arms[j]) if k > j else arms[j]), (plane.normal, ZERO)):
+            place = self.still.standing(other, along)
+            if place.body == GROUND:
+                found.append((along, self.names.ground_origin, add(place.far, offset)))
+            else:
+                found.append((along, other, offset))
+        return tuple(found)
 
     # -- leads ------------------------------------------------------------------------------------
     def lead(self, k: int) -> bool:
@@ -213,7 +219,7 @@ class _Laying(WaySeen):
 
     def _hung(self, k: int, plane: WheelPlane) -> bool:
         """A lead straight down to what hangs."""
-        names, up = self.names, Direction(GROUND, self.names.up)
+        names, up = self.names, self.up
         first_hangs = self.way[k].hangs or (self.way[k].is_put and not self.way[k + 1].hangs)
         hung, wheel = (k, k + 1) if first_hangs else (k + 1, k)
         if self.way[hung].plane is not None or not is_zero(names, dot(up.components, plane.normal.components)):
@@ -236,22 +242,18 @@ class _Laying(WaySeen):
         """Whether an end that nothing else holds is put where it would hang, and says so in which sense the string goes
         round the wheel."""
         hung, wheel = (k, k + 1) if self.way[k].is_put else (k + 1, k)
-        level, places = self.level(plane), (self.where(hung), self.where(wheel))
-        if not self.way[hung].is_put or level is None or places[0] is None or places[1] is None:
+        level, here, center = self.level(plane), self.where(hung), self.where(wheel)
+        if not self.way[hung].is_put or level is None or here is None or center is None:
             return False
-        away = [p - q for p, q in zip(*places, strict=True)]
-        radius, aside = number_of(self.names, self.way[wheel].radius), dot_product(away, level[0])
+        away = [p - q for p, q in zip(here, center, strict=True)]
         n = [number_of(self.names, c) for c in plane.normal.components]
-        if (
-            abs(abs(aside) - radius) > ROUND_OFF
-            or abs(dot_product(away, n)) > ROUND_OFF
-            or dot_product(away, level[1]) >= 0.0
-        ):
+        aside, above, beside = (dot_product(away, e) for e in (*level, n))
+        radius = number_of(self.names, self.way[wheel].radius)
+        if abs(abs(aside) - radius) > ROUND_OFF or abs(beside) > ROUND_OFF or above >= 0.0:
             return False
-        down_on_the_right = (aside > 0.0) == (
-            hung > wheel
-        )  # it leaves the wheel there going down, or comes up on the left
-        return self._turns(wheel, -1 if down_on_the_right else 1)
+        # it runs down on the right of the wheel, or comes up on the left
+        is_clockwise = (aside > 0.0) == (hung > wheel)
+        return self._turns(wheel, -1 if is_clockwise else 1)
 
     def _turns(self, k: int, sense: int) -> bool:
         """Takes a sense for a wheel, unless it has another one."""
@@ -313,7 +315,7 @@ class _Laying(WaySeen):
             ahead = sum((q - p) * number_of(names, e) for p, q, e in zip(first, last, line.components, strict=True))
             if abs(ahead) > ROUND_OFF:
                 return ahead > 0.0
-        rise = number_of(names, dot(line.components, names.up))
+        rise = number_of(names, dot(line.components, self.up.components))
         if abs(rise) > ROUND_OFF:  # what is guided up and down is below
             return (rise < 0.0) == is_last
         end, wheel = (k + 1, k) if is_last else (k, k + 1)

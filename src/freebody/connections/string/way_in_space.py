@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 from freebody.connections.standing import begins_at, number_of
-from freebody.connections.standing_in_space import StandingInSpace
+from freebody.connections.standing_in_space import StandingInSpace, opposite
 from freebody.connections.string.node import StringNode, WheelPlane
 from freebody.measures.geometry import GROUND, Direction
 from freebody.model.rotations import UNIT
@@ -21,6 +22,16 @@ class WaySeen:
         self.names, self.way, self.still = still.names, way, still
         self.leads: list[Direction | None] = [None] * (len(way) - 1)
         self.hanging: dict[int, int] = {}
+
+    @cached_property
+    def up(self) -> Direction:
+        """Against the weight, where there is one field of gravity that keeps its direction; else what is called up."""
+        if len(self.names.fields) == 1:
+            ((down, _strength),) = self.names.fields
+            still = self.still.on_ground(down)
+            if still is not None and not still[1]:
+                return opposite(still[0])
+        return Direction(GROUND, self.names.up)
 
     def of_drum(self, k: int) -> int | None:
         """e = s n x p, p from the centre to where the string leaves it: up or down, right or left on the ground."""
@@ -71,7 +82,7 @@ class WaySeen:
     def level(self, plane: WheelPlane) -> tuple[list[float], list[float]] | None:
         """What is to the right and up in the plane of a wheel, seen against its axis; None where that is upright."""
         n = [number_of(self.names, c) for c in plane.normal.components]
-        up = [number_of(self.names, c) for c in self.names.up]
+        up = [number_of(self.names, c) for c in self.up.components]
         rise = [u - dot_product(up, n) * c for u, c in zip(up, n, strict=True)]
         size = dot_product(rise, rise) ** 0.5
         if size <= ROUND_OFF:
