@@ -13,6 +13,7 @@ import pytest
 import freebody as fb
 from example_files import FOLDER
 from freebody.errors import ModelError
+from freebody.narrative.marking.acting import free_bodies
 
 M1, M2, J, R, G = 1.3, 2.1, 0.45, 0.4, 9.81
 
@@ -241,3 +242,11 @@ ground: {points: {A: [0, 0, 0], B: [-1, 0, 0]}}
 """
     with pytest.raises(ModelError, match="the axis of pulley does not keep its direction"):
         fb.System.from_text(text)
+
+
+def test_a_cable_pulls_at_a_wheel_where_it_leaves_it() -> None:
+    """At the rim, C + s R e x n: on the level wheel at -y, where it comes, and at x, where it leaves."""
+    system = fb.System.from_text((FOLDER / "cable_round_a_corner.yaml").read_text())
+    acting = free_bodies(system, ("level_wheel",)).outside
+    places = {tuple(np.round(force.at, 9).tolist()) for force in acting if force.source == "cable"}
+    assert places == {(0.0, -0.5, 0.0), (0.5, 0.0, 0.0)}

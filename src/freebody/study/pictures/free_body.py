@@ -157,7 +157,8 @@ class FreeBody:
         rest = [row for row in rows if row not in taut]
         for row in rest:
             if not (only_outside and self._is_internal(row.measure)):
-                yield from self._reaction(row, rest)
+                # each lead of a string has a line of action of its own
+                yield from self._reaction(row, [row] if row.reaction == "tension" else rest)
 
     def _string(self, row: ConstraintRow, found: Sequence[Pull], *, only_outside: bool) -> Iterator[ShownForce]:
         """Its pulls at the bodies that are cut free, without those from each other."""
