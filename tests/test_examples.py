@@ -316,6 +316,19 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "middle": "cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
         "ratio": "1",
     },
+    # one string: m_2 g moves both masses and half of each wheel, a disk whose I/r^2 is M/2
+    "cable_round_a_corner": {
+        "freedom": "1",
+        "acceleration": "m2*g/(m1 + m2 + M1/2 + M2/2)",
+        "behind": "m1*m2*g/(m1 + m2 + M1/2 + M2/2)",
+        "between": "(m1 + M1/2)*m2*g/(m1 + m2 + M1/2 + M2/2)",
+        "ahead": "(m1 + M1/2 + M2/2)*m2*g/(m1 + m2 + M1/2 + M2/2)",
+        "axle": [
+            "m1*m2*g/(m1 + m2 + M1/2 + M2/2)",
+            "-(m1 + M1/2)*m2*g/(m1 + m2 + M1/2 + M2/2)",
+            "M1*g",
+        ],
+    },
     # omega = omega_1 e_y - w (cos(beta) e_x - sin(beta) e_y) with w R = omega_1 (L + L cos(beta) - R sin(beta)),
     # alpha = omega_1 e_y x omega, v_B = omega_1 e_y x L (1 + cos(beta)) e_x (exercise sheet 7.7)
     "disk_on_angled_shaft": {

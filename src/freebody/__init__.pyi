@@ -1022,8 +1022,8 @@ class Rolling(_Rolling):
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one, fixed or moving (3 rows). On a curve see rolling_on_curve, on a surface z = f(x, y)
-    rolling_on_surface."""
+    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. On a curve see
+    rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
 
     def __init__(
         self,
@@ -1205,7 +1205,11 @@ class String(_String):
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
     guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
     directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies). In space it runs from point to point, through rings and over small pulleys.
+    also for hanging bodies). In space it runs from point to point, through
+    rings and over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
+    has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
+    wheels whose axes are not parallel it runs along the line in which their planes meet; a drum is wound `clockwise`
+    or `counterclockwise` as seen against its axis, and `left` is where x is negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""

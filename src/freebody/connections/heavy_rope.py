@@ -237,7 +237,9 @@ start: {x: 0.4 m, rate(x): 0}
         run = self._run(names)
         if run is None:
             return
-        nodes = [glyphs.Node(p.center, p.arm, k == 0 and self.wound_on is not None) for k, p in enumerate(run.places)]
+        nodes: list[glyphs.Node[Point, Direction, Expr]] = [
+            glyphs.Node(p.center, p.arm, k == 0 and self.wound_on is not None) for k, p in enumerate(run.places)
+        ]
         leads: list[glyphs.Lead[Direction]] = [glyphs.Lead(p.out) for p in run.places]
         nodes.append(glyphs.Node(run.rope.center if self.to is None else names.point(self.to), ZERO))
         first = run.places[0]

@@ -10,6 +10,7 @@ place of its core to the centre, clamp(x, h) = (|x + h| - |x - h|)/2 being x kep
     a rod                             v_k = d_k across, v_3 as of a cylinder,       gap |v| - r
     a ring                            v_k = d_k (1 - R/rho) across, v_3 = d_3,      gap |v| - r
     the inside of a sphere            v = d,                                        gap R - r - |v|
+    a cylinder that is rolled on      v_k = d_k across its axis, v_3 = 0,           gap |v| - R - r, inside R - r - |v|
 
 so that faces, edges and corners of a box are one place whose normal turns as the ball goes from one to the other.
 While they touch, |v| is the known sum of radii s, and the normal is n = v/s. Two directions across it are those into
@@ -17,7 +18,8 @@ which the rotation that takes a fixed q to n takes two across q,
 
     b_j = f_j - (n.f_j)/(1 + n.q) (n + q),
 
-which is smooth but for n = -q, a direction in which nothing lies by chance. With the arm r = -R n of the material point
+which is smooth but for n = -q, a direction in which nothing lies by chance; on a cylinder one is along its axis a and
+the other round it, n x a. With the arm r = -R n of the material point
 of the ball, the slip seen from the other body is b . (d' + w x r), w the angular velocity against it. Sources: Ericson,
 Real-Time Collision Detection, 2005, sec. 5.1; Duff et al., J. Computer Graphics Techniques 6 (2017) 1-8 (the frame).
 """
@@ -83,6 +85,7 @@ class Core:
     of_polyhedron: bool = False  # a face, an edge or a corner, with where that is the nearest
     within: tuple[Span, ...] = ()
     is_face: bool = False
+    across: tuple[Components, Components] | None = None  # directions b_1, b_2 = n x b_1 of its own
 
     @property
     def middle(self) -> Point:
@@ -123,6 +126,18 @@ def places_on_body(names: Names, text: str, other: str, frame: Frame = (Q, F)) -
     f_2 in axes of the other body."""
     ball = ball_of(names, text)
     return [] if ball is None else [_Touching(ball, core, frame).place() for core in cores_of(names, other, ball)]
+
+
+def place_on_side(names: Names, ball: RigidBody, other: RigidBody, *, inside: bool) -> ContactPlace:
+    """The place at which a sphere touches the curved side of a cylinder, from inside or outside, however long that is.
+    Both have radii."""
+    rim, radius = (other.inside_radius if inside else other.radius) or ZERO, ball.radius or ZERO
+    reach = rim - radius if inside else rim + radius
+    v, along = (D[0], D[1], ZERO), (ZERO, ZERO, ONE)
+    around = (D[1] / reach, -D[0] / reach, ZERO)
+    size = _size(v[:2])
+    core = Core(other, other.name, _about(other, other.axis), v, size, reach, inside, across=(along, around))
+    return _Touching(Ball(ball.name, ball.center, radius, ball.turns), core, (Q, F)).place()
 
 
 # -- cores ---------------------------------------------------------------------------------------
@@ -219,9 +234,9 @@ class _Touching:
         n = self.n = tuple(c / core.reach for c in core.v)
         q, across = frame
         leaning = [dot(n, f) / (ONE + dot(n, q)) for f in across]
-        self.across = [
+        self.across = core.across or tuple(
             tuple(f[k] - share * (n[k] + q[k]) for k in range(3)) for f, share in zip(across, leaning, strict=True)
-        ]
+        )
 
     def place(self) -> ContactPlace:
         core = self.core

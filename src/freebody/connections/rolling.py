@@ -1,4 +1,4 @@
-"""Rolling without slip of a circle on a line, on a circle, or inside a ring; in space on a plane or a sphere."""
+"""Rolling without slip of a circle on a line or a circle, or inside a ring; in space on planes, spheres, cylinders."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import look_at_fit, touching
-from freebody.connections.rolling_in_space import rolling_rows, rows_on_sphere
+from freebody.connections.rolling_in_space import rolling_rows, rows_on_cylinder, rows_on_sphere
 from freebody.connections.standing import is_parallel, moves_out_of_plane, same_way, stands_at
-from freebody.language.expression import Expr, add, negate
+from freebody.language.expression import Expr, add, divide, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
@@ -18,9 +18,10 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow, Line, RigidBody
+from freebody.model.elements import ConstraintRow, Line, RigidBody, Validity
 from freebody.model.glyphs import Glyph
 from freebody.model.noting import did_you_mean
+from freebody.model.solids import CYLINDER
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -36,8 +37,8 @@ class Rolling(Connection, kind="rolling"):
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one, fixed or moving (3 rows). On a curve see rolling_on_curve, on a surface z = f(x, y)
-    rolling_on_surface."""
+    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. On a curve see
+    rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
 
     body: str
     on: str | None = None
@@ -77,20 +78,23 @@ connections:
         for name, where, at, other in (
             ("on a ball in space", "on", "0.3 m", "sphere: {mass: 2 kg, radius: 0.2 m}"),
             ("in a bowl in space", "inside", "0.4 m", "spherical_shell: {mass: 2 kg, radius: 0.5 m}"),
+            ("on a roller in space", "on", "0.3 m", "cylinder: {mass: 2 kg, radius: 0.2 m, length: 1 m, axis: y}"),
+            ("in a pipe in space", "inside", "0.4 m", "cylinder: {mass: 2 kg, radius: 0.5 m, length: 1 m, axis: y}"),
         )
     }
 
     def is_in_plane(self, names: Names) -> bool:
         if self.on is None or self.on in names.bodies:
-            return self._sphere_in_space(names) is None
+            return self._round_in_space(names) is None
         return names.line(self.on) is not None
 
-    def _sphere_in_space(self, names: Names) -> RigidBody | None:
-        """The sphere on or in which it rolls, unless all that moves stays in the plane of x and y."""
-        bodies = [names.bodies.get(name) for name in (self.body, str(self.on or self.inside))]
-        spheres = [body for body in bodies if body is not None and body.round == "sphere"]
-        out_of_plane = names.space and len(spheres) == 2 and moves_out_of_plane(names, [b.name for b in spheres])
-        return spheres[1] if out_of_plane else None
+    def _round_in_space(self, names: Names) -> RigidBody | None:
+        """The sphere or cylinder on or in which a sphere rolls, unless all that moves stays in the plane of x and y."""
+        body, other = (names.bodies.get(name) for name in (self.body, str(self.on or self.inside)))
+        if body is None or other is None or body.round != "sphere" or not names.space:
+            return None
+        is_known = other.round == "sphere" or other.solid == CYLINDER
+        return other if is_known and moves_out_of_plane(names, (body.name, other.name)) else None
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         body = names.body(self.body, "body")
@@ -98,9 +102,9 @@ connections:
         plane = names.plane(self.on, "on") if names.space else None
         if plane is not None:
             return rolling_rows(names, body, body.radius if own is None else own, plane)
-        sphere = self._sphere_in_space(names)
-        if sphere is not None:
-            return self._on_sphere(names, body, sphere)
+        other = self._round_in_space(names)
+        if other is not None:
+            return self._on_body_in_space(names, body, other)
         radius = names.radius(body.name, "body") if own is None else own
         if body.is_part_of_a_circle and own is None:
             told = Message(
@@ -131,18 +135,30 @@ connections:
             ConstraintRow("no slip", "friction force", rolled, sign=-1, needs="contact"),
         ]
 
-    def _on_sphere(self, names: Names, body: RigidBody, sphere: RigidBody) -> list[ConstraintRow]:
-        if sphere.name == body.name:
+    def _on_body_in_space(self, names: Names, body: RigidBody, other: RigidBody) -> list[ConstraintRow]:
+        if other.name == body.name:
             names.problem(Message("{body} cannot roll on itself", body=body.name))
             return []
         if self.radius is not None:
-            names.problem(Message("a sphere rolls on another one on its own radius"), "radius")
+            told = Message("a sphere rolls on another body in space on its own radius")
+            names.problem(told, "radius")
             return []
         inside = self.inside is not None
+        radii = names.radius(body.name, "body"), names.radius(other.name, inside=inside)
         if inside:
-            radii = names.radius(body.name, "body"), names.radius(sphere.name, inside=True)
-            look_at_fit(names, body.name, radii[0], sphere.name, radii[1], "inside")
-        return rows_on_sphere(names, body, sphere, inside=inside)
+            look_at_fit(names, body.name, radii[0], other.name, radii[1], "inside")
+        rows = rows_on_sphere if other.round == "sphere" else rows_on_cylinder
+        return rows(names, body, other, inside=inside)
+
+    def valid_where(self, names: Names) -> list[Validity]:
+        """On a cylinder it rolls between the ends."""
+        other = self._round_in_space(names)
+        if other is None or other.solid != CYLINDER:
+            return []
+        far = Displacement(names.known(self.body).center, other.center, Direction(other.name, other.axis))
+        half = divide(other.sizes[1], number(2))
+        purpose = Message("{body} is between the ends of {cylinder}", body=self.body, cylinder=other.name)
+        return [Validity(far, negate(half), 1, purpose), Validity(far, half, -1, purpose)]
 
     def _nothing_there(self, names: Names) -> list[ConstraintRow]:
         known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]
@@ -202,9 +218,9 @@ connections:
         if plane is not None:
             yield glyphs.Face(plane.through, body.center, plane.normal, "rolls")
             return
-        sphere = self._sphere_in_space(names)
-        if sphere is not None:
-            yield glyphs.Touch(sphere.name, body.name, within=self.inside is not None)
+        round_body = self._round_in_space(names)
+        if round_body is not None:
+            yield glyphs.Touch(round_body.name, body.name, within=self.inside is not None)
             return
         radius = names.radius(body.name) if own is None else own
         line = None if self.on is None else names.line(self.on)

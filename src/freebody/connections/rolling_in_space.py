@@ -9,15 +9,16 @@ With n the normal of the plane and C the centre, what touches the plane is lowes
 Its material point has no velocity in the plane (2 nonholonomic rows); for a rim along the way it rolls, t = n x a/|n x
 a|, and across it, n x t. A cone touches along a line from its apex: the apex keeps its place, the axis its angle to the
 plane, and the angular velocity has no part along n, so that it lies along that line. Source: Neimark & Fufaev, Dynamics
-of Nonholonomic Systems, 1972, ch. I sec. 2. A sphere on or inside another one: see `places_on_bodies`.
+of Nonholonomic Systems, 1972, ch. I sec. 2. A sphere on or inside another one, or a cylinder: see `places_on_bodies`.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.connections.contact_places import ContactPlace
 from freebody.connections.joints import across_names
-from freebody.connections.places_on_bodies import INSIDE, places_on_body
+from freebody.connections.places_on_bodies import INSIDE, place_on_side, places_on_body
 from freebody.connections.places_on_planes import Arm, along_plane, ellipsoid_on_plane, sphere_arm
 from freebody.connections.standing import number_of
 from freebody.language.expression import ZERO, Call, Expr, Symbol
@@ -67,6 +68,16 @@ def rows_on_sphere(names: Names, body: RigidBody, sphere: RigidBody, *, inside: 
     if not places:
         return []  # a radius that is missing, which is told where it is read
     (place,) = places
+    return _held_at(place)
+
+
+def rows_on_cylinder(names: Names, body: RigidBody, cylinder: RigidBody, *, inside: bool) -> list[ConstraintRow]:
+    """The rows of a sphere that rolls on the curved side of a cylinder, or inside it: slip 1 is along its axis, slip 2
+    round it."""
+    return _held_at(place_on_side(names, body, cylinder, inside=inside))
+
+
+def _held_at(place: ContactPlace) -> list[ConstraintRow]:
     return [
         ConstraintRow("contact", "normal force", place.measure, place.target, place.sign, unilateral=True),
         *(

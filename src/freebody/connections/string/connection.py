@@ -20,7 +20,7 @@ from freebody.connections.standing import (
 )
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
 from freebody.connections.string.hanging import Hook, askew
-from freebody.connections.string.in_space import SpatialRun, in_planes, lie_in_space
+from freebody.connections.string.in_space import SpatialRun, lie_in_space
 from freebody.connections.string.laying import (
     StringLead,
     StringRun,
@@ -62,7 +62,11 @@ class String(Connection, kind="string"):
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
     guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
     directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies). In space it runs from point to point, through rings and over small pulleys.
+    also for hanging bodies). In space it runs from point to point, through
+    rings and over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
+    has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
+    wheels whose axes are not parallel it runs along the line in which their planes meet; a drum is wound `clockwise`
+    or `counterclockwise` as seen against its axis, and `left` is where x is negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
@@ -92,6 +96,23 @@ class String(Connection, kind="string"):
 bodies: {pulley: {disk: {mass: 1 kg, radius: 1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 2 kg}}}
 connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley], to: b}}}
 """
+
+    more_examples: ClassVar[dict[str, str]] = {
+        "between wheels with perpendicular axes": """
+space: {up: z}
+ground: {points: {A: [0, 0, 0], B: [0.5 m, 2 m, -0.3 m], G: [0, -0.5 m, 0]}}
+bodies:
+  sledge: {box: {mass: 2 kg, size: [0.4 m, 0.2 m, 0.1 m]}, near: {at: [-2 m, -0.5 m, 0]}}
+  one: {disk: {mass: 1 kg, radius: 0.5 m, axis: z}}
+  other: {disk: {mass: 1 kg, radius: 0.3 m, axis: x}}
+  load: {particle: {mass: 1 kg}}
+connections:
+  rail: {prismatic: {first: ground.G, second: sledge, along: x}}
+  p: {revolute: {first: ground.A, second: one, about: z}}
+  q: {revolute: {first: ground.B, second: other, about: x}}
+  it: {string: {path: [sledge, around one, over other, load]}}
+"""
+    }
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
@@ -219,8 +240,10 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if self.leads is not None:
             names.problem(Message("in space the leads follow from the wheels and guides; leave leads out"), "leads")
             return None
-        placed = in_planes(names, way)
-        return None if placed is None else lie_in_space(names, placed)
+        names.laying.append(self)
+        run = lie_in_space(names, way)
+        names.laying.pop()
+        return run
 
     def _grips(self, names: Names, run: StringRun) -> set[str]:
         """The pulleys on which it does not slip: all that can turn, or those that the model names."""

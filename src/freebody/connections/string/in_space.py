@@ -22,21 +22,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from freebody.connections.standing import begins_at, is_zero, number_of, vanishes
-from freebody.connections.standing_in_space import (
-    distance_along,
-    line_of,
-    on_ground,
-    opposite,
-    standing,
-    started_place,
-)
+from freebody.connections.standing import is_zero, number_of, vanishes
+from freebody.connections.standing_in_space import StandingInSpace, opposite
 from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode, WheelPlane
-from freebody.language.expression import Call, Expr, multiply, negate, number
+from freebody.connections.string.way_in_space import WaySeen, dot_product
+from freebody.language.expression import Call, Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ZERO, Direction
+from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.model.elements import ConstraintRow
 from freebody.model.rotations import UNIT, dot, perpendiculars, vector_product
 from freebody.tolerances import ROUND_OFF
@@ -44,16 +38,15 @@ from freebody.tolerances import ROUND_OFF
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_TOWARD = {"top": "up", "bottom": "down"}
 _SENSES = {"clockwise": -1, "counterclockwise": 1}
 
 
 @dataclass(frozen=True)
 class SpatialRun(StringRun):
-    """A string on its way in space. hung: of what hangs on it, the point, that from which it hangs, the directions
-    across the lead and how far it is aside along each."""
+    """A string on its way in space. hung: of what hangs on it, its number on the way, and the directions across the
+    lead with the point from which it is held along each, and how far."""
 
-    hung: tuple[tuple[int, int, tuple[tuple[Direction, Expr], ...]], ...] = ()
+    hung: tuple[tuple[int, tuple[tuple[Direction, Point, Expr], ...]], ...] = ()
 
     @property
     def hooks(self) -> dict[str, Any]:
@@ -62,29 +55,29 @@ class SpatialRun(StringRun):
 
     def hanging(self) -> Iterator[ConstraintRow]:
         """Rows that keep what hangs straight below."""
-        for k, j, sides in self.hung:
-            point, other = self.way[k].point, self.way[j].point
-            for (normal, offset), name in zip(sides, ("hangs", "hangs across"), strict=True):
-                across = Displacement(point, other, normal)
-                target = None if offset == ZERO else offset
+        for k, sides in self.hung:
+            point = self.way[k].point
+            for (normal, origin, far), name in zip(sides, ("hangs", "hangs across"), strict=True):
+                across, target = Displacement(point, origin, normal), None if far == ZERO else far
                 yield ConstraintRow(
                     f"{point.body} {name}", "sideways force", across, target, ends=(point.body,), if_needed=True
                 )
 
 
-def in_planes(names: Names, way: Sequence[StringNode]) -> list[StringNode] | None:
+def _in_planes(space: StandingInSpace, way: Sequence[StringNode]) -> list[StringNode] | None:
     """The places on a way with the planes of their wheels; None with a problem noted."""
     found: list[StringNode] = []
     for node in way:
-        plane = None if node.radius == ZERO else _plane(names, node)
+        plane = None if node.radius == ZERO else _plane(space, node)
         if node.radius != ZERO and plane is None:
             return None
         found.append(replace(node, plane=plane))
     return found
 
 
-def _plane(names: Names, node: StringNode) -> WheelPlane | None:
+def _plane(space: StandingInSpace, node: StringNode) -> WheelPlane | None:
     """The plane across the axis of a wheel: that of its bearing, or its own."""
+    names = space.names
     body = names.known(node.body)
     axles: list[Direction] = []
     carrier = names.ground_origin
@@ -100,7 +93,7 @@ def _plane(names: Names, node: StringNode) -> WheelPlane | None:
     if body.axis:
         axles.append(Direction(body.name, body.axis))
     for axle in axles:
-        still = on_ground(names, axle)
+        still = space.on_ground(axle)
         if still is not None:
             normal, turned = still
             along, side = (Direction(GROUND, v) for v in perpendiculars(normal.components))
@@ -118,7 +111,11 @@ def _plane(names: Names, node: StringNode) -> WheelPlane | None:
 
 def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
     """How a string runs over the wheels of its way; None with a problem noted."""
-    laying = _Laying(names, list(way))
+    still = StandingInSpace(names)
+    placed = _in_planes(still, way)
+    if placed is None:
+        return None
+    laying = _Laying(still, placed)
     for k in range(len(way) - 1):
         if not laying.lead(k):
             return None
@@ -128,14 +125,12 @@ def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
     return laying.run()
 
 
-class _Laying:
+class _Laying(WaySeen):
     """A string in the making: its leads, and in which sense it runs round each wheel."""
 
-    def __init__(self, names: Names, way: list[StringNode]) -> None:
-        self.names, self.way = names, way
-        self.leads: list[Direction | None] = [None] * (len(way) - 1)
+    def __init__(self, still: StandingInSpace, way: list[StringNode]) -> None:
+        super().__init__(still, way)
         self.senses: list[int | None] = [None if n.plane is None else _SENSES.get(n.turn or "") for n in way]
-        self.hanging: dict[int, int] = {}  # what hangs, and the wheel that it hangs from
         self.fits: dict[int, list[tuple[int, int]]] = {}  # senses with which leads keep their directions
 
     def run(self) -> SpatialRun:
@@ -144,17 +139,24 @@ class _Laying:
         for k, fits in self.fits.items():
             if (turns[k], turns[k + 1]) not in fits:
                 self.leads[k] = None
-        hung = tuple((k, j, self._sides(k, j, arms)) for k, j in self.hanging.items())
+        hung = tuple((k, self._sides(k, j, arms)) for k, j in self.hanging.items())
         return SpatialRun(self.way, self.leads, turns, arms, hung)
 
-    def _sides(self, k: int, j: int, arms: list[Expr]) -> tuple[tuple[Direction, Expr], ...]:
+    def _sides(self, k: int, j: int, arms: list[Expr]) -> tuple[tuple[Direction, Point, Expr], ...]:
         """Of what hangs at one place from another: n . (C_2 - C_1) = s_2 R_2 - s_1 R_1 across the lead in the plane,
-        and nothing across the plane."""
-        plane, lead = self.way[j].plane, self.leads[min(j, k)]
+        and nothing across the plane; counted from the ground where the other one has its place there."""
+        plane, lead, other = self.way[j].plane, self.leads[min(j, k)], self.way[j].point
         assert plane is not None
         assert lead is not None
         normal = Direction(GROUND, vector_product(plane.normal.components, lead.components))
-        return (normal, negate(arms[j]) if k > j else arms[j]), (plane.normal, ZERO)
+        found: list[tuple[Direction, Point, Expr]] = []
+        for along, offset in ((normal, negate(arms[j]) if k > j else arms[j]), (plane.normal, ZERO)):
+            place = self.still.standing(other, along)
+            if place.body == GROUND:
+                found.append((along, self.names.ground_origin, add(place.far, offset)))
+            else:
+                found.append((along, other, offset))
+        return tuple(found)
 
     # -- leads ------------------------------------------------------------------------------------
     def lead(self, k: int) -> bool:
@@ -186,7 +188,7 @@ class _Laying:
                 return False
         if a.hangs or b.hangs or self._is_put_below(k, plane):
             return self._hung(k, plane)
-        aside = distance_along(self.names, a.point, b.point, plane.normal)
+        aside = self.still.distance_along(a.point, b.point, plane.normal)
         if aside is None or not is_zero(self.names, aside):
             self._note_off_plane(k, None if aside is None else number_of(self.names, aside))
             return False
@@ -217,7 +219,7 @@ class _Laying:
 
     def _hung(self, k: int, plane: WheelPlane) -> bool:
         """A lead straight down to what hangs."""
-        names, up = self.names, Direction(GROUND, self.names.up)
+        names, up = self.names, self.up
         first_hangs = self.way[k].hangs or (self.way[k].is_put and not self.way[k + 1].hangs)
         hung, wheel = (k, k + 1) if first_hangs else (k + 1, k)
         if self.way[hung].plane is not None or not is_zero(names, dot(up.components, plane.normal.components)):
@@ -240,18 +242,18 @@ class _Laying:
         """Whether an end that nothing else holds is put where it would hang, and says so in which sense the string goes
         round the wheel."""
         hung, wheel = (k, k + 1) if self.way[k].is_put else (k + 1, k)
-        level, places = self._level(plane), (self._where(hung), self._where(wheel))
-        if not self.way[hung].is_put or level is None or places[0] is None or places[1] is None:
+        level, here, center = self.level(plane), self.where(hung), self.where(wheel)
+        if not self.way[hung].is_put or level is None or here is None or center is None:
             return False
-        away = [p - q for p, q in zip(*places, strict=True)]
-        radius, aside = number_of(self.names, self.way[wheel].radius), _dot(away, level[0])
+        away = [p - q for p, q in zip(here, center, strict=True)]
         n = [number_of(self.names, c) for c in plane.normal.components]
-        if abs(abs(aside) - radius) > ROUND_OFF or abs(_dot(away, n)) > ROUND_OFF or _dot(away, level[1]) >= 0.0:
+        aside, above, beside = (dot_product(away, e) for e in (*level, n))
+        radius = number_of(self.names, self.way[wheel].radius)
+        if abs(abs(aside) - radius) > ROUND_OFF or abs(beside) > ROUND_OFF or above >= 0.0:
             return False
-        down_on_the_right = (aside > 0.0) == (
-            hung > wheel
-        )  # it leaves the wheel there going down, or comes up on the left
-        return self._turns(wheel, -1 if down_on_the_right else 1)
+        # it runs down on the right of the wheel, or comes up on the left
+        is_clockwise = (aside > 0.0) == (hung > wheel)
+        return self._turns(wheel, -1 if is_clockwise else 1)
 
     def _turns(self, k: int, sense: int) -> bool:
         """Takes a sense for a wheel, unless it has another one."""
@@ -264,11 +266,11 @@ class _Laying:
         else the common tangent."""
         a, b = self.way[k], self.way[k + 1]
         for end in (b, a):
-            line = line_of(self.names, end.point, plane.normal)
+            line = self.still.line_of(end.point, plane.normal)
             if line is None:
                 continue
             normal = Direction(GROUND, vector_product(plane.normal.components, line.components))
-            across = distance_along(self.names, a.point, b.point, normal)
+            across = self.still.distance_along(a.point, b.point, normal)
             if across is None:
                 continue
             forward = self._is_ahead(k, line, end is b)
@@ -308,12 +310,12 @@ class _Laying:
         """Whether a lead runs along the line of an end, seen from its start; None with a problem noted where nothing
         tells on which side of the wheel the end is."""
         names = self.names
-        first, last = (self._where(j) for j in (k, k + 1))
+        first, last = (self.where(j) for j in (k, k + 1))
         if first is not None and last is not None:
             ahead = sum((q - p) * number_of(names, e) for p, q, e in zip(first, last, line.components, strict=True))
             if abs(ahead) > ROUND_OFF:
                 return ahead > 0.0
-        rise = number_of(names, dot(line.components, names.up))
+        rise = number_of(names, dot(line.components, self.up.components))
         if abs(rise) > ROUND_OFF:  # what is guided up and down is below
             return (rise < 0.0) == is_last
         end, wheel = (k + 1, k) if is_last else (k, k + 1)
@@ -332,8 +334,8 @@ class _Laying:
         cross = vector_product(n1, n2)
         size = Call("sqrt", dot(cross, cross)) if not is_zero(names, dot(cross, cross) - number(1)) else number(1)
         e = Direction(GROUND, tuple(c / size for c in cross))
-        asides = [distance_along(names, a.point, b.point, p.normal) for p in (first, second)]
-        places = self._where(k), self._where(k + 1)
+        asides = [self.still.distance_along(a.point, b.point, p.normal) for p in (first, second)]
+        places = self.where(k), self.where(k + 1)
         if asides[0] is None or asides[1] is None or places[0] is None or places[1] is None:
             told = Message(
                 "the common tangent of {first} and {second}, whose axes are not parallel, would not stay one: hold "
@@ -372,7 +374,7 @@ class _Laying:
         node = self.way[k]
         if node.plane is None or self.senses[k] is not None:
             return True
-        self.senses[k] = self._of_drum(k) if node.way == "drum" else self._of_wheel(k)
+        self.senses[k] = self.of_drum(k) if node.way == "drum" else self.of_wheel(k)
         if self.senses[k] is None:
             told = Message(
                 "in which sense does the string go round {wheel}? Write '{way} clockwise' or '{way} counterclockwise', "
@@ -382,95 +384,6 @@ class _Laying:
             )
             self.names.problem(told)
         return self.senses[k] is not None
-
-    def _of_drum(self, k: int) -> int | None:
-        """e = s n x p, p from the centre to where the string leaves it: up or down, right or left on the ground."""
-        plane, heading, side = self.way[k].plane, self._heading(k if k == 0 else k - 1), self.way[k].side
-        if plane is None or heading is None or side is None:
-            return None
-        toward = self.names.compass[_TOWARD.get(side, side)]
-        n, p = ([number_of(self.names, c) for c in d.components] for d in (plane.normal, toward))
-        ahead = _dot(heading, _cross(n, p))
-        return None if abs(ahead) <= ROUND_OFF else 1 if ahead > 0.0 else -1
-
-    def _of_wheel(self, k: int) -> int | None:
-        """Over the top to the right it runs clockwise; round the shorter side where the leads say so."""
-        node, plane = self.way[k], self.way[k].plane
-        assert plane is not None
-        before, after = self._heading(k - 1), self._heading(k)
-        n = [number_of(self.names, c) for c in plane.normal.components]
-        bend = None if before is None or after is None else _dot(n, _cross(before, after))
-        are_known = self.leads[k - 1] is not None and self.leads[k] is not None
-        level = self._level(plane)
-        if bend is not None and abs(bend) > ROUND_OFF and (node.way == "around" or are_known or level is None):
-            return 1 if bend > 0.0 else -1
-        if level is None or node.way == "around":
-            return None
-        right = self._goes_right(k, level[0])
-        return None if right is None else (-1 if right else 1) * (-1 if node.way == "under" else 1)
-
-    def _goes_right(self, k: int, right: list[float]) -> bool | None:
-        """Whether the string comes to a wheel from the left and goes on to the right. What hangs is on the other side
-        than what is beside the wheel."""
-        here = self._where(k)
-        sides: list[float | None] = []
-        for j in (k - 1, k + 1):
-            there = None if j in self.hanging else self._where(j)
-            away = (
-                None
-                if there is None or here is None
-                else _dot([q - p for p, q in zip(here, there, strict=True)], right)
-            )
-            sides.append(None if away is None or abs(away) <= ROUND_OFF else away)
-        before, after = sides
-        if before is not None and after is not None and abs(after - before) > ROUND_OFF:
-            return after > before
-        if before is None and after is None:
-            return True if k - 1 in self.hanging and k + 1 in self.hanging else None
-        return before < 0.0 if before is not None else after is not None and after > 0.0
-
-    def _level(self, plane: WheelPlane) -> tuple[list[float], list[float]] | None:
-        """What is to the right and up in the plane of a wheel, seen against its axis; None where that is upright."""
-        n = [number_of(self.names, c) for c in plane.normal.components]
-        up = [number_of(self.names, c) for c in self.names.up]
-        rise = [u - _dot(up, n) * c for u, c in zip(up, n, strict=True)]
-        size = _dot(rise, rise) ** 0.5
-        if size <= ROUND_OFF:
-            return None
-        upward = [x / size for x in rise]
-        return _cross(upward, n), upward
-
-    def _heading(self, k: int) -> list[float] | None:
-        """The direction of a lead in numbers, from its stated direction or from where its ends are."""
-        if not 0 <= k < len(self.leads):
-            return None
-        lead = self.leads[k]
-        if lead is not None:
-            return [number_of(self.names, c) for c in lead.components]
-        first, last = self._where(k), self._where(k + 1)
-        return None if first is None or last is None else [q - p for p, q in zip(first, last, strict=True)]
-
-    def _where(self, k: int) -> list[float] | None:
-        """Where a place is at the start in numbers: as it is held, put, or guessed to be, or as a named measure of it
-        starts."""
-        names, point = self.names, self.way[k].point
-        body = names.known(point.body)
-        guess = body.start.at or (None if body.start.near is None else body.start.near.at)
-        found: list[float] = []
-        for j, axis in enumerate(UNIT):
-            along = Direction(GROUND, axis)
-            place = standing(names, point, along)
-            begun = begins_at(names, point, along)
-            if place.body == GROUND:
-                found.append(number_of(names, place.far))
-            elif begun is not None:
-                found.append(number_of(names, begun))
-            elif guess is not None:
-                name, at = guess
-                found.append(number_of(names, at[j] + point.offset[j] - body.points[name][j]))
-            else:
-                return started_place(names, point)
-        return found
 
 
 def _gap(across: Expr, sign: int, senses: tuple[int, int], radii: tuple[Expr, Expr]) -> Expr:
@@ -482,11 +395,3 @@ def _gap(across: Expr, sign: int, senses: tuple[int, int], radii: tuple[Expr, Ex
 def dot_of(names: Names, a: Direction, b: Direction) -> float:
     """The cosine between two directions of the ground in numbers."""
     return number_of(names, dot(a.components, b.components))
-
-
-def _dot(a: Sequence[float], b: Sequence[float]) -> float:
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
-    return [a[j] * b[k] - a[k] * b[j] for j, k in ((1, 2), (2, 0), (0, 1))]

@@ -91,6 +91,8 @@ class Action:
             if contact is not None:
                 yield contact
         points = points_of(of.measure)
+        if isinstance(of, ConstraintRow) and of.reaction == "tension":  # not at the other end of the lead
+            points = tuple(point for point in points if point.body == body)
         is_link = all(isinstance(own, Distance) for _coefficient, own in own_measures(of.measure))
         if isinstance(of, ConstraintRow) and not is_link:  # a corner on an edge: not where the edge is said to begin
             yield from (self.place(p) for p in points if p.name in of.ends[:2])

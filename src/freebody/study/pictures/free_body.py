@@ -163,6 +163,9 @@ class FreeBody:
                 yield from self._rub(row, rim)
             elif not (only_outside and self._is_internal(row.measure)):
                 yield from self._reaction(row, rest)
+            if not (only_outside and self._is_internal(row.measure)):
+                # each lead of a string has a line of action of its own
+                yield from self._reaction(row, [row] if row.reaction == "tension" else rest)
 
     def _string(self, row: ConstraintRow, found: Sequence[Pull], *, only_outside: bool) -> Iterator[ShownForce]:
         """Its pulls at the bodies that are cut free, without those from each other."""

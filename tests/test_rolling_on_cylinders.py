@@ -1,0 +1,61 @@
+"""Spheres that roll on cylinders and in pipes in space: as in the plane across the axis, and up and down in an upright
+pipe with sqrt(2/7) of the frequency with which they go round."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import freebody as fb
+
+R, r, G, W = 0.5, 0.1, 9.81, 6.0
+PIPE = f"""
+space: {{up: z}}
+bodies:
+  pipe: {{cylinder: {{mass: 1, radius: {R}, length: 8, axis: z}}, fixed: true, at: [0, 0, 0]}}
+  ball: {{sphere: {{mass: 0.2, radius: {r}}}, at: [{R - r}, 0, 1], velocity: [0, {(R - r) * W}, 0]}}
+connections: {{touch: {{rolling: {{body: ball, inside: pipe}}}}}}
+loads: {{weight: {{gravity: {{strength: {G}, along: -z}}}}}}
+measures: {{h: z of ball}}
+"""
+
+
+def test_a_ball_in_an_upright_pipe_rises_again_after_sqrt_of_seven_halves_turns() -> None:
+    """(1 + 2/5) z'' = -g - (2/5) W^2 (z - z_0) without spin about the normal at the start: down by 5 g/W^2, and back
+    after the time sqrt(7/2) 2 pi/W. Source: Gualtieri et al., American Journal of Physics 74 (2006) 497-502."""
+    period = math.sqrt(3.5) * 2 * math.pi / W
+    result = fb.simulate(fb.System.from_text(PIPE), period, tolerance=1e-11)
+    h, t = result.dataset["h"].values, result.dataset["time"].values
+    assert h == pytest.approx(1.0 - 2.5 * G / W**2 * (1.0 - np.cos(math.sqrt(2 / 7) * W * t)), abs=1e-8)
+    push = result.dataset["touch.normal_force"].values
+    assert push == pytest.approx(np.full(len(t), 0.2 * (R - r) * W**2), rel=1e-8)
+
+
+ON_ROLLER = """
+space: {{up: {up}}}
+bodies:
+  roller: {{cylinder: {{mass: 1, radius: {R}, length: 2, axis: {axis}}}, fixed: true, at: [0, 0, 0]}}
+  ball: {{sphere: {{mass: 0.2, radius: {r}}}, at: {at}}}
+connections: {{touch: {{rolling: {{body: ball, on: roller}}}}}}
+loads: {{weight: {{gravity: {{strength: {G}, along: -{up}}}}}}}
+measures: {{h: {up} of ball}}
+"""
+
+
+@pytest.mark.parametrize(("axis", "up"), [("x", "z"), ("y", "x"), ("z", "y")])
+def test_a_ball_leaves_a_level_roller_where_the_cosine_is_ten_seventeenths(axis: str, up: str) -> None:
+    """(7/5) v^2/2 = g s (c_0 - c) with s = R + r, N = m g c - m v^2/s = m g (17 c - 10 c_0)/7."""
+    s, c_0 = R + r, math.cos(0.1)
+    side = next(name for name in "xyz" if name not in (axis, up))
+    at = ["0", "0", "0"]
+    at["xyz".index(up)], at["xyz".index(side)] = repr(s * c_0), repr(s * math.sin(0.1))
+    text = ON_ROLLER.format(axis=axis, up=up, at="[" + ", ".join(at) + "]", R=R, r=r, G=G)
+    result = fb.simulate(fb.System.from_text(text), 1.0, tolerance=1e-11)
+    (leaving,) = result.events
+    assert leaving.name == "ball leaves roller"
+    rolls = result.dataset["time"].values < leaving.time
+    c, push = result.dataset["h"].values / s, result.dataset["touch.normal_force"].values
+    assert push[rolls] == pytest.approx(0.2 * G * (17 * c[rolls] - 10 * c_0) / 7, abs=1e-8)
+    assert np.interp(leaving.time, result.dataset["time"].values, c) == pytest.approx(10 * c_0 / 17, abs=1e-5)
