@@ -110,7 +110,9 @@ def flights_of(tree: PhaseTree, node: PhaseNode, hits: Sequence[str]) -> Flights
     f, model = phase.model.field, phase.model
     others = [row.name for row in tree.system.constraint_rows if row.unilateral]
     if {b.name for b in tree.system.bounds} != {*hits} or len(hits) != 1 or others or impact.blow is not None:
-        raise CannotAnswer(Message("several contacts or strings may change on the way, so no series tells when it ends"))
+        raise CannotAnswer(
+            Message("several contacts or strings may change on the way, so no series tells when it ends")
+        )
     if not isinstance(phase.course, UniformMotion):
         raise CannotAnswer(Message("between two impacts it is not accelerated evenly, so its flights form no series"))
     bound = phase.bounds[hits[0]]
@@ -165,9 +167,7 @@ def accelerations_of(phase: Phase) -> dict[int, Ratio]:
     return phase.course.accelerations
 
 
-def _ended(
-    tree: PhaseTree, question: Question, asked: Transition, way: WayToPhase, flights: Flights
-) -> AnswerBranch:
+def _ended(tree: PhaseTree, question: Question, asked: Transition, way: WayToPhase, flights: Flights) -> AnswerBranch:
     if question.quantity.scope == "instant" and question.quantity.kinematic_order not in (0, 1):
         raise CannotAnswer(Message("forces and accelerations jump at every impact: there is no value at their end"))
     phase = way.last.phase
@@ -236,7 +236,9 @@ class PassageOfBouncing(PassageWithFriction):
             return super().travelled(measure)
         rest = phase.state.rate(measure) - kappa * row.sign * phase.state.rate(row.measure)
         if not f.lowest_terms(f.element(rest)).is_zero():
-            raise CannotAnswer(Message("the way up and down is mixed with another motion: ask for it along one measure"))
+            raise CannotAnswer(
+                Message("the way up and down is mixed with another motion: ask for it along one measure")
+            )
         before = PassageWithFriction.travelled(self.until_impact, measure)
         size = phase.start_instant.sqrt(f.lowest_terms(kappa * kappa))
         x = before + self.phases[-1].told(size * flights.path)
