@@ -1,7 +1,7 @@
 """What bounces has done so after infinitely many impacts: the geometric series of flights, each e times as long.
 
-Dropped from h: t = sqrt(2h/g) (1 + e)/(1 - e), way = h (1 + e^2)/(1 - e^2). On an inclined plane the ball is thrown along it
-at each impact no further than gravity takes it: behind the first impact x'' = g sin(b) along the plane for the whole time.
+Dropped from h: t = sqrt(2h/g) (1 + e)/(1 - e), way = h (1 + e^2)/(1 - e^2). Impacts on a smooth inclined plane do
+nothing along it, where x'' = g sin(b) holds from the release to the end.
 Source: Meriam & Kraige, Dynamics, 7th ed. 2012, sec. 3/12; the sums are written out here, impact by impact.
 """
 

@@ -35,9 +35,9 @@ _RANK_OF_ONE = 55  # below that of what is lost in a blow
 @dataclass(frozen=True)
 class Transition:
     """A change of the state of a contact: it begins to roll (or to stick), stops slipping, begins to slip, opens, is
-    touched, has bounced for the last time; or the instant just before or just after a blow or an impact. `of` are the connections (of a blow also the
-    impulses) that are meant; none means any. count: which of such changes, counted from the start. rests: that nothing
-    moves any more is said as well."""
+    touched, has bounced for the last time; or the instant just before or just after a blow or an impact. `of` are the
+    connections (of a blow also the impulses) that are meant; none means any. count: which of such changes, counted from
+    the start. rests: that nothing moves any more is said as well."""
 
     kind: TransitionKind
     of: tuple[str, ...]

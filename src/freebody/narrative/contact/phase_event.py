@@ -11,8 +11,8 @@ from freebody.language.notation.stated import compared
 from freebody.language.sentences import Argument, Message
 from freebody.language.units import AREA
 from freebody.model.one_sided import GAP_OF_BUFFER
-from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_bouncing import tell_flights
+from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import MotionLines, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Glossary, Meaning, World

@@ -1,4 +1,4 @@
-"""What bounces on a contact until it has done so, in numbers: the motion simulated impact by impact until it rests there."""
+"""What bounces on a contact, in numbers: the motion simulated impact by impact until it rests there."""
 
 from __future__ import annotations
 

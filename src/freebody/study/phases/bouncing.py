@@ -1,15 +1,16 @@
 """When what bounces on one contact has done so: infinitely many flights that end after a finite time.
 
-Between two impacts the gap has a constant acceleration a < 0, whatever the state is, and Newton's law of impact throws it
-back with e times the rate of approach. So every flight is a copy of the one before, with rates and times e times as large:
+Between two impacts the gap has a constant acceleration a < 0, whatever the state is, and Newton's law of impact throws
+it back with e times the rate of approach. So every flight is a copy of the one before, with rates and times e times as
+large:
 
     r_k = e^(k-1) r_1,        T_k = -2 r_k/a,        T = T_1 + T_2 + ... = T_1/(1 - e)        (e < 1)
 
 and the gap rises by r_k^2/(-2 a) in each. An impact changes all speeds in one direction, u+ - u- = kappa (r+ - r-), with
 kappa = M^-1 J^T/(J M^-1 J^T) constant where mass matrix and gradient of the gap are. What is left of a coordinate,
-p = q - kappa d with the gap d, feels no impact and is accelerated by q'' - kappa a; at the end d = d' = 0 and q = p. With
-friction in the contact that holds where nothing is left, p'' = p' = 0: the law of Coulomb and Newton is homogeneous in the
-speeds. Source: Meriam & Kraige, Dynamics, sec. 3/12 (repeated impacts as a geometric series).
+p = q - kappa d with the gap d, feels no impact and is accelerated by q'' - kappa a; at the end d = d' = 0 and q = p.
+With friction in the contact that holds where nothing is left, p'' = p' = 0: the law of Coulomb and Newton is homogeneous
+in the speeds. Source: Meriam & Kraige, Dynamics, sec. 3/12 (repeated impacts as a geometric series).
 """
 
 from __future__ import annotations
@@ -68,8 +69,8 @@ class Flights:
         return self.rate * self.rate / (-self.acceleration * (1 - self.restitution * self.restitution))
 
     def share(self, measure: Measure) -> tuple[Ratio, Ratio]:
-        """kappa of a measure, and the rate of what is left of it, just after the first impact. Raises CannotAnswer where
-        kappa is another in every pose."""
+        """kappa of a measure, and the rate of what is left of it, just after the first impact. Raises CannotAnswer
+        where kappa is another in every pose."""
         phase, f = self.node.phase, self.node.phase.model.field
         slopes = slopes_of(phase, phase.state.rate(measure))
         if any(f.ingredients(x) & phase.model.moving for x in slopes.values()):
@@ -103,8 +104,8 @@ def ends_of_bouncing(
 
 
 def flights_of(tree: PhaseTree, node: PhaseNode, hits: Sequence[str]) -> Flights:
-    """Of a phase that begins with an impact. Raises CannotAnswer where it is not shown that each flight is a copy of the
-    one before."""
+    """Of a phase that begins with an impact. Raises CannotAnswer where it is not shown that each flight is a copy of
+    the one before."""
     phase, impact = node.phase, node.impact
     assert impact is not None
     f, model = phase.model.field, phase.model

@@ -36,7 +36,6 @@ from freebody.system.modes import (
 )
 from freebody.system.system import System
 
-
 BOUNCES_END = "bounces end"  # of a contact, after infinitely many impacts
 
 
