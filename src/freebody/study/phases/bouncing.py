@@ -6,10 +6,10 @@ large:
 
     r_k = e^(k-1) r_1,        T_k = -2 r_k/a,        T = T_1 + T_2 + ... = T_1/(1 - e)        (e < 1)
 
-and the gap rises by r_k^2/(-2 a) in each. An impact changes all speeds in one direction, u+ - u- = kappa (r+ - r-), with
+and the gap rises by r_k^2/(-2 a) in each. An impact changes all speeds one way, u+ - u- = kappa (r+ - r-), with
 kappa = M^-1 J^T/(J M^-1 J^T) constant where mass matrix and gradient of the gap are. What is left of a coordinate,
 p = q - kappa d with the gap d, feels no impact and is accelerated by q'' - kappa a; at the end d = d' = 0 and q = p.
-With friction in the contact that holds where nothing is left, p'' = p' = 0: the law of Coulomb and Newton is homogeneous
+With friction in the contact that holds where nothing is left, p'' = p' = 0: Coulomb's and Newton's laws are homogeneous
 in the speeds. Source: Meriam & Kraige, Dynamics, sec. 3/12 (repeated impacts as a geometric series).
 """
 
