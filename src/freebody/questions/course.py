@@ -27,7 +27,7 @@ from freebody.questions.sudden import IMPACT, NTH, ORDINALS, side_of_blow, which
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-TransitionKind = Literal["rolls", "slip ends", "slips", "opens", "touches", "before", "after"]
+TransitionKind = Literal["rolls", "slip ends", "slips", "opens", "touches", "bounces end", "before", "after"]
 RANK = 90
 _RANK_OF_ONE = 55  # below that of what is lost in a blow
 
@@ -35,13 +35,15 @@ _RANK_OF_ONE = 55  # below that of what is lost in a blow
 @dataclass(frozen=True)
 class Transition:
     """A change of the state of a contact: it begins to roll (or to stick), stops slipping, begins to slip, opens, is
-    touched; or the instant just before or just after a blow or an impact. `of` are the connections (of a blow also the
-    impulses) that are meant; none means any. count: which of such changes, counted from the start."""
+    touched, has bounced for the last time; or the instant just before or just after a blow or an impact. `of` are the
+    connections (of a blow also the impulses) that are meant; none means any. count: which of such changes, counted from
+    the start. rests: that nothing moves any more is said as well."""
 
     kind: TransitionKind
     of: tuple[str, ...]
     text: str
     count: int = 1
+    rests: bool = False
 
 
 class Counted(Quantity):
@@ -210,6 +212,8 @@ _WORDS: tuple[tuple[str, TransitionKind], ...] = (
     (rf"(?:slip|slipping|sliding)(?: of {_NAME})? {_ENDS}", "slip ends"),
     (rf"slip of {_NAME} ?= ?0", "slip ends"),
     (rf"{_SUBJECT} stops (?:slipping|sliding)", "slip ends"),
+    (rf"(?:the )?(?:bouncing|rebounds?)(?: of {_NAME})? {_ENDS}", "bounces end"),
+    (rf"{_SUBJECT} (?:stops?|ceases?|has (?:stopped|ceased)) (?:bouncing|to bounce|rebounding)", "bounces end"),
     (rf"{_SUBJECT} (?P<rests>stops|comes to rest)", "slip ends"),
     (rf"(?:slip|slipping|sliding)(?: of {_NAME})? (?:begins|starts)", "slips"),
     (rf"{_SUBJECT} (?:slips?|slides?|(?:begins?|starts?) {_SLIDING})", "slips"),
@@ -254,7 +258,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         if name is None:
             if found.groupdict().get("rests") is not None:
                 _refuse_rolling(names, (), path)
-            return Transition(kind, (), text)
+            return Transition(kind, (), text, rests=found.groupdict().get("rests") is not None)
         if name in names.measures or (kind == "opens" and _runs_off(names, name)):
             return None
         of, on = connections_of(names, name, path), found.groupdict().get("on")
@@ -269,7 +273,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             of = both
         if found.groupdict().get("rests") is not None:
             _refuse_rolling(names, of, path)
-        return Transition(kind, of, text)
+        return Transition(kind, of, text, rests=found.groupdict().get("rests") is not None)
     return None
 
 

@@ -11,6 +11,7 @@ from freebody.language.notation.stated import compared
 from freebody.language.sentences import Argument, Message
 from freebody.language.units import AREA
 from freebody.model.one_sided import GAP_OF_BUFFER
+from freebody.narrative.contact.phase_bouncing import tell_flights
 from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import MotionLines, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -19,7 +20,7 @@ from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.questions.clock import Clock
 from freebody.questions.event import AskedEvent, Meeting, OfQuantity, Peak, QuestionEvent
-from freebody.study.phases.phase import Phase, PhaseWatch
+from freebody.study.phases.phase import BOUNCES_END, Phase, PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
@@ -40,6 +41,10 @@ def tell_event(
     assert leg.first is not None
     watch, zero = leg.first.watch, leg.first.zero
     course = leg.phase.course
+    if watch.kind == BOUNCES_END:
+        with script.stage("stage.phase_event", "hint.bounces_end", phase=f"@{leg.number}"):
+            found = tell_flights(script, way, leg, told)
+            return {**found, **_state(script, way, leg, told, found)}
     with script.stage("stage.phase_event", "hint.phase_event", phase=f"@{leg.number}"):
         comes = said_event(way, leg, watch)
         key = at_border(leg.phase, watch) or watch.kind.replace(" ", "_")

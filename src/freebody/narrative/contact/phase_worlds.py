@@ -25,6 +25,7 @@ from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage
 from freebody.study.phases.followed import begun, changed, follow
 from freebody.study.phases.nodes import PhaseNode
+from freebody.study.phases.phase import BOUNCES_END
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.witness import NumericMode, PhaseSnapshot
 
@@ -148,8 +149,10 @@ class CourseGlossary(Glossary):
             begin, (q, v) = run.begin(self.place), self._state(run)
             found: list[Snapshot] = []
             time, seen.mode.near = begin, seen.begin
+            bounces = seen.event is not None and seen.event[0] == BOUNCES_END
+            end = seen.looks[1].t if bounces else seen.time  # the lines are those of the first flight
             for share in TIMES:
-                later = begin + share * (seen.time - begin)
+                later = begin + share * (end - begin)
                 there = seen.mode.run(q, v, time, later)
                 found.append(there.snapshot())
                 time, q, v = later, there.q, there.v

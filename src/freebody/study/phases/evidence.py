@@ -5,9 +5,10 @@ The numbers come from `witness`: the one place where another simulation could be
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -34,13 +35,14 @@ from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.spread import disagreement
+from freebody.study.phases.bounced_out import bounced_out
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.changes_asked import is_before_impact
 from freebody.study.phases.followed import before_impact, begun, changed, follow
 from freebody.study.phases.how_long import longest_times
 from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
-from freebody.study.phases.phase import Phase
+from freebody.study.phases.phase import BOUNCES_END, Phase
 from freebody.study.phases.quantities import (
     connection_of,
     frictions,
@@ -301,7 +303,10 @@ def run(
             event = replace(event, time=number(end))
         known = longest_times(tree, piece.nodes, piece.first, k) if end is None else [1.5 * end] * len(piece.nodes)
         stages = [stage(tree, n) for n in piece.nodes]
-        tree.seen[key] = follow(tree.system, stages, tree.sets.one(k), known, event, piece.n_before)
+        seen = follow(tree.system, stages, tree.sets.one(k), known, event, piece.n_before)
+        if piece.first is not None and piece.first.watch.kind == BOUNCES_END and end is not None:
+            seen[-1] = bounced_out(tree.system, seen[-1], piece.first.watch.name, end)
+        tree.seen[key] = seen
     return tree.seen[key]
 
 
@@ -342,8 +347,15 @@ def _passage(
     def instants(one: PhaseSnapshot) -> Sequence[Snapshot]:
         return [one.begin, *one.looks, one.snapshot()]
 
+    def ways() -> Iterator[Sequence[Snapshot]]:
+        for one in seen:
+            if one.event is not None and one.event[0] == BOUNCES_END:  # up and down, flight by flight
+                yield from pairwise(instants(one))
+            else:
+                yield instants(one)
+
     at_end = partial(_value_there, tree, mode, now)
-    return NumericPassage(tree.system, begin, now, at_end, lost, ways=lambda: map(instants, seen))
+    return NumericPassage(tree.system, begin, now, at_end, lost, ways=ways)
 
 
 def _value_there(tree: PhaseTree, mode: NumericMode, now: Snapshot, quantity: Quantity) -> Any:

@@ -37,7 +37,7 @@ _NO_TIME = Message(
 
 
 @dataclass(frozen=True)
-class _WithFriction(FormulaPassage):
+class PassageWithFriction(FormulaPassage):
     """A passage on which friction and impacts take energy."""
 
     tree: PhaseTree
@@ -74,7 +74,7 @@ def passage_of(
     sets: Chosen,
     first: FirstEvent | None = None,
     after: PhaseNode | None = None,
-) -> FormulaPassage:
+) -> PassageWithFriction:
     """The way to an instant: the event `first` that ends the last phase of a way, just behind the impact with which
     another one begins (`after`), or the start. sets: the parameter sets that go this way."""
     phases: list[FormulaPhase] = []
@@ -93,7 +93,7 @@ def passage_of(
     def elements(quantity: Quantity, state: SymbolicState) -> Elements:
         return elements_in(tree, last, quantity, state)
 
-    return _WithFriction(
+    return PassageWithFriction(
         plain(last.system),
         phases,
         elapsed,

@@ -36,12 +36,15 @@ from freebody.system.modes import (
 )
 from freebody.system.system import System
 
+BOUNCES_END = "bounces end"  # of a contact, after infinitely many impacts
+
 
 @dataclass(frozen=True)
 class PhaseWatch:
     """Something that must stay positive for the phase to go on, and what happens where it does not."""
 
-    # "slip ends", "opens", "slips", "touches", "edge ends", "changes sign", "strikes", "is reached", "is left"
+    # "slip ends", "opens", "slips", "touches", "edge ends", "changes sign", "strikes", "is reached", "is left",
+    # "bounces end"
     kind: str
     name: str  # of the bound or the friction; of what changes its sign where that is
     element: Ratio

@@ -18,6 +18,7 @@ from freebody.questions.reading import AskedEvent, Question
 from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, NotHere, why
+from freebody.study.phases.bouncing import ends_of_bouncing
 from freebody.study.phases.branch import AnswerBranch, branch_at, just_after, time_of
 from freebody.study.phases.changes_asked import (
     begins_with,
@@ -35,7 +36,7 @@ from freebody.study.phases.in_the_end import in_the_end
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import elements_in, passage_of
-from freebody.study.phases.phase import PhaseWatch
+from freebody.study.phases.phase import BOUNCES_END, PhaseWatch
 from freebody.study.phases.quantities import value_in_mode
 from freebody.study.phases.reached import pending, sides
 from freebody.study.phases.tree import PhaseTree
@@ -63,6 +64,8 @@ def pieces(tree: PhaseTree, question: Question, behind: Transition | None = None
         ]
     elif question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
+        if question.transition.kind == BOUNCES_END or (question.transition.rests and not found):
+            found = list(ends_of_bouncing(tree, question, question.transition, roots, met))
     elif isinstance(question.event, Clock) and question.event.time is None:
         found = list(in_the_end(tree, question, question.event, roots, met))
     elif question.event is not None:

@@ -191,6 +191,8 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
             return Message("{contact} is reached", contact=name)
         case "touches":
             return Message("{contact} touches", contact=name)
+        case "bounces end":
+            return Message("{contact} has bounced for the last time", contact=name)
         case "edge ends":
             return Message("{contact} reaches the end of its edge", contact=name)
         case "slips":
