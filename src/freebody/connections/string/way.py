@@ -96,8 +96,8 @@ def _round(names: Names, found: re.Match[str], field: tuple[str | int, ...]) -> 
     whole, _, part = found["what"].partition(".")
     if part and whole in names.bodies and whole != GROUND:
         told = Message(
-            "a string runs round a body, not round a part of it: in place of {what} write {body}, and for another circle "
-            "than its rim its radius, as in '{body} radius r'",
+            "a string runs round a body, not round a part of it: in place of {what} write {body}, and for another "
+            "circle than its rim its radius, as in '{body} radius r'",
             what=found["what"],
             body=whole,
         )
