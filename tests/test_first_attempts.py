@@ -9,6 +9,19 @@ import freebody as fb
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
 BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
 MISTAKES = {
+    "a string on a part of a drum": (
+        "ground: {points: {O: [0, 0]}}\n"
+        "bodies: {drum: {body: {inertia: 1 kg m^2, radius: 1 m}}, A: {particle: {mass: 1 kg}}}\n"
+        "connections: {axle: {pin: [ground.O, drum]}, rope: {string: {path: [A, wound on drum.hub at right]}}}",
+        "a string runs round a body, not round a part of it: in place of drum.hub write drum, and for another circle "
+        "than its rim its radius, as in 'drum radius r'",
+    ),
+    "a contact of a point that there is not": (
+        f"ground: {{points: {{C: [0, 0]}}}}\n{ROD}"
+        "connections: {step: {contact: {between: [ground.C, rod.axis]}}}",
+        "rod has no point axis. There is: center, end, mass_center, start. Points of your own: "
+        "rod: {points: {axis: [x, y]}}",
+    ),
     "a plural of a unit": (
         "bodies: {block: {particle: {mass: 2 kgs}}}",
         "the unit 'kgs' is not known: write kg, or kg s for kg times seconds",

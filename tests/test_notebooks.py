@@ -57,6 +57,11 @@ def test_a_system_shows_its_parameters_and_questions() -> None:
     assert "<li>velocity of piston along right</li>" in shown
 
 
+def test_a_system_offers_its_forms_together() -> None:
+    system = crank()
+    assert system._repr_mimebundle_() == {"text/plain": repr(system), "text/html": system._repr_html_()}
+
+
 def test_drawn_without_a_path_it_is_a_picture() -> None:
     assert crank().draw()._repr_svg_() == crank().picture()._repr_svg_()  # type: ignore[union-attr]
     assert crank().draw(free=["rod"])._repr_svg_().startswith("<svg")  # type: ignore[union-attr]

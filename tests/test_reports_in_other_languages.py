@@ -181,3 +181,14 @@ def test_a_synthesis_is_told_in_german() -> None:
     assert "Führung durch 2 Lagen, Viergelenk" in text
     assert "Kandidaten" in text
     assert found.to_plain() == fb.synthesise(task, most=1).to_plain()
+
+
+def test_what_pictures_show_is_told_in_german(tmp_path: Path) -> None:
+    told = tmp_path / "told.md"
+    fb.System.load(EXAMPLES / "disk_rolling_down_incline.yaml").explain(language="de").write(told)
+    alternative = " ".join(re.findall(r"!\[([^\]]*)\]", told.read_text("utf-8")))
+    assert "Körper: disk." in alternative
+    assert (
+        "Freikörperbild von disk. Gewichtskraft m g, nach unten; Normalkraft N, unter 60 Grad"
+        in alternative.replace("\u2009", " ")
+    )

@@ -55,6 +55,10 @@ class System(Studies, Description):
         asked = "".join(f"<li>{escape(question.text)}</li>" for question in self.questions)
         return title + shown + (f"<p>{given}</p>" if given else "") + (f"<ul>{asked}</ul>" if asked else "")
 
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """What notebooks and consoles take; they choose the form that they can show."""
+        return {"text/plain": repr(self), "text/html": self._repr_html_()}
+
     def _given(self) -> Iterator[tuple[str, str]]:
         """The parameters, as the model writes their values."""
         written: dict[str, Any] = self.document.data.get("parameters") or {}

@@ -357,10 +357,14 @@ def _has_outline(body: Any) -> bool:
 
 
 def _is_misspelt(names: Names, *outlines: Outline) -> bool:
-    """Whether a point of the ground that is declared nowhere is called almost as a line of it; says so."""
+    """Whether a point of a body that there is not is told already, or one of the ground that is declared nowhere is
+    called almost as a line of it; says so."""
     lines = names.bodies[GROUND].lines
     for outline in outlines:
         body, _, point = outline.label.partition(".")
+        own = names.bodies.get(body)
+        if own is not None and body != GROUND and point and point not in own.points and point not in own.lines:
+            return True
         close = difflib.get_close_matches(point, lines, n=1) if body == GROUND else []
         if close and point in names.free_ground_points:
             told = Message(

@@ -93,6 +93,16 @@ def _read_node(
 def _round(names: Names, found: re.Match[str], field: tuple[str | int, ...]) -> tuple[RigidBody, Point, Expr] | None:
     """A wheel that the string runs round, its centre and its radius; None with a problem noted."""
     n_before = len(names.problems)
+    whole, _, part = found["what"].partition(".")
+    if part and whole in names.bodies and whole != GROUND:
+        told = Message(
+            "a string runs round a body, not round a part of it: in place of {what} write {body}, and for another "
+            "circle than its rim its radius, as in '{body} radius r'",
+            what=found["what"],
+            body=whole,
+        )
+        names.unknown(found["what"], told, *field)
+        return None
     body = names.body(found["what"], *field)
     if len(names.problems) > n_before:
         return None

@@ -19,6 +19,8 @@ from freebody.narrative.sheets.asking import asking
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.pictures import told_picture
+from freebody.narrative.telling.raising import raised, typeset
 from freebody.present.report.blocks import (
     Block,
     Choices,
@@ -104,6 +106,7 @@ class ExerciseStatement:
             drawn = picture(self.system)
         except (FreebodyError, NotImplementedError):  # an exercise without its picture is better than none
             return
+        drawn = told_picture(drawn, self.catalogue)
         yield Figure(drawn, self._say("sheet.figure", title=f"@{title_of(self.system, self.catalogue)}"), self.figure)
 
     # -- the model ----------------------------------------------------------------------------

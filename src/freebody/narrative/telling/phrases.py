@@ -43,6 +43,7 @@ from freebody.narrative.words import tables_of
 GENERAL = ""
 TABLE = "phrase"  # of a file of words
 MESSAGES = "message"
+REACTION = "reaction"  # a table that names what a row transmits
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
 _OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
@@ -212,6 +213,7 @@ def phrases_of(language: str) -> Phrases:
     messages: dict[str, dict[str, str]] = {}
     for tables in tables_of(language):
         found += _flat(tables.get(TABLE, {}), GENERAL)
+        found += [TextPattern(key, text, REACTION) for key, text in tables.get(REACTION, {}).items()]
         for p in _flat(tables.get(MESSAGES, {}), GENERAL):
             messages.setdefault(p.kind, {})[p.english] = p.text
     return Phrases(tuple(found), messages)

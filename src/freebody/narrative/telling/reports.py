@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from freebody.language.notation import Stated
 from freebody.language.sentences import Message
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.pictures import told_picture
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -109,7 +110,7 @@ class _Words:
         return replace(entry, label=self.said(entry.label), texts=self.texts(entry.texts))
 
     def figure(self, figure: Figure) -> Figure:
-        return replace(figure, caption=self.text(figure.caption))
+        return replace(figure, picture=told_picture(figure.picture, self.catalogue), caption=self.text(figure.caption))
 
     def texts(self, texts: Iterable[Text]) -> tuple[Text, ...]:
         return tuple(self.text(text) for text in texts)

@@ -22,6 +22,8 @@ from freebody.narrative.lines.script import (
 )
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.pictures import told_picture
+from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -182,7 +184,7 @@ class Telling:
             return self.shown[shown]
         self.n_figures += 1
         self.shown[shown] = self.n_figures
-        return Figure(picture, self.catalogue.tell(diagram.caption), self.n_figures)
+        return Figure(told_picture(picture, self.catalogue), self.catalogue.tell(diagram.caption), self.n_figures)
 
 
 def _without_axis(sentence: Sentence) -> dict[str, Argument]:

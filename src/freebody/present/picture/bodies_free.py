@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
+from freebody.messages import in_turn
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Figure, positions
 from freebody.present.picture.arrows import Arrows, axes_cross
@@ -122,24 +124,44 @@ def add_axes(sketch: Sketch) -> None:
 def description(bodies: Sequence[str], forces: Sequence[ShownForce]) -> str:
     """What acts on the bodies, in words."""
     acting = [_in_words(force, len(bodies) > 1) for force in forces]
-    head = f"Free-body diagram of {', '.join(bodies)}."
-    return f"{head} {'; '.join(acting)}." if acting else f"{head} Nothing acts from outside."
+    called = ", ".join(bodies)
+    if not acting:
+        return Message("Free-body diagram of {bodies}. Nothing acts from outside.", bodies=called)
+    told = in_turn(acting, "{first}; {second}")
+    return Message("Free-body diagram of {bodies}. {forces}.", bodies=called, forces=told)
 
 
 def _in_words(force: ShownForce, many: bool) -> str:
-    what = f"{force.about} {force.label.text}" if force.about else force.label.text
-    on = f" on {force.body}" if many else ""
-    if force.is_couple:
-        if len(force.moment) == 1:
-            return f"{what}{on}, {'counter-clockwise' if force.moment[0] > 0 else 'clockwise'}"
-        return f"{what}{on}, a couple"
-    return f"{what}{on}, {_heading(force.force)}"
+    symbol, way = force.label.text, _way(force)
+    if not force.about:
+        told = Message("{symbol} on {body}, {way}", symbol=symbol, body=force.body, way=way)
+        return told if many else Message("{symbol}, {way}", symbol=symbol, way=way)
+    if many:
+        return Message("{what} {symbol} on {body}, {way}", what=force.about, symbol=symbol, body=force.body, way=way)
+    return Message("{what} {symbol}, {way}", what=force.about, symbol=symbol, way=way)
+
+
+def _way(force: ShownForce) -> str:
+    if not force.is_couple:
+        return _heading(force.force)
+    if len(force.moment) == 1:
+        return Message("counter-clockwise") if force.moment[0] > 0 else Message("clockwise")
+    return Message("a couple")
 
 
 def _heading(v: Sequence[float]) -> str:
     if len(v) == 3:
         size = float(np.linalg.norm(v))
-        return f"along ({', '.join(f'{c / size:.2g}' for c in v)})"
+        return Message("along ({components})", components=", ".join(f"{c / size:.2g}" for c in v))
     angle = float(np.degrees(np.arctan2(v[1], v[0])))
-    named = {0: "to the right", 90: "up", 180: "to the left", -180: "to the left", -90: "down"}
-    return named.get(round(angle), f"at {angle:.0f} deg") if abs(angle - round(angle)) < 1e-6 else f"at {angle:.0f} deg"
+    if abs(angle - round(angle)) < 1e-6:
+        match round(angle):
+            case 0:
+                return Message("to the right")
+            case 90:
+                return Message("up")
+            case -90:
+                return Message("down")
+            case 180 | -180:
+                return Message("to the left")
+    return Message("at {angle:.0f} deg", angle=angle)

@@ -8,10 +8,12 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 
 from freebody.language.expression import Expr, Symbol, add, differentiate, free_symbols
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Point
 from freebody.measures.turned import within
+from freebody.messages import in_turn, listed
 from freebody.model.elements import RATE, VALUE, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Equation, Pin, Rail, Spring
 from freebody.present import figures
@@ -268,19 +270,21 @@ def _joined(measure: Measure | NonholonomicForm) -> Iterator[str]:
 
 def described(system: System, moved: Sequence[str]) -> str:
     """What a picture shows, in words. moved: bodies that are drawn aside of their places."""
-    parts = [f"{system.title}."]
     bodies = [body.name for body in system.material.values() if body.name != "ground"]
-    parts.append(f"Bodies: {', '.join(bodies)}.")
+    parts: list[str] = [f"{system.title}.", Message("Bodies: {names}.", names=", ".join(bodies))]
     for called, connection in system.connections.items():
         own = [row.measure for row in system.rows if row.connection == called]
         between = dict.fromkeys(body for measure in own for body in _joined(measure) if body in system.material)
-        joined = f" between {' and '.join(between)}" if between else ""
-        parts.append(f"{called}: {connection.kind.replace('_', ' ')}{joined}.")
+        kind = connection.kind.replace("_", " ")
+        if between:
+            parts.append(Message("{name}: {kind} between {bodies}.", name=called, kind=kind, bodies=listed([*between])))
+        else:
+            parts.append(Message("{name}: {kind}.", name=called, kind=kind))
     loads = [f"{called} ({load.kind.replace('_', ' ')})" for called, load in system.loads.items()]
     if loads:
-        parts.append(f"Loads: {', '.join(loads)}.")
+        parts.append(Message("Loads: {names}.", names=", ".join(loads)))
     if system.measures:
-        parts.append(f"Coordinates: {', '.join(system.measures)}.")
+        parts.append(Message("Coordinates: {names}.", names=", ".join(system.measures)))
     if moved:
-        parts.append(f"Drawn aside of their places: {', '.join(moved)}.")
-    return " ".join(parts)
+        parts.append(Message("Drawn aside of their places: {names}.", names=", ".join(moved)))
+    return in_turn(parts, "{first} {second}")

@@ -107,7 +107,7 @@ def free_body(
     forces = FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot), labels=labels, told=told).forces()
     if "force" in show:
         forces = tuple(_valued(force, found) for force in forces)
-    title = f"{system.title}: {', '.join(bodies)} cut free"
+    title = Message("{title}: {bodies} cut free", title=system.title, bodies=", ".join(bodies))
     if system.space:
         from freebody.study.pictures.picture_in_space import free_body as cut_free
 
