@@ -179,6 +179,10 @@ def mistakes(visitor: Visitor) -> None:
     page.hover(".cm-lintRange-error")
     page.wait_for_selector(".cm-diagnosticAction")
     visitor.look("a fix")
+    page.mouse.move(0, 0)
+    page.click(".badge.bad")
+    page.wait_for_selector(".problems li")
+    visitor.look("what is wrong, in a list")
     for pane in ("scene", "results"):
         visitor.pane(pane)
         visitor.look(f"{pane}, of an older text")

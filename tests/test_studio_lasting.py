@@ -224,11 +224,11 @@ def test_a_slow_study_leaves_the_rest_alone_and_is_cancelled(page: Any) -> None:
     page.click(".content .working >> text=Cancel")
     page.wait_for_selector(".content .message:has-text('Cancelled.')", timeout=WAIT)
     page.click("#tab-mobility")
-    page.wait_for_selector(".content .freebody-report:has-text('3*14 - 28 = 14')", timeout=WAIT)
+    page.wait_for_selector(".content .freebody-report:has-text('3·14 − 28 = 14')", timeout=WAIT)
     page.click("#tab-derivation")  # which is left before it is there: nothing waits for it
     page.wait_for_selector(".content .working:has-text('working')", timeout=WAIT)
     page.click("#tab-mobility")
-    page.wait_for_selector(".content .freebody-report:has-text('3*14 - 28 = 14')", timeout=WAIT)
+    page.wait_for_selector(".content .freebody-report:has-text('3·14 − 28 = 14')", timeout=WAIT)
     assert page.locator(".content .message").count() == 0
 
 

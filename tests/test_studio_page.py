@@ -106,6 +106,19 @@ def test_a_mistake_is_marked_and_its_fix_mends_it(page: Any) -> None:
     assert not page.is_visible(".stamp")
 
 
+def test_a_mistake_is_listed_with_its_fix_for_whoever_has_no_pointer(page: Any) -> None:
+    select_word(page, "pin:", "start")
+    page.keyboard.type("strat")
+    page.locator(".badge.bad").press("Enter")
+    page.wait_for_selector(".problems li:has-text('line 7'):has-text('Did you mean start?')", timeout=WAIT)
+    page.locator(".problems li button:has-text('replace')").press("Enter")
+    page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
+    assert text_of(page) == PENDULUM
+    page.locator(".problems").wait_for(state="detached")
+    page.click("[aria-label=Undo]")
+    page.wait_for_selector(".problems li", timeout=WAIT)
+
+
 def image(page: Any) -> str:
     return str(page.evaluate(PICTURE))
 

@@ -40,6 +40,7 @@ export class Studio {
   // -- the text, and what it says
   text = $state("");
   read = $state.raw<ReadAnswer | null>(null);
+  readText = $state("");
   model = $state.raw<ReadAnswer | null>(null);
   modelText = $state("");
   parameters = $state.raw<Parameter[]>([]);
@@ -70,6 +71,8 @@ export class Studio {
   shares = $state.raw(SHARES);
   units = $state.raw<Units>(SI);
   selected = $state<string | null>(null);
+  /** Whether what is wrong with the text is listed above it. */
+  hasProblems = $state(false);
   time = $state(0);
   until = $state(3);
   isMoving = false; // by hand: what is shown is on its way
@@ -187,7 +190,7 @@ export class Studio {
       const motion = !this.read && text.trim() ? this.askedMotion(text) : undefined;
       const told = await this.asked("read", { text, language: this.language });
       if (!told?.answer || text !== this.text) return;
-      this.read = told.answer;
+      [this.read, this.readText] = [told.answer, text];
       this.parameters = told.answer.parameters;
       if (!told.answer.is_model) return void this.learn(); // there is no picture to come first
       this.model = told.answer;
