@@ -24,7 +24,8 @@ _EQUAL = r"(?<![<>])=|reach|within"
 _IMPACT = r"impact|blow|collision|bounce|catch|caught|hit|touch|struck|at start|taut|clos|jerk|lost"
 _WAY = r"change of|distance|displacement|turns|degrees|stroke|travel|path|\bwhen\b|\bafter\b|position|greatest|least|largest"
 _MOVES = r"speed|velocity|rate|acceleration|frequency|period|ratio|turns"
-_END_OF_SWING = r"=|turn|top|highest|greatest|farthest|extreme|amplitude|largest"
+_POSE = r"\b(?:when|until|before|after) .*="
+_END_OF_SWING = rf"{_POSE}|turn|top|highest|greatest|farthest|extreme|amplitude|largest"
 
 # kinds of words of which each must be expressed, and how: by words of the grammar, one of which the text must have.
 # An empty string: it says nothing by itself
@@ -38,19 +39,19 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "over a turn": r"turn|cycle|period|range|stroke|mean|greatest|least|ratio|pi\b|extremes",
         "at once": r"once|immediately|start",
         "at the top": rf"{_END_OF_SWING}|height|start",
-        "at the bottom": r"=|bottom|lowest|least|greatest|start|equilibrium",
+        "at the bottom": rf"{_POSE}|bottom|lowest|least|greatest|start|equilibrium",
         "at the top of the loop": rf"{_END_OF_SWING}|start",
-        "at the dead points": r"=|dead",
+        "at the dead points": rf"{_POSE}|dead",
         "in equilibrium": rf"{_REST}|steady|static",
-        "level": r"=|level|horizontal|start",
-        "upright pose": r"=|upright|vertical|start",
+        "level": rf"{_POSE}|level|horizontal|start",
+        "upright pose": rf"{_POSE}|upright|vertical|start",
         "turning point": _END_OF_SWING,
         "after engagement": r"slip|engage|common|after|until",
         "at separation": r"leav|open|contact|lost|lift|separat|taut|slack|relaxed",
         "after the impact": rf"{_IMPACT}|after|greatest|height|rate\(",
         "before the impact": rf"{_IMPACT}|before|value",
-        "at the impact": rf"{_IMPACT}|=",
-        "in the impact": rf"{_IMPACT}|=",
+        "at the impact": rf"{_IMPACT}|{_POSE}",
+        "in the impact": rf"{_IMPACT}|{_POSE}",
     },
     "degree": {
         "greatest": r"greatest|largest|most|highest|maximum|max|range|value|farthest|top|extremes|"
@@ -77,8 +78,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
     },
     "part": {
         "angular": r"angular|turns|angle",
-        "horizontal": rf"horizontal|right|along|\bx\b|component|momentum|{_CHOICE}|{_EQUAL}|range|change of|distance|when|steady|level|\by\b|tension",
-        "vertical": rf"vertical|\bup\b|down|along|\by\b|component|momentum|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|level|tension|when",
+        "horizontal": rf"horizontal|right|along|\bx\b|component|{_CHOICE}|{_EQUAL}|range|change of|distance|when|steady|level|\by\b|tension",
+        "vertical": rf"vertical|\bup\b|down|along|\by\b|component|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|level|tension|when",
         "initial": rf"start|initial|{_CHOICE}|\d",
         "size": r"size|\||speed|magnitude|of|greatest|largest",
         "small": r"small|frequenc|period|damp|stab|mode|decrement|swing|natural|equation|acceleration",
@@ -225,6 +226,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
 }
 _NTH = re.compile(r"(second|third|fourth|fifth)")
 _WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degree", "least")
+_AXES = (Word("preposition", "along"), *(Word("updown", way) for way in ("up", "down")))
 _MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
 _BY_ITSELF = ("long",)  # asks for how long something is done
 _AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
@@ -238,7 +240,7 @@ def _pattern(kind: str, what: str) -> re.Pattern[str]:
 
 def dropped(words: Sequence[Word], text: str) -> list[Word]:
     """The words that nothing in words of the grammar expresses."""
-    others = (_without_end, _of_other_end, _up_to_what_was_before)
+    others = (_without_end, _of_other_end, _up_to_what_was_before, _without_axis)
     return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
 
 
@@ -275,6 +277,13 @@ def _up_to_what_was_before(words: Sequence[Word], text: str) -> list[Word]:
     is_event = any(word.kind == "verb" for word in clause)
     is_counted = any(word.kind in ("value", "turns", "relation") for word in words[k + 1 :])
     return [_AFTER] if is_event and not is_counted else []
+
+
+def _without_axis(words: Sequence[Word], text: str) -> list[Word]:
+    """A momentum along something, or about an axis, is one component of it."""
+    is_asked = any(word.kind == "quantity" and word.what.endswith(" momentum") for word in words)
+    axes = [word for word in words if word in _AXES]
+    return axes if is_asked and not re.search(r"\balong\b|generalized", text) else []
 
 
 def _without_end(words: Sequence[Word], text: str) -> list[Word]:
