@@ -252,7 +252,9 @@ def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
         if word.kind == "instant" and (nth := _NTH.search(word.what)):
             is_there = nth[1] in text
         else:
-            is_there = word.what not in EXPRESSED.get(word.kind, ()) or bool(_pattern(word.kind, word.what).search(text))
+            is_there = word.what not in EXPRESSED.get(word.kind, ()) or bool(
+                _pattern(word.kind, word.what).search(text)
+            )
         if not is_there:
             found.append(word)
     return found
@@ -300,7 +302,8 @@ def kinds_without_entry() -> list[Word]:
     return [
         Word(kind, what)
         for kind, entries in EXPRESSED.items()
-        if kind != "quantity"  # of those that are not in it, the words of the grammar are the same, or names of measures
+        if kind
+        != "quantity"  # of those that are not in it, the words of the grammar are the same, or names of measures
         for what in tables(ENGLISH)[kind]
         if what not in entries and not _NTH.search(what)
     ]

@@ -330,8 +330,6 @@ def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("power", "work")
 def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
-    pushing = {p.load: p.law for p in names.applied_loads}  # the work done by F
-    of = [next((load for load, law in pushing.items() if str(law) == name), name) for name in of]
     loads = [name for name in of if name in names.loads]
     of = loads if len(loads) == 1 else of  # whose load it is
     bodies = [name for name in of if name in names.bodies]
