@@ -22,7 +22,10 @@ _SLIP = r"slip|slid|roll|friction|belt|clutch|lost|lossless|tip|lift|grow"
 _INSTANT = r"\b(?:when|until|after|before|at|as|while|during|between|in|over) |~"
 _EQUAL = r"(?<![<>])=|reach|within"
 _IMPACT = r"impact|blow|collision|bounce|catch|caught|hit|touch|struck|at start|taut|clos|jerk|lost"
-_WAY = r"change of|distance|displacement|turns|degrees|stroke|travel|path|\bwhen\b|\bafter\b|position|greatest|least|largest"
+_WAY = (
+    r"change of|distance|displacement|turns|degrees|stroke|travel|path|\bwhen\b|\bafter\b|position|"
+    r"greatest|least|largest"
+)
 _MOVES = r"speed|velocity|rate|acceleration|frequency|period|ratio|turns"
 _POSE = r"\b(?:when|until|before|after) .*="
 _END_OF_SWING = rf"{_POSE}|turn|top|highest|greatest|farthest|extreme|amplitude|largest"
@@ -68,8 +71,10 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "until": rf"{_INSTANT}|{_CHOICE}|so that|time|lost|{_REST}|stopping|turns",
         "after": rf"{_INSTANT}|{_CHOICE}|time|{_IMPACT}",
         "while": r"while|until|during|over|so that|for which|lost|work|greatest|least|at start|^(?!.*\bwhen\b)",
-        "so_that": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|needed|driving|friction force|\bto\b|until|when",
-        "to": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|force|torque|power|work|energy|reaction|tension|until",
+        "so_that": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|needed|driving|friction force|\bto\b|"
+        rf"until|when",
+        "to": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|force|torque|power|work|energy|reaction|"
+        rf"tension|until",
         "without": r"not|no |without|->|roll|rest|so that|hold|for which|= 0|least|largest|range|static",
     },
     "not": {
@@ -78,8 +83,10 @@ EXPRESSED: dict[str, dict[str, str]] = {
     },
     "part": {
         "angular": r"angular|turns|angle",
-        "horizontal": rf"horizontal|right|along|\bx\b|component|{_CHOICE}|{_EQUAL}|range|change of|distance|when|steady|level|\by\b|tension",
-        "vertical": rf"vertical|\bup\b|down|along|\by\b|component|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|level|tension|when",
+        "horizontal": rf"horizontal|right|along|\bx\b|component|{_CHOICE}|{_EQUAL}|range|change of|distance|when|steady|"
+        rf"level|\by\b|tension",
+        "vertical": rf"vertical|\bup\b|down|along|\by\b|component|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|"
+        rf"level|tension|when",
         "initial": rf"start|initial|{_CHOICE}|\d",
         "size": r"size|\||speed|magnitude|of|greatest|largest",
         "small": r"small|frequenc|period|damp|stab|mode|decrement|swing|natural|equation|acceleration",
@@ -175,10 +182,13 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "slide": rf"{_SLIP}|{_REST}|{_WAY}|{_CHOICE}|{_MOVES}|time|flow|\bx\b|reaction|tension|energy",
         "roll": rf"{_SLIP}|{_REST}|{_WAY}|{_CHOICE}|{_MOVES}|time|force|reaction|energy|torque|tension",
         "fly": rf"{_WAY}|time|speed|velocity|{_EQUAL}|height|{_CHOICE}|leaves|range|open|energy|acceleration",
-        "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|energy|work|down|lower",
-        "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|energy|work|power|up|efficiency|lift|tip",
+        "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|"
+        rf"energy|work|down|lower",
+        "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|"
+        rf"energy|work|power|up|efficiency|lift|tip",
         "hit": rf"{_IMPACT}|reach|{_EQUAL}|\bwhen\b|until|turns back|value of|range of|least|largest",
-        "leave": r"leav|open|contact|lost|lift|stays on|keeps|off|after the|>= 0|= 0|until|at once|slack|run|taut|range|"
+        "leave": r"leav|open|contact|lost|lift|stays on|keeps|off|after the|>= 0|= 0|until|at once|slack|run|taut|"
+        r"range|"
         r"when|tip|value of|largest|least|relaxed|after",
         "be_open": r"=|open",
         "lock": rf"lock|rate\(|= 0|slip|{_CHOICE}|first|hold",
@@ -195,7 +205,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "stay_on": r"stays on|keeps|contact|leav|open|>= ?0|= ?0|normal force|force|tension|range|least|taut",
         "slack": r"slack|taut|tension|relaxed|= 0|loose|free|>= 0|length|force",
         "taut": r"slack|taut|tension|tight|>= 0|jerk|stretched|blow|impact",
-        "hold": rf"{_REST}|friction|force|torque|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|normal|stop|held",
+        "hold": rf"{_REST}|friction|force|torque|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|"
+        rf"normal|stop|held",
         "tip": rf"tip|turn over|lift|topple|{_CHOICE}|angular|=|open",
         "conserved": r"conserved|constant|is ",
         "stable": r"stable|stability|equilib|steady",
