@@ -1,7 +1,7 @@
 """Whether each word of a question is expressed by what is understood: what was dropped could change the quantity.
 
-Every verb, instant, degree, mark and quantity that the lexicon knows is either empty (it says nothing that another word
-does not say: the force that *acts*) or has words of the grammar of which one must stand in the text. A word that none of
+Every verb, instant, degree, mark and quantity that the lexicon knows is either empty (it says nothing that another
+word does not say: the force that *acts*) or has words of the grammar of which one must stand in the text. A word that none of
 them expresses has been dropped, and then another quantity is understood than was asked for: the force *while it slides*
 is not that at the start.
 """
@@ -83,7 +83,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
     },
     "part": {
         "angular": r"angular|turns|angle",
-        "horizontal": rf"horizontal|right|along|\bx\b|component|{_CHOICE}|{_EQUAL}|range|change of|distance|when|steady|"
+        "horizontal": rf"horizontal|right|along|\bx\b|component|{_CHOICE}|{_EQUAL}|range|change of|distance|"
+        r"when|steady|"
         rf"level|\by\b|tension",
         "vertical": rf"vertical|\bup\b|down|along|\by\b|component|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|"
         rf"level|tension|when",
