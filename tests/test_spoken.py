@@ -18,6 +18,7 @@ from freebody.errors import InputError, ModelError
 from freebody.present.report.formats.terminal import terminal_text
 from freebody.questions.reading import Question
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.expressed import kinds_without_entry
 from freebody.questions.spoken.lexicon import languages, phrases_at, spelt_out, tables
 from freebody.questions.spoken.words import respelt
 from freebody.system.system import System
@@ -562,6 +563,10 @@ def test_a_german_word_with_another_first_part_is_no_misspelling() -> None:
 )
 def test_words_written_as_one_are_taken_apart(word: str, parts: str) -> None:
     assert in_english_nouns(word, "de") == parts
+
+
+def test_every_word_of_the_lexicon_says_how_it_is_expressed() -> None:
+    assert kinds_without_entry() == []
 
 
 def test_every_language_means_what_english_means() -> None:

@@ -16,6 +16,7 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_NAMED_AS_FORCES = ("force", "torque", "drag", "buoyancy")  # kinds of loads of which a name alone is the force
 _GEARED = ("tooth force", "belt force", "chain force")  # what turns one body by another
 _OF_QUANTITY = ("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
 __all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
@@ -279,5 +280,10 @@ def _guided(names: Names, of: list[str]) -> list[str]:
 
 def _bare(names: Names, clause: Clause) -> Groups:
     """A measure by its name alone."""
-    if clause.only("name", *SILENT) and len(clause.names) == 1 and clause.names[0][1] in names.measures:
-        yield [clause.names[0][1]]
+    if not clause.only("name", *SILENT) or len(clause.names) != 1:
+        return
+    [(_, name)] = clause.names
+    if name in names.measures:
+        yield [name]
+    elif name in names.loads and name not in names.bodies and {*names.called.get(name, ())} & {*_NAMED_AS_FORCES}:
+        yield [f"force in {name}"]  # the motor torque, the engine force

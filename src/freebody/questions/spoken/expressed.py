@@ -1,8 +1,8 @@
 """Whether each word of a question is expressed by what is understood: what was dropped could change the quantity.
 
-Every verb, instant, degree, mark and quantity that the lexicon knows is either empty (it says nothing that another word
-does not say: the force that *acts*) or has words of the grammar of which one must stand in the text. A word that none of
-them expresses has been dropped, and then another quantity is understood than was asked for: the force *while it slides*
+Every verb, instant, degree, mark and quantity that the lexicon knows is either empty (it says nothing that another
+word does not say: the force that *acts*) or has words of the grammar of which one must stand in the text. A word that none
+of them expresses has been dropped, and then another quantity is understood than was asked for: the force *while it slides*
 is not that at the start.
 """
 
@@ -22,9 +22,13 @@ _SLIP = r"slip|slid|roll|friction|belt|clutch|lost|lossless|tip|lift|grow"
 _INSTANT = r"\b(?:when|until|after|before|at|as|while|during|between|in|over) |~"
 _EQUAL = r"(?<![<>])=|reach|within"
 _IMPACT = r"impact|blow|collision|bounce|catch|caught|hit|touch|struck|at start|taut|clos|jerk|lost"
-_WAY = r"change of|distance|displacement|turns|degrees|stroke|travel|path|\bwhen\b|\bafter\b|position|greatest|least|largest"
+_WAY = (
+    r"change of|distance|displacement|turns|degrees|stroke|travel|path|\bwhen\b|\bafter\b|position|"
+    r"greatest|least|largest"
+)
 _MOVES = r"speed|velocity|rate|acceleration|frequency|period|ratio|turns"
-_END_OF_SWING = r"=|turn|top|highest|greatest|farthest|extreme|amplitude|largest"
+_POSE = r"\b(?:when|until|before|after) .*="
+_END_OF_SWING = rf"{_POSE}|turn|top|highest|greatest|farthest|extreme|amplitude|largest"
 
 # kinds of words of which each must be expressed, and how: by words of the grammar, one of which the text must have.
 # An empty string: it says nothing by itself
@@ -38,19 +42,19 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "over a turn": r"turn|cycle|period|range|stroke|mean|greatest|least|ratio|pi\b|extremes",
         "at once": r"once|immediately|start",
         "at the top": rf"{_END_OF_SWING}|height|start",
-        "at the bottom": r"=|bottom|lowest|least|greatest|start|equilibrium",
+        "at the bottom": rf"{_POSE}|bottom|lowest|least|greatest|start|equilibrium",
         "at the top of the loop": rf"{_END_OF_SWING}|start",
-        "at the dead points": r"=|dead",
+        "at the dead points": rf"{_POSE}|dead",
         "in equilibrium": rf"{_REST}|steady|static",
-        "level": r"=|level|horizontal|start",
-        "upright pose": r"=|upright|vertical|start",
+        "level": rf"{_POSE}|level|horizontal|start",
+        "upright pose": rf"{_POSE}|upright|vertical|start",
         "turning point": _END_OF_SWING,
         "after engagement": r"slip|engage|common|after|until",
         "at separation": r"leav|open|contact|lost|lift|separat|taut|slack|relaxed",
         "after the impact": rf"{_IMPACT}|after|greatest|height|rate\(",
         "before the impact": rf"{_IMPACT}|before|value",
-        "at the impact": rf"{_IMPACT}|=",
-        "in the impact": rf"{_IMPACT}|=",
+        "at the impact": rf"{_IMPACT}|{_POSE}",
+        "in the impact": rf"{_IMPACT}|{_POSE}",
     },
     "degree": {
         "greatest": r"greatest|largest|most|highest|maximum|max|range|value|farthest|top|extremes|"
@@ -67,8 +71,10 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "until": rf"{_INSTANT}|{_CHOICE}|so that|time|lost|{_REST}|stopping|turns",
         "after": rf"{_INSTANT}|{_CHOICE}|time|{_IMPACT}",
         "while": r"while|until|during|over|so that|for which|lost|work|greatest|least|at start|^(?!.*\bwhen\b)",
-        "so_that": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|needed|driving|friction force|\bto\b|until|when",
-        "to": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|force|torque|power|work|energy|reaction|tension|until",
+        "so_that": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|needed|driving|friction force|\bto\b|"
+        rf"until|when",
+        "to": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|force|torque|power|work|energy|reaction|"
+        rf"tension|until",
         "without": r"not|no |without|->|roll|rest|so that|hold|for which|= 0|least|largest|range|static",
     },
     "not": {
@@ -77,8 +83,11 @@ EXPRESSED: dict[str, dict[str, str]] = {
     },
     "part": {
         "angular": r"angular|turns|angle",
-        "horizontal": rf"horizontal|right|along|\bx\b|component|momentum|{_CHOICE}|{_EQUAL}|range|change of|distance|when|steady|level|\by\b|tension",
-        "vertical": rf"vertical|\bup\b|down|along|\by\b|component|momentum|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|level|tension|when",
+        "horizontal": rf"horizontal|right|along|\bx\b|component|{_CHOICE}|{_EQUAL}|range|change of|distance|"
+        r"when|steady|"
+        rf"level|\by\b|tension",
+        "vertical": rf"vertical|\bup\b|down|along|\by\b|component|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|"
+        rf"level|tension|when",
         "initial": rf"start|initial|{_CHOICE}|\d",
         "size": r"size|\||speed|magnitude|of|greatest|largest",
         "small": r"small|frequenc|period|damp|stab|mode|decrement|swing|natural|equation|acceleration",
@@ -174,10 +183,13 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "slide": rf"{_SLIP}|{_REST}|{_WAY}|{_CHOICE}|{_MOVES}|time|flow|\bx\b|reaction|tension|energy",
         "roll": rf"{_SLIP}|{_REST}|{_WAY}|{_CHOICE}|{_MOVES}|time|force|reaction|energy|torque|tension",
         "fly": rf"{_WAY}|time|speed|velocity|{_EQUAL}|height|{_CHOICE}|leaves|range|open|energy|acceleration",
-        "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|energy|work|down|lower",
-        "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|energy|work|power|up|efficiency|lift|tip",
+        "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|"
+        rf"energy|work|down|lower",
+        "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|"
+        rf"energy|work|power|up|efficiency|lift|tip",
         "hit": rf"{_IMPACT}|reach|{_EQUAL}|\bwhen\b|until|turns back|value of|range of|least|largest",
-        "leave": r"leav|open|contact|lost|lift|stays on|keeps|off|after the|>= 0|= 0|until|at once|slack|run|taut|range|"
+        "leave": r"leav|open|contact|lost|lift|stays on|keeps|off|after the|>= 0|= 0|until|at once|slack|run|taut|"
+        r"range|"
         r"when|tip|value of|largest|least|relaxed|after",
         "be_open": r"=|open",
         "lock": rf"lock|rate\(|= 0|slip|{_CHOICE}|first|hold",
@@ -194,7 +206,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "stay_on": r"stays on|keeps|contact|leav|open|>= ?0|= ?0|normal force|force|tension|range|least|taut",
         "slack": r"slack|taut|tension|relaxed|= 0|loose|free|>= 0|length|force",
         "taut": r"slack|taut|tension|tight|>= 0|jerk|stretched|blow|impact",
-        "hold": rf"{_REST}|friction|force|torque|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|normal|stop|held",
+        "hold": rf"{_REST}|friction|force|torque|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|"
+        rf"normal|stop|held",
         "tip": rf"tip|turn over|lift|topple|{_CHOICE}|angular|=|open",
         "conserved": r"conserved|constant|is ",
         "stable": r"stable|stability|equilib|steady",
@@ -225,6 +238,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
 }
 _NTH = re.compile(r"(second|third|fourth|fifth)")
 _WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degree", "least")
+_AXES = (Word("preposition", "along"), *(Word("updown", way) for way in ("up", "down")))
 _MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
 _BY_ITSELF = ("long",)  # asks for how long something is done
 _AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
@@ -238,7 +252,7 @@ def _pattern(kind: str, what: str) -> re.Pattern[str]:
 
 def dropped(words: Sequence[Word], text: str) -> list[Word]:
     """The words that nothing in words of the grammar expresses."""
-    others = (_without_end, _of_other_end, _up_to_what_was_before)
+    others = (_without_end, _of_other_end, _up_to_what_was_before, _without_axis)
     return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
 
 
@@ -250,7 +264,9 @@ def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
         if word.kind == "instant" and (nth := _NTH.search(word.what)):
             is_there = nth[1] in text
         else:
-            is_there = word.what not in EXPRESSED.get(word.kind, ()) or bool(_pattern(word.kind, word.what).search(text))
+            is_there = word.what not in EXPRESSED.get(word.kind, ()) or bool(
+                _pattern(word.kind, word.what).search(text)
+            )
         if not is_there:
             found.append(word)
     return found
@@ -277,6 +293,13 @@ def _up_to_what_was_before(words: Sequence[Word], text: str) -> list[Word]:
     return [_AFTER] if is_event and not is_counted else []
 
 
+def _without_axis(words: Sequence[Word], text: str) -> list[Word]:
+    """A momentum along something, or about an axis, is one component of it."""
+    is_asked = any(word.kind == "quantity" and word.what.endswith(" momentum") for word in words)
+    axes = [word for word in words if word in _AXES]
+    return axes if is_asked and not re.search(r"\balong\b|generalized", text) else []
+
+
 def _without_end(words: Sequence[Word], text: str) -> list[Word]:
     """How long something lasts that is over as soon as it happens is another time than that at which it happens."""
     is_long = any(word.kind == "ask" and word.what in _BY_ITSELF for word in words)
@@ -291,7 +314,8 @@ def kinds_without_entry() -> list[Word]:
     return [
         Word(kind, what)
         for kind, entries in EXPRESSED.items()
-        if kind != "quantity"  # of those that are not in it, the words of the grammar are the same, or names of measures
+        if kind
+        != "quantity"  # of those that are not in it, the words of the grammar are the same, or names of measures
         for what in tables(ENGLISH)[kind]
         if what not in entries and not _NTH.search(what)
     ]

@@ -135,6 +135,8 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
         return True  # the period in the bowl
     if body == GROUND or thing in names.bodies[GROUND].lines or thing in names.bodies[GROUND].planes:
         return _ground_stands(names, thing, things)
+    if _is_point_of_moving(names, thing):  # another point of its body is not meant, nor its body
+        return bool({joining.pinned_at(names, thing), joining.joined_at(names, thing)} & things)
     if any(other.partition(".")[0] == body for other in things):
         return True
     if thing in names.bodies:
@@ -145,6 +147,13 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
         return False  # the forces on the bearings A and B
     own = _bodies(names, thing) - {GROUND}
     return any(own & (_bodies(names, other) - {GROUND}) for other in things)
+
+
+def _is_point_of_moving(names: Names, thing: str) -> bool:
+    body, _, point = thing.partition(".")
+    return (
+        body in lookup.moving(names) and point in names.bodies[body].points and point not in ("mass_center", "right")
+    )  # right at the start
 
 
 def _are_alike(names: Names, one: str, other: str) -> bool:

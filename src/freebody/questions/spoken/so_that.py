@@ -103,7 +103,10 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     if verbs == {"leave"} and not negated and who:  # what cannot lift off by itself
         held = joining.joints(names, who, next(iter(of[1:]), ""), "normal force")
         bound = {row.connection for row in names.constraint_rows if row.unilateral}
-        yield [f"normal force of {joint} = 0" for joint in held if joint not in bound]
+        opens = any(
+            joining.may_open(names, joint) and joining.touches(names, joint, who) for joint in names.connections
+        )
+        yield [f"normal force of {joint} = 0" for joint in held if joint not in bound and not opens]
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]

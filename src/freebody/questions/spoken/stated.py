@@ -77,7 +77,7 @@ def _equations(names: Names, words: list[Word]) -> tuple[list[Equation], list[Wo
 
 def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
     """A quantity at the instant; the time of it; how far something has come by then."""
-    verbs = set(rest.all("verb"))
+    verbs = set(rest.all("verb")) - ({"leave"} if rest.has("quantity") else set())
     if not verbs <= _DESCRIBES or set(rest.all("instant")) - {*_PLACES, "at start"}:
         return
     names_ = [name for _, name in rest.names]
@@ -105,7 +105,7 @@ def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
     places = {"ground", *(name for name in names_ if name in names.bodies["ground"].lines)}
     kept = [w for w in kept if not (w.kind == "name" and w.what in places and len(names_) > 1)]
     for group in quantities(names, Clause(kept)):
-        yield [f"{text} when {equation}" for text in group]
+        yield [f"{text} when {equation}" for text in group if text != equation.measure]
 
 
 def _farthest(names: Names, equations: list[Equation], rest: Clause) -> Groups:

@@ -102,7 +102,9 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     if is_before:
         clause = clause.without("mark").without("degree", "greatest").without("not")
         turns = clause.has("verb", "turn") and not clause.has("quantity")
-        clause = Clause([Word("quantity", "angular velocity"), *clause.without("verb", "turn").words]) if turns else clause
+        clause = (
+            Clause([Word("quantity", "angular velocity"), *clause.without("verb", "turn").words]) if turns else clause
+        )
     known = clause.only("ask", "quantity", "name", "verb", *SILENT) and (is_over or is_before)
     asked = clause.all("quantity")
     doing = set(clause.all("verb")) - {"start"}
