@@ -194,7 +194,7 @@ def test_a_rack_that_moves_across_its_teeth() -> None:
     text = RACK.replace("GUIDES", guides) + "measures: {u: x of bar, b: angle of bar, v: y of bar}\n"
     ((kind, told),) = warned(text)
     assert kind == "teeth apart"
-    assert "slider: {body: bar, along: ...}" in told
+    assert "slot: {pin: bar, along: ...}" in told
 
 
 def test_a_planet_that_does_not_fit_between_sun_and_ring() -> None:

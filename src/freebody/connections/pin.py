@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.connections.base import Connection, coincidence
 from freebody.connections.standing import stands_at
@@ -22,9 +23,14 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_POINT = re.compile(r"\s*[^\W\d]\w*\.[^\W\d]\w*\s*")  # body.point, which no number or parameter is
+
+
 class Pin(Connection, kind="pin"):
     """`pin: [ground.A, rod.start]`. Holds r_second - r_first = 0 (2 rows). `friction` with the `radius` of the journal:
-    the torque that resists is mu r times the force in the pin."""
+    the torque that resists is mu r times the force in the pin. A node where several bodies meet is `pin: [ground.A,
+    one.end, two.start, three.start]`: each of the `further` ones is pinned to the first by a pin of its own, called by
+    the name of the node and its number (node_2, node_3)."""
 
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "joint", "axis")
     also: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing")
@@ -33,6 +39,7 @@ class Pin(Connection, kind="pin"):
     second: str
     friction: Formula | dict[str, Any] = 0
     radius: Formula | None = None
+    further: tuple[str, ...] = ()
 
     in_plane = True
     lets_turn: ClassVar[bool] = True
@@ -41,6 +48,13 @@ class Pin(Connection, kind="pin"):
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {pin: [ground.A, rod.start]}}
 """
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        items = cast("list[Any]", value) if isinstance(value, list) else []
+        if len(items) > 2 and any(isinstance(each, str) and _POINT.fullmatch(each) for each in items[2:]):
+            return {"first": items[0], "second": items[1], "further": tuple(items[2:])}
+        return super().from_plain(value)
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.point(self.first, "first"), names.point(self.second, "second")

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.connections.standing import ground_guide_of, is_parallel, number_of, stands_at
+from freebody.connections.standing import ground_guide_of, is_parallel, number_of, stands_at, starts_at
 from freebody.connections.teeth import parting_slope, parts_of_tooth_force, read_pressure_angle
 from freebody.language.expression import ZERO, Call, Expr, add, negate
 from freebody.language.sentences import Message
@@ -122,7 +122,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         here = _at_start(rack, along)
         if here is None:
             return False
-        places = [stands_at(names, body.center, here.normal()) for body in (rack, pinion)]
+        places = [starts_at(names, body.center, here.normal()) for body in (rack, pinion)]
         if places[0] is None or places[1] is None:
             return False
         return number_of(names, add(places[0], negate(places[1]))) > ROUND_OFF

@@ -30,6 +30,7 @@ from freebody.system.reading.ground import place_ground_points
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.measures import read_measures
+from freebody.system.reading.nodes import with_pins_of_nodes
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.source import Source
 from freebody.system.reading.start import read_mode, read_start
@@ -47,7 +48,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     read_space(source)
     read_parameters(source)
     BodySections(source).read()
-    connections = source.specs("connections", Connection.kinds, beside=(CLOSES,))
+    connections = with_pins_of_nodes(source, source.specs("connections", Connection.kinds, beside=(CLOSES,)))
     # by name: which of several leads, guides or carries something hangs on no order of the file
     connections, loads = add_copies(names, connections, source.specs("loads", Load.kinds))
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}

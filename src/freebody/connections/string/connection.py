@@ -116,9 +116,9 @@ connections:
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
-        """A list of places is the way of the string: [a, pulley, b] goes from a over the pulley to b."""
+        """A list of places is the way of the string: [a, b] from a to b, [a, pulley, b] over the pulley between."""
         items: list[Any] = cast("list[Any]", value) if isinstance(value, list) else []
-        if len(items) > 2 and all(isinstance(item, str) for item in items):
+        if len(items) > 1 and all(isinstance(item, str) for item in items):
             return {"from": items[0], "over": items[1:-1], "to": items[-1]}
         return super().from_plain(value)
 
@@ -252,6 +252,8 @@ connections:
         pulleys &= {node.body for node in run.way if node.turned}
         if self.grips is None:
             free = {p for p in pulleys if not self._is_kept_from_turning(names, p)}
+            if self._rubs_on_each(run, free):
+                return set()
             return free - set(self.friction if isinstance(self.friction, dict) else ())
         for k, name in enumerate(self.grips):
             if name not in pulleys:
@@ -263,6 +265,13 @@ connections:
                     told = Message("the string does not run over {name}, so it cannot grip it", name=name)
                     names.problem(told, "grips", k)
         return set(self.grips) & pulleys
+
+    def _rubs_on_each(self, run: StringRun, free: set[str]) -> bool:
+        """Whether one coefficient of friction can only be meant of pulleys that turn: the string slides over nothing
+        else."""
+        is_one = not isinstance(self.friction, dict) or set(self.friction) <= {"static", "kinetic"}
+        others = (node for node in run.way[1:-1] if node.radius != ZERO and node.body not in free)
+        return is_one and self.friction not in (0, None, {}) and not any(others)
 
     def _is_kept_from_turning(self, names: Names, body: str) -> bool:
         """Whether a connection holds the angle of a body to what does not turn: over such a peg the string slides."""

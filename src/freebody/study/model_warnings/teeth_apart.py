@@ -27,8 +27,9 @@ class TeethApart(WarningKind, name="teeth apart"):
             if any(abs(pose.rate(apart)) > small for pose in model.elsewhere):
                 told = Message(
                     "the teeth of {rack} and {pinion} come apart or are pressed into each other as they move: guide "
-                    "{rack} along its teeth (slider: {{body: {rack}, along: ...}}), or turn its teeth with along",
+                    "{guided} along the teeth (slot: {{pin: {guided}, along: ...}}), or turn the teeth with along",
                     rack=rack,
                     pinion=pinion,
+                    guided=pinion if system.bodies[rack].fixed else rack,
                 )
                 yield self.warning(told, "connections", shown.owner, about=frozenset((shown.owner, rack, pinion)))

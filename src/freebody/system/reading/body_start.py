@@ -51,7 +51,8 @@ def _place(names: Names, at: Any, default: str, points: Mapping[str, Any]) -> tu
     elif isinstance(at, list):
         return default, names.components(cast("list[Any]", at), LENGTH, "at")
     elif at is not None:
-        names.problem(Message("at is a position [x, y], or {{point: [x, y]}}"), "at")
+        told = Message("at is a position [x, y], or {{point: [x, y]}} of one point; what turns the body is its angle")
+        names.problem(told, "at")
     return None
 
 

@@ -129,7 +129,7 @@ def read_attitudes(names: Names, connections: Mapping[str, Connection]) -> tuple
 def _check_plane(names: Names, connection: Connection, connections: Mapping[str, Connection]) -> None:
     """In space, connections of the plane join bodies that stay in it."""
     flat = {body for c in connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
-    free = sorted(b for b in connection.mentions(names) - flat if not names.bodies[b].fixed)
+    free = sorted(b for b in connection.mentions(names) - flat if not names.known(b).fixed)
     if free:
         names.problem(
             Message(

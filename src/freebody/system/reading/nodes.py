@@ -1,0 +1,43 @@
+"""Nodes, pins that several bodies share: each further body is pinned to the first one by a pin of its own."""
+
+from __future__ import annotations
+
+from freebody.connections.base import Connection
+from freebody.connections.pin import Pin
+from freebody.language.sentences import Message
+from freebody.system.reading.connections import CLOSES
+from freebody.system.reading.source import Source
+
+
+def with_pins_of_nodes(source: Source, connections: dict[str, Connection]) -> dict[str, Connection]:
+    """The connections, with the pins of the further bodies of every node beside the first one."""
+    found: dict[str, Connection] = {}
+    for name, connection in connections.items():
+        if not isinstance(connection, Pin) or not connection.further:
+            found[name] = connection
+            continue
+        pins = {f"{name}_{k}": point for k, point in enumerate(connection.further, 2)}
+        with source.names.at("connections", name):
+            _look_at(source, name, pins.keys() & (connections.keys() | source.names.bodies.keys()))
+        found[name] = connection.model_copy(update={"further": ()})
+        found |= {pin: connection.model_copy(update={"second": at, "further": ()}) for pin, at in pins.items()}
+        told = Message(
+            "{node} joins several bodies: {pins}",
+            node=name,
+            pins=", ".join(f"{pin} ({connection.first}, {point})" for pin, point in pins.items()),
+        )
+        source.names.assumptions.append(told)
+    return found
+
+
+def _look_at(source: Source, name: str, taken: set[str]) -> None:
+    """What a node cannot be."""
+    if taken:
+        told = Message(
+            "a pin of {node} would be called {name}, which is taken; rename that", node=name, name=min(taken)
+        )
+        source.names.problem(told, "pin")
+    entry = source.mapping("connections").get(name)
+    if isinstance(entry, dict) and CLOSES in entry:
+        told = Message("{node} joins several bodies; what closes is written as one pin for each of them", node=name)
+        source.names.problem(told, CLOSES)
