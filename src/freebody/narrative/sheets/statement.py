@@ -20,7 +20,6 @@ from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.pictures import told_picture
-from freebody.narrative.telling.raising import raised, typeset
 from freebody.present.report.blocks import (
     Block,
     Choices,

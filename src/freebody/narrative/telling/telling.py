@@ -23,7 +23,6 @@ from freebody.narrative.lines.script import (
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.pictures import told_picture
-from freebody.narrative.telling.raising import raised
 from freebody.present.report.blocks import (
     Block,
     Bullets,

@@ -162,8 +162,6 @@ class FreeBody:
             if rim is not None:
                 yield from self._rub(row, rim)
             elif not (only_outside and self._is_internal(row.measure)):
-                yield from self._reaction(row, rest)
-            if not (only_outside and self._is_internal(row.measure)):
                 # each lead of a string has a line of action of its own
                 yield from self._reaction(row, [row] if row.reaction == "tension" else rest)
 

@@ -12,7 +12,8 @@ import numpy as np
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot, snapshot_of
 
 _N_POSES = 3  # beside the given one
 _NOTHING = 1e-9
@@ -65,7 +66,7 @@ def _held(pose: Snapshot, own: Measure, body: str, along: Array, start: Snapshot
     gap = reference.jet(pose.geometry, own).value - reference.jet(start.geometry, own).value
     q = pose.q.copy()
     q[list(reference.frame.columns[body][:2])] -= gap * along / float(along @ along)
-    return reference.snapshot(q, np.zeros_like(q))
+    return snapshot_of(reference, q, np.zeros_like(q))
 
 
 def _push(snapshot: Snapshot, measure: Measure | NonholonomicForm, body: str) -> Array:
