@@ -1,9 +1,9 @@
 """Whether each word of a question is expressed by what is understood: what was dropped could change the quantity.
 
 Every verb, instant, degree, mark and quantity that the lexicon knows is either empty (it says nothing that another
-word does not say: the force that *acts*) or has words of the grammar of which one must stand in the text. A word that none
-of them expresses has been dropped, and then another quantity is understood than was asked for: the force *while it slides*
-is not that at the start.
+word does not say: the force that *acts*) or has words of the grammar of which one must stand in the text. A word that
+none of them expresses has been dropped, and then another quantity is understood than was asked for: the force *while
+it slides* is not that at the start.
 """
 
 from __future__ import annotations
