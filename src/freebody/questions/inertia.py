@@ -246,7 +246,7 @@ def _of_joint(names: Names, group: Group, joint: Joining) -> tuple[Point | None,
         bearing = joint.bearing(names)
         if bearing is None:
             return None, None
-        k = 1 if is_among(bearing[1].body, group) else 0
-        return bearing[k], bearing[k + 2]
+        first, second, *axes = bearing
+        return (second, axes[1]) if is_among(second.body, group) else (first, axes[0])
     joined = joint.joined_points(names)
     return (None if joined is None else next((p for p in joined if is_among(p.body, group)), joined[0])), None

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any, cast
 
 from freebody.language.sentences import Message
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.present.picture.picture import Picture
+from freebody.present.report.blocks import Picture
 
 
 def told_picture(picture: Picture, catalogue: Catalogue) -> Picture:
@@ -14,4 +15,4 @@ def told_picture(picture: Picture, catalogue: Catalogue) -> Picture:
     title, description = (
         catalogue.said(text) if isinstance(text, Message) else text for text in (picture.title, picture.description)
     )
-    return replace(picture, title=title, description=description)
+    return replace(cast("Any", picture), title=title, description=description)

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
@@ -248,5 +249,6 @@ class PassageOfBouncing(PassageWithFriction):
     @property
     def until_impact(self) -> PassageWithFriction:
         """The same up to the first impact."""
-        own = {name: value for name, value in vars(self).items() if name != "flights"}
-        return PassageWithFriction(**{**own, "phases": self.phases[:-1]})
+        own: dict[str, Any] = {name: value for name, value in vars(self).items() if name != "flights"}
+        own["phases"] = self.phases[:-1]
+        return PassageWithFriction(**own)
