@@ -102,7 +102,7 @@ ground: {points: {O: [0, 0], F: [R, -1 m]}}
 bodies: {drum: {disk: {mass: M, radius: R}}, knot: {particle: {mass: 0}}}
 connections:
   O: {pin: [ground.O, drum]}
-  rope: {string: {path: [knot, over drum, ground.F], friction: mu}}
+  rope: {string: {path: [knot, over drum, ground.F], friction: mu, leads: [up, down]}}
 loads: {pull: {force: {at: knot, along: down, magnitude: G}}}
 measures: {phi: angle of drum}
 start: {phi: 0, rate(phi): w0}
