@@ -79,3 +79,12 @@ def test_friction_in_the_impacts_leaves_no_series() -> None:
     answer = _asked("time when bouncing ends", v="v0", friction=", friction: 0.3")
     assert answer["expression"] is None
     assert "friction" in answer["reason"]
+
+
+@pytest.mark.slow
+def test_time_of_all_flights_is_derived_beside_the_durations_of_its_phases() -> None:
+    """A first question without a name: its symbol t_1 would be that of the first phase."""
+    system = fb.System.from_text(_BALL.format(question="time when ball comes to rest", on="floor", v="0", friction=""))
+    told = fb.explain(system).to_text()
+    assert "defect" not in told
+    assert "t_1 + t_2" in told.replace("t₁", "t_1").replace("t₂", "t_2")

@@ -221,6 +221,12 @@ def _limit(names: Names, found: Found, which: Which, path: Path) -> RestLimit | 
 def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
     name = found["of"]
     if name is None and found["only"] is not None:
+        if not any(row.unilateral for row in names.constraint_rows):
+            names.problem(
+                Message("nothing here stands on something, so that it could tip; ask for stability of steady motion"),
+                *path,
+            )
+            return None
         return Holds()  # it says whether, and what happens else
     if name is None:
         names.problem(

@@ -43,6 +43,8 @@ def asked_side(
 ) -> Expr | tuple[Expr, ...]:
     """The symbol of what is asked (those of its components), introduced with its meaning on the way."""
     name = Symbol(asked_name(context, question))
+    if name in {made.end for made in way.legs}:  # t_1 is how long the first phase lasts
+        name = context.symbol("t_end", "t_asked")
     what = Sentence("symbol.asked")
     n = len(way.piece.value) if isinstance(way.piece.value, tuple) else 1
     leg.glossary.redefine(Meaning(name, what, lambda w: float(_number(way, question, w)), ""))

@@ -140,7 +140,8 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
     if any(other.partition(".")[0] == body for other in things):
         return True
     if thing in names.bodies:
-        return lookup.is_all_that_moves(names, body) or any(body in _bodies(names, other) for other in things)
+        is_alone = lookup.is_all_that_moves(names, body) and not things & {*lookup.moving(names)}
+        return is_alone or any(body in _bodies(names, other) for other in things)
     if {joining.pinned_at(names, thing), joining.joined_at(names, thing)} & things:
         return True
     if thing in names.connections and any(_are_alike(names, thing, other) for other in things):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
-from freebody.questions.spoken import strings
+from freebody.questions.spoken import lookup, strings
 from freebody.questions.spoken.assumed import what_does_not_hold, without_what_holds
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
@@ -21,7 +21,7 @@ from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import is_kept, loses_joint
 from freebody.questions.spoken.kinds import is_of_kind
-from freebody.questions.spoken.lexicon import Word, languages, several, stands_for_all, translated
+from freebody.questions.spoken.lexicon import MARKED, Word, languages, phrases_at, several, stands_for_all, translated
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
@@ -48,6 +48,10 @@ class Asked(Protocol):
 
 AskedT = TypeVar("AskedT", bound=Asked)
 
+# right at the start, and not at the right end
+_AT_ONCE = re.compile(
+    r"(?<!the )\bright (?=(?:at|after|before|when|as)\b)"
+)
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
@@ -62,7 +66,8 @@ class Meaning:
     """One way in which the names of a text can be meant.
 
     texts: in the words of the grammar, as they are tried in turn, each with all elements that the model has for what is
-    not named; distance: how far the names are from those written; words: what its words mean, one after the other."""
+    not named; distance: how far the names are from those written; words: what its words mean, one after the other, and
+    behind them the bodies whose names are taken for what only describes another thing: the ball on the beam."""
 
     texts: Iterator[list[str]]
     distance: int
@@ -328,6 +333,7 @@ def _has_form(problem: Problem) -> bool:
 def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     """Ways to mean a text, the nearest to its words first. guess: a word that nothing knows is taken for a name."""
     text = _APOSTROPHE.sub("’", " ".join(text.split())).strip('"“”„ ')
+    text = _AT_ONCE.sub("", text)
     elements = elements_of(names)
     text = without_unit(without_what_holds(names, text), elements.exact)
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
@@ -341,8 +347,15 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
             except Unknown:
                 continue
             if not _hangs_on_another(text, words, language):
-                found.append(Meaning(meanings(names, words), way.distance, tuple(words)))
+                told_by = (*words, *_passed_over(names, way.text, language))
+                found.append(Meaning(meanings(names, words), way.distance, told_by))
     return sorted(found, key=lambda meaning: meaning.distance)
+
+
+def _passed_over(names: Names, text: str, language: str) -> list[Word]:
+    """Bodies that a text names, which means nothing else in the language, and that are not marked in it as such."""
+    plain = set(re.findall(r"[\w.]+", re.sub(MARKED, " ", text)))
+    return [Word("name", body) for body in lookup.moving(names) if body in plain and not phrases_at(body, 0, language)]
 
 
 def _hangs_on_another(text: str, words: list[Word], language: str) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
@@ -46,11 +46,20 @@ class SpatialStartSpeeds(StartSpeeds):
             rows.append(row)
         solved = solve(f, rows, speeds, lambda x: x.is_zero())
         if solved.contradictory:
+            self._require_place(rows)
             raise CannotAnswer(Message("the velocities of the start contradict each other"))
         found = dict.fromkeys(solved.free, f.zero)
         for speed, row in solved.pivots.items():
             found[speed] = f.lowest_terms(row.get(RHS, f.zero))
         return found
+
+    def _require_place(self, rows: Sequence[Row]) -> None:
+        """Velocities that depend on where something is that has no closed form there agree only at that place."""
+        used = {g for row in rows for x in row.values() for g in x.generators()}
+        open_ones = sorted(used & self.unknowns.speeds.keys(), key=lambda g: str(self.field.generators[g].display))
+        if open_ones:
+            name = str(getattr(self.field.generators[open_ones[0]].display, "name", ""))
+            raise CannotAnswer(Message("what {name} is at the start has no closed form; give it in start", name=name))
 
     def of_coordinate(self, c: Coordinate, start: Mapping[int, Ratio]) -> Ratio | None:
         return None  # all of them are found together
