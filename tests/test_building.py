@@ -105,7 +105,7 @@ def test_the_interface_for_editors_is_current() -> None:
 
 
 def test_descriptions_show_their_fields() -> None:
-    assert list(inspect.signature(fb.Pin).parameters) == ["first", "second", "friction", "radius"]
+    assert list(inspect.signature(fb.Pin).parameters) == ["first", "second", "friction", "radius", "further"]
     assert inspect.signature(fb.Box).parameters["size"].kind is inspect.Parameter.KEYWORD_ONLY
     assert fb.Box("1 kg", ["1 m", "1 m", "1 m"]).size == ["1 m", "1 m", "1 m"]
     with pytest.raises(TypeError, match="first twice"):

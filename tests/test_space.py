@@ -801,13 +801,21 @@ questions: {a: acceleration of load along z at start, tension: tension of rope a
     assert solution["tension"].value == pytest.approx(2 * 3 / 5 * (9.81 + 9 / 0.5))
 
 
-def test_a_string_in_space_over_wheels_is_told_that_it_lies_in_a_plane() -> None:
-    with pytest.raises(fb.ModelError, match="string is a connection of the plane"):
-        fb.System.from_text("""
-space: true
-bodies: {wheel: {disk: {mass: 1 kg, radius: 0.1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}}}
-connections: {p: {revolute: {first: ground.O, second: wheel, about: z}}, r: {string: {from: a, over: [wheel], to: b}}}
+def test_a_string_in_space_over_a_wheel_leaves_it_a_radius_to_either_side_as_in_the_plane() -> None:
+    bodies = "{wheel: {disk: {mass: 1 kg, radius: 0.1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}}}"
+    bearings = {"space: true": "revolute: {first: ground.O, second: wheel, about: z}", "": "pin: [ground.O, wheel]"}
+    found = []
+    for head, bearing in bearings.items():
+        system = fb.System.from_text(f"""{head}
+bodies: {bodies}
+connections: {{p: {{{bearing}}}, r: {{string: {{from: a, over: [wheel], to: b}}}}}}
+loads: {{weight: {{gravity: {{strength: 9.81 m/s^2, along: down}}}}}}
+questions: {{a: position of a at start, b: position of b at start}}
 """)
+        solution = system.solve()
+        found.append([x for body in "ab" for x in solution[body].value[:2]])
+    assert found[0] == pytest.approx(found[1])
+    assert found[0][::2] == pytest.approx([-0.1, 0.1])
 
 
 def test_a_bead_on_a_turning_parabola_stays_anywhere_at_one_rate() -> None:

@@ -881,7 +881,7 @@ def test_the_commands_answer_with_their_exit_codes() -> None:
     assert "180°" in done.stdout
     done = freebody("modes", "examples/two_masses_three_springs.yaml")
     assert done.returncode == 0
-    assert "omega = 17.321 rad/s" in done.stdout
+    assert "ω = 17.321 rad/s" in done.stdout
     done = freebody("equilibrium", "examples/yo_yo.yaml")
     assert done.returncode == 1
     assert "y keeps accelerating" in done.stderr

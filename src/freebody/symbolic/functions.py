@@ -17,8 +17,7 @@ from typing import Any, Literal
 
 from freebody.language.expression import LAMBERT, Call, Expr, GivenCall, evaluate
 from freebody.symbolic.atoms import elliptic_atom, function_atom, given_atom, unit_pair
-from freebody.symbolic.field import Field
-from freebody.symbolic.ratio import MAX_POWER, Generator, Ratio
+from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 
 Complex = tuple[Ratio, Ratio]
 IsNegative = Callable[[Ratio], bool]

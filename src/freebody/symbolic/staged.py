@@ -15,10 +15,10 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.language.expression import Call, Symbol
+from freebody.symbolic.field import Generator, Kind, Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.polynomials import Monomial
-from freebody.symbolic.ratio import Generator, Kind, Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 

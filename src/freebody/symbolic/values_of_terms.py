@@ -3,16 +3,41 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
-from typing import Any
+from typing import Any, Protocol
 
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.symbolic.polynomials import Terms
-from freebody.symbolic.ratio import Generator, NoValue
 from freebody.tolerances import ROUND_OFF
 
-Generators = Mapping[int, Generator]
+
+class Computed(Protocol):
+    """What is known of a generator: how it is shown, of which kind it is, how it follows from others."""
+
+    @property
+    def display(self) -> Expr: ...
+
+    @property
+    def kind(self) -> str: ...
+
+    @property
+    def compute(self) -> Callable[[Mapping[int, Any], Any], Any] | None: ...
+
+
+Generators = Mapping[int, Computed]
+
+
+class NoValue(CannotAnswer, KeyError):
+    """A part of a formula has no real value at the numbers that are put in."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(Message("{x} has no real value here", x=name))
+
+    __str__ = Exception.__str__
 
 
 class WhenAsked(dict[int, Any]):

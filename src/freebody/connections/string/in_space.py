@@ -143,14 +143,15 @@ class _Laying(WaySeen):
         return SpatialRun(self.way, self.leads, turns, arms, hung)
 
     def _sides(self, k: int, j: int, arms: list[Expr]) -> tuple[tuple[Direction, Point, Expr], ...]:
-        """Of what hangs at one place from another: n . (C_2 - C_1) = s_2 R_2 - s_1 R_1 across the lead in the plane,
-        and nothing across the plane; counted from the ground where the other one has its place there."""
+        """Of what hangs at one place P from a wheel at C: by n . (C_2 - C_1) = s_2 R_2 - s_1 R_1 across the lead in the
+        plane, n . (P - C) = -s R with the wheel at either end of it, and nothing across the plane; counted from the
+        ground where the wheel has its place there."""
         plane, lead, other = self.way[j].plane, self.leads[min(j, k)], self.way[j].point
         assert plane is not None
         assert lead is not None
         normal = Direction(GROUND, vector_product(plane.normal.components, lead.components))
         found: list[tuple[Direction, Point, Expr]] = []
-        for along, offset in ((normal, negate(arms[j]) if k > j else arms[j]), (plane.normal, ZERO)):
+        for along, offset in ((normal, negate(arms[j])), (plane.normal, ZERO)):
             place = self.still.standing(other, along)
             if place.body == GROUND:
                 found.append((along, self.names.ground_origin, add(place.far, offset)))

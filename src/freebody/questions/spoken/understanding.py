@@ -49,9 +49,7 @@ class Asked(Protocol):
 AskedT = TypeVar("AskedT", bound=Asked)
 
 # right at the start, and not at the right end
-_AT_ONCE = re.compile(
-    r"(?<!the )\bright (?=(?:at|after|before|when|as)\b)"
-)
+_AT_ONCE = re.compile(r"(?<!the )\bright (?=(?:at|after|before|when|as)\b)")
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
