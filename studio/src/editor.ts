@@ -59,6 +59,7 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
     // Tab leaves the editor, as everywhere on the page; it takes a completion that is offered
     keymap.of([{ key: "Tab", run: acceptCompletion }, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap]),
     name.of(EditorView.contentAttributes.of({ "aria-label": label })),
+    EditorView.contentAttributes.of({ tabindex: "0" }), // the text scrolls, so keys must reach it
     EditorView.updateListener.of((update) => {
       if (update.docChanged) {
         const text = update.state.doc.toString();
