@@ -864,9 +864,9 @@ class Particle(_Particle):
 
 class Pin(_Pin):
     """`pin: [ground.A, rod.start]`. Holds r_second - r_first = 0 (2 rows). `friction` with the `radius` of the journal:
-    the torque that resists is mu r times the force in the pin. A node where several bodies meet is `pin: [ground.A,
-    one.end, two.start, three.start]`: each of the `further` ones is pinned to the first by a pin of its own, called by
-    the name of the node and its number (node_2, node_3)."""
+    the torque that resists is mu r times the force in the pin. A node where several bodies meet is
+    `pin: [ground.A, one.end, two.start, three.start]`: each of the `further` ones is pinned to the first by a pin of
+    its own, called by the name of the node and its number (node_2, node_3)."""
 
     def __init__(
         self,
