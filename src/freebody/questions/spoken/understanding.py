@@ -65,7 +65,7 @@ class Meaning:
 
     texts: in the words of the grammar, as they are tried in turn, each with all elements that the model has for what is
     not named; distance: how far the names are from those written; words: what its words mean, one after the other, and
-    behind them the bodies whose names are taken for what only describes another thing: the ball on the beam."""
+    before them the bodies whose names are taken for what only describes another thing: the ball on the beam."""
 
     texts: Iterator[list[str]]
     distance: int
@@ -345,7 +345,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
             except Unknown:
                 continue
             if not _hangs_on_another(text, words, language):
-                told_by = (*words, *_passed_over(names, way.text, language))
+                told_by = (*_passed_over(names, way.text, language), *words)
                 found.append(Meaning(meanings(names, words), way.distance, told_by))
     return sorted(found, key=lambda meaning: meaning.distance)
 
