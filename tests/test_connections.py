@@ -953,7 +953,7 @@ def test_a_contact_with_a_misspelt_line_of_the_ground_is_told_which_is_meant() -
     [
         (
             "{slider: {body: block}, along: right}",
-            "what belongs to slider stands inside of it, not beside it: along, e.g. slider: {",
+            "what belongs to slider stands inside of it, not beside it: along, so slider: {body: block, along: right}",
         ),
         (
             "{slider: {body: block, along: right}, size: 2}",

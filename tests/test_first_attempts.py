@@ -77,6 +77,21 @@ MISTAKES = {
         "a body has no omega. Did you mean angular_velocity?",
     ),
     "a weight": ("bodies: {b: {block: {weight: 20 N}}}", "particle has no weight. Did you mean mass?"),
+    "what is in a shape beside it": (
+        "bodies: {w: {mass: 4 kg, inertia: 2 kg m^2, disk: {radius: 1 m}}}",
+        "what belongs to disk stands inside of it, not beside it: mass and inertia, so disk: {radius: 1 m, mass: 4 kg, "
+        "inertia: 2 kg m^2}",
+    ),
+    "a floor among the bodies": (
+        "bodies: {block: {particle: {mass: 1 kg}}, floor: ground}",
+        "the ground is a body already, and floor may be a line of it: ground: {lines: {floor: {along: right}}}, then "
+        "ground.floor",
+    ),
+    "coordinates for a point": (
+        f"{BLOCK}loads: {{F: {{force: {{at: [0, 1 m], along: right, magnitude: 10 N}}}}}}",
+        "at takes a point by its name: give the ground or a body points: {P: [0, 1 m]}, then at: ground.P, or that of "
+        "the body",
+    ),
     "one question": (
         f"{BLOCK}questions: acceleration of block",
         "questions is a list, e.g. questions: [acceleration of block]",

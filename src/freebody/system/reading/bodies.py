@@ -100,6 +100,15 @@ class BodySections:
         names = self.names
         if isinstance(value, str) and self._kind(value, None):
             value = {value: None}
+        if value == GROUND:
+            names.problem(
+                Message(
+                    "the ground is a body already, and {name} may be a line of it: ground: {{lines: {{{name}: {{along: "
+                    "right}}}}}}, then ground.{name}",
+                    name=name,
+                )
+            )
+            return None
         if not isinstance(value, dict):
             names.problem(Message("say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}", name=name))
             return None
@@ -175,8 +184,12 @@ class BodySections:
             told = Message("the shape is the key: {name}: {entry}", name=name, entry=flow_text({kind: fields}))
             names.problem(told, "type")
             return None, ""
+        inside: list[str] = []
+        if len(kinds) == 1:
+            ((word, kind),) = kinds.items()
+            inside = self.source.belongs_inside(Shape.kinds[kind], word, entry, (*options, *MEANT.get("at", ())))
         for key, value in entry.items():
-            if key not in kinds and key not in options:
+            if key not in kinds and key not in options and key not in inside:
                 known = [*Shape.kinds, *options]
                 inside = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
                 hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=inside)

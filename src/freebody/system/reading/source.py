@@ -203,14 +203,28 @@ class Source:
                 if fault["type"] in ("extra_forbidden", "missing"):
                     continue
                 wanted = [wanted_by(other) for other in error.errors() if place_of(other) == where]
+                what = str(where[0]) if where else ""
                 message = Message(
                     "{what}: expected {wanted}, found {value}",
-                    what=str(where[0]) if where else "",
+                    what=what,
                     wanted=listed(list(dict.fromkeys(wanted)), "{first} or {second}"),
                     value=as_found(fault["input"]),
                 )
+                if fault["type"] == "string_type" and self._is_a_place(fault["input"]):
+                    message = Message(
+                        "{what} takes a point by its name: give the ground or a body points: {{P: {place}}}, then "
+                        "{what}: ground.P, or that of the body",
+                        what=what,
+                        place=flow_text(list(fault["input"])),
+                    )
                 self.names.problem(message, *path, *where)
             return None
+
+    def _is_a_place(self, value: Any) -> bool:
+        """Whether somebody wrote coordinates where names of points stand."""
+        entries = cast("list[Any]", value) if isinstance(value, list) else []
+        are_names = any(str(entry).partition(".")[0] in self.names.bodies for entry in entries)
+        return len(entries) in (2, 3) and not are_names and all(isinstance(e, str | int | float) for e in entries)
 
     def _kind_wanted(self, name: str, value: Any, kinds: Mapping[str, type[Spec]]) -> Message:
         """Who writes `gravity: g` gives the name of a kind and what belongs into it."""
@@ -298,19 +312,40 @@ class Source:
         )
         self.names.problem(told, *path, inside[0])
 
-    def _beside_a_kind(self, name: str, kind: type[Spec], more: Sequence[str], beside: Collection[str]) -> None:
-        """Keys that stand next to a kind: its own fields, which belong inside of it, or such as nothing has."""
+    def belongs_inside(
+        self, kind: type[Spec], word: str, entry: Mapping[str, Any], beside: Collection[str]
+    ) -> list[str]:
+        """Notes the keys of an entry that stand next to its kind, which is called by a word there, and are fields of
+        it. beside: what may stand there."""
         fields = [f.alias or n for n, f in kind.model_fields.items()]
-        if inside := [key for key in more if key in fields or kind.meant(key) or key in kind.elsewhere]:
+        inside = [
+            key
+            for key in entry
+            if key not in (word, *beside) and (key in fields or kind.meant(key) or key in kind.elsewhere)
+        ]
+        if inside:
+            own: Any = entry[word]
+            example = _example_of(kind)
+            if isinstance(own, dict | None) and not any(key in kind.elsewhere for key in inside):
+                whole = {**cast("dict[str, Any]", own or {}), **{key: entry[key] for key in inside}}
+                example = Message(", so {entry}", entry=flow_text({word: whole})[1:-1])
             told = Message(
                 "what belongs to {kind} stands inside of it, not beside it: {keys}{example}",
                 kind=kind.kind,
                 keys=listed(inside, "{first} and {second}"),
-                example=_example_of(kind),
+                example=example,
             )
             self.names.problem(told, inside[0])
-        for key in more:
-            if key not in inside:
+        return inside
+
+    def _beside_a_kind(
+        self, name: str, kind: type[Spec], word: str, entry: Mapping[str, Any], beside: Collection[str]
+    ) -> None:
+        """Keys that stand next to a kind: its own fields, which belong inside of it, or such as nothing has."""
+        fields = [f.alias or n for n, f in kind.model_fields.items()]
+        inside = self.belongs_inside(kind, word, entry, beside)
+        for key in entry:
+            if key not in (word, *beside, *inside):
                 told = Message(
                     "{what} has no {key}; {kind} takes {names}{example}",
                     what=name,
@@ -333,9 +368,8 @@ class Source:
                 if isinstance(value, dict):
                     entry = cast("dict[str, Any]", value)
                     value = {key: fields for key, fields in entry.items() if key not in beside}
-                    if len(more := [key for key in value if key not in kinds]) == len(value) - 1 > 0 and beside:
-                        (kind,) = value.keys() - set(more)
-                        self._beside_a_kind(name, kinds[kind], more, beside)
+                    if len(own := [key for key in value if key in kinds]) == 1 < len(value) and beside:
+                        self._beside_a_kind(name, kinds[own[0]], own[0], entry, beside)
                         continue
                 if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
                     self.names.problem(self._kind_wanted(name, value, kinds))
