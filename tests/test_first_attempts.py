@@ -92,6 +92,36 @@ MISTAKES = {
         "at takes a point by its name: give the ground or a body points: {P: [0, 1 m]}, then at: ground.P, or that of "
         "the body",
     ),
+    "a pulley without a shape": (
+        "bodies: {pulley: {radius: 10 cm, mass: 0}}",
+        "pulley needs a shape with these fields: pulley: {disk: {radius: 10 cm, mass: 0}} (or body, ring)",
+    ),
+    "a line under the ground by its angle": (
+        f"parameters: {{beta: 30 deg}}\nground: {{slope: {{angle: beta}}}}\n{BLOCK}",
+        "a line of the ground stands under lines: ground: {lines: {slope: {along: beta}}}",
+    ),
+    "a spring that is called spring": (
+        f"{BLOCK}loads: {{spring: {{k: 50 N/m, from: ground, to: block}}}}",
+        "give it a name of its own beside its kind, e.g. my_spring: {spring: {k: 50 N/m, from: ground, to: block}}",
+    ),
+    "gravity without a value": (
+        f"{BLOCK}loads: {{gravity: }}",
+        "give it a name of its own beside its kind, e.g. my_gravity: {gravity: 9.81 m/s^2}",
+    ),
+    "teeth of a body": (
+        "bodies: {a: {gear: {teeth: 20}}}",
+        "disk has no teeth: they belong to the mesh: gear_mesh: {first: sun, second: planet, module: m, "
+        "teeth: [z1, z2]}",
+    ),
+    "a section by another name": (
+        f"{BLOCK}drivers: {{motor: {{torque: {{on: block, magnitude: 1 N m}}}}}}",
+        "there is no section drivers. Did you mean connections?",
+    ),
+    "a start by the body": (
+        f"{BLOCK}start: {{block.x: 0.1 m}}",
+        "block.x is no named measure or rate of one. Say what it is, e.g. measures: {x_block: x of block}, start: "
+        "{x_block: ...}",
+    ),
     "one question": (
         f"{BLOCK}questions: acceleration of block",
         "questions is a list, e.g. questions: [acceleration of block]",

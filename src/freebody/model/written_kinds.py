@@ -11,18 +11,18 @@ from freebody.model.spec import Spec
 def written_kind(word: str, value: Any, kinds: Mapping[str, type[Spec]], *, space: bool) -> str | None:
     """The kind that a file means by a word with these fields: of the kinds for which the word may stand, those that
     take all the fields and need no others; of these the one with the fewest fields of its own (a block without sides
-    is a particle). None where there is none, or where two are as plain. A kind of that name goes first where it is one
-    of this model: in the plane a cylinder is a disk."""
+    is a particle). Where none takes them, the only one for which the word may stand: it tells which are wrong. None
+    where there is none, or where two are as plain. A kind of that name goes first where it is one of this model: in
+    the plane a cylinder is a disk."""
     if (own := kinds.get(word)) is not None and (space or not own.space_only):
         return word
-    able: list[tuple[int, str]] = []
-    for name, kind in kinds.items():
-        is_here = not kind.in_plane if space else not kind.space_only
-        if word in kind.also and is_here and _takes(kind, value):
-            able.append((len(kind.model_fields), name))
-    able.sort()
+    here = [name for name, kind in kinds.items() if not (kind.in_plane if space else kind.space_only)]
+    called = [name for name in here if word in kinds[name].also]
+    able = sorted((len(kinds[name].model_fields), name) for name in called if _takes(kinds[name], value))
+    if not able and own is not None:
+        return word
     if not able:
-        return None if own is None else word
+        return called[0] if len(called) == 1 else None
     return None if len(able) > 1 and able[0][0] == able[1][0] else able[0][1]
 
 

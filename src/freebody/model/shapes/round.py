@@ -6,6 +6,7 @@ inside back cover.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.language.expression import (
@@ -55,6 +56,10 @@ class Disk(Shape, kind="disk"):
     about its `axis` (z), with half of that inertia about its diameters."""
 
     called: ClassVar[tuple[str, ...]] = ("disc", "wheel", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("teeth", "module"),
+        Message("they belong to the mesh: gear_mesh: {{first: sun, second: planet, module: m, teeth: [z1, z2]}}"),
+    )
     also: ClassVar[tuple[str, ...]] = ("disc", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
 
     mass: Formula = 0

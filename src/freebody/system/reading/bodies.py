@@ -29,6 +29,7 @@ PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
 SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")
 _CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
 _OF_LINES = ("through", "along", "angle", "solid", "x", "y")
+_SHOWN = 4  # of shapes that fit
 
 
 class BodySections:
@@ -79,8 +80,12 @@ class BodySections:
         known = ("points", "lines", "planes") if self.names.space else ("points", "lines")
         for key, value in entry.items():
             if key not in known and self._is_line(key, value):
+                fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+                line = {"along": fields.get("along", fields.get("angle", "right"))}
                 told = Message(
-                    "a line of the ground stands under lines: ground: {{lines: {{{name}: {{along: right}}}}}}", name=key
+                    "a line of the ground stands under lines: ground: {{lines: {{{name}: {line}}}}}",
+                    name=key,
+                    line=flow_text(line),
                 )
                 self.names.problem(told, "ground", key)
                 self.names.broken.add(key)
@@ -169,14 +174,14 @@ class BodySections:
         options = SPATIAL_OPTIONS if names.space else PLANAR_OPTIONS
         kinds = {k: kind for k, value in entry.items() if k not in options and (kind := self._kind(k, value))}
         fields = {key: value for key, value in entry.items() if key not in options and key not in kinds}
-        if not kinds and fields and (able := self._able(fields)):
+        if not kinds and fields and (able := self._able(name, fields)):
             names.problem(
                 Message(
-                    "{name} needs a shape with these fields: {name}: {{{shape}: {fields}}}; there is {names}",
+                    "{name} needs a shape with these fields: {name}: {{{shape}: {fields}}}{others}",
                     name=name,
                     shape=able[0],
                     fields=flow_text(fields),
-                    names=", ".join(able),
+                    others=Message(" (or {names})", names=", ".join(able[1:_SHOWN])) if len(able) > 1 else "",
                 )
             )
             return None, ""
@@ -217,11 +222,20 @@ class BodySections:
         ((word, kind),) = kinds.items()
         return self.source.spec(Shape.kinds[kind], entry[word], word, beside=options), word
 
-    def _able(self, fields: Collection[str]) -> list[str]:
-        """Shapes that take all these fields, the plainest first."""
+    def _able(self, name: str, fields: Collection[str]) -> list[str]:
+        """Shapes that take all these fields: what the body is called (pulley: a disk), then those for which people have
+        a word, each the plainest first; others where there are none of these."""
         kinds = {kind: spec for kind, spec in Shape.kinds.items() if self.names.space or not spec.space_only}
         able = [kind for kind, spec in kinds.items() if set(fields) <= set(spec.model_fields)]
-        return sorted(able, key=lambda kind: (len(kinds[kind].model_fields), kind))
+        called = name.rstrip("_0123456789")
+
+        def rank(kind: str) -> tuple[object, ...]:
+            spec = kinds[kind]
+            is_meant = called in (kind, *spec.called)
+            return not is_meant, not spec.also, len(spec.model_fields), kind
+
+        plain = [kind for kind in able if kinds[kind].also or not rank(kind)[0]]
+        return sorted(plain or able, key=rank)
 
     def _offsets(self, name: str, entry: dict[str, Any], build: Build) -> dict[str, Components]:
         """The points of a body, from its mass centre."""

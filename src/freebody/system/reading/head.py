@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, cast
@@ -35,6 +36,21 @@ SECTIONS = (
     "style",
 )
 
+# what people write for a section
+MEANT: Mapping[str, str] = {
+    **dict.fromkeys(
+        ("joints", "constraints", "supports", "contacts", "drivers", "motors", "collisions"), "connections"
+    ),
+    **dict.fromkeys(("forces", "torques", "springs", "dampers", "actions"), "loads"),
+    **dict.fromkeys(("initial", "initial_conditions", "initial_values", "at_start"), "start"),
+    **dict.fromkeys(("coordinates", "variables", "outputs"), "measures"),
+    **dict.fromkeys(("constants", "symbols", "values", "given"), "parameters"),
+    **dict.fromkeys(("find", "ask", "wanted"), "questions"),
+    **dict.fromkeys(("elements", "parts"), "bodies"),
+    **dict.fromkeys(("name",), "title"),
+    **dict.fromkeys(("description",), "about"),
+}
+
 
 def title(source: Source) -> str:
     """On one line; without one the name of the file."""
@@ -48,9 +64,9 @@ def check_sections(source: Source) -> None:
         if key in SECTIONS:
             continue
         source.names.problem(_no_section(key, value), key)
-        meant = get_close_matches(key, [name for name in SECTIONS if name not in source.data], n=1, cutoff=0.7)
-        if meant:
-            source.data[meant[0]] = value
+        meant = _meant(key)
+        if meant and key not in MEANT and meant not in source.data:
+            source.data[meant] = value
         else:
             source.names.is_cut_short = True
     version = source.data.get("freebody", 1)
@@ -71,7 +87,16 @@ def _no_section(key: str, value: Any) -> Message:
             return Message(
                 "{key} belongs under {section}, with a name of its own: {entry}", key=key, section=section, entry=entry
             )
-    return Message("there is no section {key}.{hint}", key=key, hint=did_you_mean(key, SECTIONS))
+    meant = _meant(key)
+    hint = Message(" Did you mean {x}?", x=meant) if meant else did_you_mean("", SECTIONS)
+    return Message("there is no section {key}.{hint}", key=key, hint=hint)
+
+
+def _meant(key: str) -> str | None:
+    """The section that is meant by another name."""
+    known = (*SECTIONS, *MEANT)
+    near = key if key in MEANT else next(iter(get_close_matches(key, known, n=1, cutoff=0.7)), None)
+    return None if near is None else MEANT.get(near, near)
 
 
 def read_space(source: Source) -> None:

@@ -91,14 +91,16 @@ def kind_meant(
 
 def _example_of(kind: type[Spec]) -> str:
     """', e.g. kind: {...}' as its own example has it, if it has one."""
-    if not kind.example:
-        return ""
-    for section in Document.read(kind.example).data.values():
+    fields = _fields_of_example(kind)
+    return "" if fields is None else Message(", e.g. {example}", example=flow_text({kind.kind: fields})[1:-1])
+
+
+def _fields_of_example(kind: type[Spec]) -> Any:
+    for section in Document.read(kind.example).data.values() if kind.example else ():
         entries = cast("dict[str, Any]", section) if isinstance(section, dict) else {}
         if isinstance(own := entries.get("it"), dict):
-            fields = cast("dict[str, Any]", own).get(kind.kind)
-            return Message(", e.g. {example}", example=flow_text({kind.kind: fields})[1:-1])
-    return ""
+            return cast("dict[str, Any]", own).get(kind.kind)
+    return None
 
 
 class Source:
@@ -228,9 +230,12 @@ class Source:
 
     def _kind_wanted(self, name: str, value: Any, kinds: Mapping[str, type[Spec]]) -> Message:
         """Who writes `gravity: g` gives the name of a kind and what belongs into it."""
-        if name in kinds and not isinstance(value, dict):
+        if name in kinds:
+            example = _fields_of_example(kinds[name]) if value is None else value
             return Message(
-                "give it a name of its own beside its kind, e.g. my_{name}: {{{name}: {value}}}", name=name, value=value
+                "give it a name of its own beside its kind, e.g. my_{name}: {{{name}: {value}}}",
+                name=name,
+                value=flow_text(example),
             )
         first, _space, rest = value.partition(" ") if isinstance(value, str) else ("", "", "")
         if first in kinds and rest:
@@ -371,7 +376,11 @@ class Source:
                     if len(own := [key for key in value if key in kinds]) == 1 < len(value) and beside:
                         self._beside_a_kind(name, kinds[own[0]], own[0], entry, beside)
                         continue
-                if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
+                if (
+                    not isinstance(value, dict)
+                    or len(cast("dict[str, Any]", value)) != 1
+                    or (name in kinds and not any(key in kinds for key in cast("dict[str, Any]", value)))
+                ):
                     self.names.problem(self._kind_wanted(name, value, kinds))
                     continue
                 ((kind, fields),) = cast("dict[str, Any]", value).items()

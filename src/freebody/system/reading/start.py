@@ -45,7 +45,14 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
             known = [*measures, *names.states, *(f"rate({m})" for m in measures)]
             hint = did_you_mean(key, known)
             body = next((body.name for body in names.bodies.values() if body.name != GROUND and not body.fixed), "")
-            if not known and body and not name_problem(name):
+            of_body, _, coordinate = key.partition(".")
+            if of_body in names.bodies and coordinate:
+                of = coordinate if coordinate in ("x", "y") else "angle"
+                example = (
+                    f"measures: {{{coordinate}_{of_body}: {of} of {of_body}}}, start: {{{coordinate}_{of_body}: ...}}"
+                )
+                hint = Message(" Say what it is, e.g. {example}", example=example)
+            elif not known and body and not name_problem(name):
                 of = "angle of" if names.bodies[body].turns else "x of"
                 example = f"measures: {{{name}: {of} {body}}}"
                 hint = Message(" Say what it is, e.g. {example}", example=example)
