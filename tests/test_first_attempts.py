@@ -122,6 +122,27 @@ MISTAKES = {
         "block.x is no named measure or rate of one. Say what it is, e.g. measures: {x_block: x of block}, start: "
         "{x_block: ...}",
     ),
+    "a place by the body": (f"{BLOCK}measures: {{s: block.x}}", "write x of block for block.x"),
+    "a rate as a measure": (
+        f"{BLOCK}measures: {{s: x of block, v: rate(s)}}",
+        "a measure has its rate beside it: rate(s) may stand in start and in questions",
+    ),
+    "a level line": (
+        f"ground: {{lines: {{road: {{along: horizontal}}}}}}\n{BLOCK}",
+        "horizontal leaves two directions open: write right or left",
+    ),
+    "what touches, apart": (
+        f"ground: {{lines: {{road: {{along: right}}}}}}\n{BLOCK}connections: {{c: {{contact: {{body: block}}}}}}",
+        "contact has no body: what touches stands together: between: [ball, ground.floor]",
+    ),
+    "a spring by its constant": (
+        f"{BLOCK}loads: {{s: {{spring: {{first: ground, second: block, constant: 20 N/m}}}}}}",
+        "spring has no constant. Did you mean stiffness?",
+    ),
+    "a ball joint in the plane": (
+        f"{ROD}connections: {{j: {{ball_joint: [ground, rod.end]}}}}",
+        "ball_joint is no kind of connection. Did you mean pin?",
+    ),
     "one question": (
         f"{BLOCK}questions: acceleration of block",
         "questions is a list, e.g. questions: [acceleration of block]",

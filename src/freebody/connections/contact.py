@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import itertools
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
@@ -71,6 +71,17 @@ class Contact(Connection, kind="contact"):
     angular momentum about the other edge stays. Where it spins with friction there, a motion needs its
     spinning_resistance (2/3 of the coefficient of friction times the radius where the pressure is even and it only
     spins); else it ends, saying so."""
+
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("body", "bodies", "with", "on", "surface", "first", "second", "from", "to"),
+            Message("what touches stands together: between: [ball, ground.floor]"),
+        ),
+        **dict.fromkeys(
+            ("mu_s", "mu_k", "static", "kinetic"),
+            Message("two coefficients are friction: {{static: mu_s, kinetic: mu_k}}"),
+        ),
+    }
 
     between: list[str] | None = None
     among: list[str] | str | None = None

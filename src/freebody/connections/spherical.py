@@ -23,6 +23,7 @@ class Spherical(Connection, kind="spherical"):
     in_plane_take = "pin"
 
     called: ClassVar[tuple[str, ...]] = ("ball joint", "joint", "socket")
+    also: ClassVar[tuple[str, ...]] = ("ball_joint",)
 
     first: str
     second: str

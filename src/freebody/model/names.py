@@ -40,6 +40,12 @@ from freebody.model.thread import Thread
 from freebody.model.transmitted import CutTension, Transmitted
 from freebody.tolerances import LEAST
 
+# what leaves the sense of a direction open, and the two that it may be
+_LEVEL = {
+    "horizontal": {"first": "right", "second": "left"},
+    "vertical": {"first": "up", "second": "down"},
+}
+
 
 def placeholder(name: str) -> RigidBody:
     """Stands in for a body that could not be read; anything may be asked of it."""
@@ -322,6 +328,12 @@ class Names(Formulas):
                 self.problem_once(told, *path)
             if (named := self.named_direction(text, body)) is not None:
                 return named
+            if text in _LEVEL:
+                told = Message(
+                    "{text} leaves two directions open: write {first} or {second}", text=text, **_LEVEL[text]
+                )
+                self.problem(told, *path)
+                return self.compass["right"]
             if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", text) and text not in self.parameters and text != "pi":
                 known = [*self.compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
                 known += [f"{b.name}.{line}" for b in self.bodies.values() for line in b.lines]

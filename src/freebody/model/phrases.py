@@ -354,6 +354,10 @@ def measure_of(names: Names, name: Any, *path: str | int) -> Measure | None:
     return read_measure(names, name, *path)
 
 
+# what programs write behind a body and a dot
+_OF_A_BODY = {"x": "x", "y": "y", "z": "z", **dict.fromkeys(("angle", "theta", "phi"), "angle")}
+
+
 def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
     """The measure that a phrase, a name or `{expression: ...}` states; None after noting a problem."""
     text = phrase_text(value)
@@ -381,6 +385,14 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
             ),
             *path,
         )
+        return None
+    of, dot, coordinate = text.partition(".")
+    if dot and of in names.bodies and (meant := _OF_A_BODY.get(coordinate)):
+        names.unknown(text, Message("write {meant} for {text}", meant=f"{meant} of {of}", text=text), *path)
+        return None
+    if re.fullmatch(r"rate\(\w+\)|\w+'", text):
+        told = Message("a measure has its rate beside it: {text} may stand in start and in questions", text=text)
+        names.unknown(text, told, *path)
         return None
     first = text.split()[0] if text else ""
     import difflib

@@ -76,14 +76,18 @@ def kind_meant(
     """' Did you mean x?' of kinds: what people call so (block: rectangle), of these those that have all fields that are
     given, else by how a name is spelt."""
     fits = {kind: spec for kind, spec in kinds.items() if space or not spec.space_only}
+    if (joint := key.removesuffix("_joint")) in fits:
+        return Message(" Did you mean {x}{example}?", x=joint, example=_example_of(fits[joint]))
+    words = key.replace("_", " ")
     known = [name for name in known if name in fits or name not in kinds]
     begun = [kind for kind in fits if kind.startswith(f"{key}_")]
-    called = begun or [kind for kind, spec in fits.items() if key in spec.called]
+    called = begun or [kind for kind, spec in fits.items() if words in spec.called]
     able = [kind for kind in called if set(fields) <= set(fits[kind].model_fields)]
     called = able or called
     called = [kind for kind in difflib.get_close_matches(key, called, n=1, cutoff=0.7) if not begun] or called
     if not called:
-        return did_you_mean(key, known)
+        flat = [spec.in_plane_take for spec in kinds.values() if words in spec.called and spec.in_plane_take in fits]
+        return Message(" Did you mean {x}?", x=flat[0]) if flat else did_you_mean(key, known)
     if len(called) == 1:
         return Message(" Did you mean {x}{example}?", x=called[0], example=_example_of(fits[called[0]]))
     return Message(" Did you mean one of {names}?", names=", ".join(called))
