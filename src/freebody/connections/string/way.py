@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from freebody.connections.standing import begins_at, ground_guide_of, ground_line_under
+from freebody.connections.standing import begins_at, ground_guide_of, ground_line_under, is_zero
 from freebody.connections.string.node import StringNode
-from freebody.language.expression import Expr
+from freebody.language.expression import Call, Expr, add, multiply, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, ZERO, Point
@@ -72,6 +72,7 @@ def _read_node(
     # what nothing else holds hangs; what a guide leads is led by it
     is_given = body.start.at is not None
     is_free = not (is_held(names, body.name) or body.fixed or swings or body.name == GROUND)
+    is_free = is_free and hangs_straight(names, body, point)
     guide = ground_guide_of(names, body.name, turning=False)
     line = guide or ground_line_under(names, body.name)
     is_started = line is not None and begins_at(names, point, line) is not None
@@ -144,6 +145,25 @@ def is_held(names: Names, body: str) -> bool:
             return True
     others = [names.known(name) for name in sorted(unit - {body})]
     return any(b.fixed or b.name == GROUND or b.start.at is not None for b in others)
+
+
+def hangs_straight(names: Names, body: RigidBody, point: Point) -> bool:
+    """Whether a point by which a body hangs goes straight up and down, from rest, without a force that keeps it from
+    going aside: the body does not turn, or its mass centre is at the point, above it or below it, or beside it at the
+    same height where it hangs on several strings. In any other pose the point goes aside when the body begins to turn,
+    and no string keeps it."""
+    if not body.turns:
+        return True
+    if names.space:
+        aside = [c for c, up in zip(point.offset, names.up, strict=True) if up == ZERO]
+        turned = body.start.turned or ()
+        return all(is_zero(names, c) for c in (point.offset if turned else aside))
+    x, y = point.offset
+    cos, sin = (Call(name, body.start.angle or ZERO) for name in ("cos", "sin"))
+    if is_zero(names, add(multiply(cos, x), negate(multiply(sin, y)))):
+        return True
+    strings = [c for c in names.connections.values() if c.lets_hang and body.name in c.mentions(names)]
+    return len(strings) > 1 and is_zero(names, add(multiply(sin, x), multiply(cos, y)))
 
 
 def _place(names: Names, point: Point) -> tuple[float, float] | None:
