@@ -33,6 +33,8 @@ export interface Writer {
 
 /** Of the width that the outer panes have, unless somebody chooses. */
 export const SHARES = { model: 24, results: 32 };
+/** How long a slider stays where it is before all else follows [ms]: longer than a hand that moves it slowly pauses. */
+const AT_REST = 200;
 const NARROWEST = 12, LEAST_SCENE = 20;
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -76,6 +78,7 @@ export class Studio {
   time = $state(0);
   until = $state(3);
   isMoving = false; // by hand: what is shown is on its way
+  private isSliding = false; // the text is being changed by a slider
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed" | "share" | "units">("");
   /** The kind that the next dialog begins with. */
   adding: Kind | null = null;
@@ -177,11 +180,14 @@ export class Studio {
     this.marks.changed();
     this.isStale = true;
     this.folder.changed();
-    if (this.read) this.readSoon();
-    else this.readNow(); // nothing of it is shown yet
+    if (!this.read) this.readNow(); // nothing of it is shown yet
+    else if (this.isSliding) this.readOnceAtRest();
+    else this.readSoon();
   }
 
   private readSoon = debounced(60, () => this.readNow());
+  /** The same once a slider rests: the accurate motion of one place would hold up that of the next. */
+  private readOnceAtRest = debounced(AT_REST, () => this.readNow());
 
   readNow(): void {
     const text = this.text;
@@ -271,7 +277,9 @@ export class Studio {
     const { start, end } = parameter.span;
     if (this.text.slice(start, end) !== parameter.text) return; // its place is not known until the text is read
     this.follow(this.text.slice(0, start) + text + this.text.slice(end), { frames: FEWER }); // on its way meanwhile
+    this.isSliding = true;
     this.marks.while(parameter.name, () => this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider"));
+    this.isSliding = false;
   }
 
   /** Places of parameters after a change, until the text is read again. */
