@@ -8,7 +8,7 @@ import { Marks } from "./marks.svelte";
 import { notebook } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
-import { type Change, changeBetween, printed } from "./text";
+import { type Change, changeBetween, local, printed, unitPrinted } from "./text";
 import { ANGLES, LENGTHS, SI, type Units, linesIn, unitIn } from "./units";
 import type { Answers, CurvesAnswer, Element, Kind, MotionAnswer, OverlaysRequest, Parameter, ReadAnswer, Requests, StudyAnswer } from "./wire";
 import { WORDS, type Word, keysIn } from "./words";
@@ -128,8 +128,10 @@ export class Studio {
   /** A number of SI in words, in the units that are shown. */
   quantity = (value: number, unit: string): string => {
     const shown = unitIn(unit, this.units);
-    return `${printed(value * shown.factor, this.language)} ${shown.unit.replace("^2", "²")}`;
+    return `${printed(value * shown.factor, this.language)} ${unitPrinted(shown.unit)}`;
   };
+  /** A number that is written with a point, as the language writes it. */
+  local = (number: string | number): string => local(String(number), this.language);
   /** Whether what is shown is that of the text as it stands. */
   get isCurrent(): boolean {
     return this.model !== null && this.modelText === this.text;
