@@ -8,7 +8,7 @@ import { Marks } from "./marks.svelte";
 import { notebook } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
-import { type Change, changeBetween, local, printed, unitPrinted } from "./text";
+import { type Change, changeBetween, local, printed, unitPrinted, wordsPrinted } from "./text";
 import { ANGLES, LENGTHS, SI, type Units, linesIn, unitIn } from "./units";
 import type { Answers, CurvesAnswer, Element, Kind, MotionAnswer, OverlaysRequest, Parameter, ReadAnswer, Requests, StudyAnswer } from "./wire";
 import { WORDS, type Word, keysIn } from "./words";
@@ -348,7 +348,7 @@ export class Studio {
     if (told.status === "cancelled") return this.word("cancelled");
     if (told.status === "too long") return this.word("tooLong");
     if (told.status === "crashed") return `${this.word("crashed")} (${told.message})`;
-    return told.message;
+    return wordsPrinted(told.message);
   }
 
   fail(error: unknown): void {

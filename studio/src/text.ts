@@ -57,6 +57,13 @@ export function unitPrinted(unit: string): string {
   return unit.replace(/(?<![A-Za-z])deg(?![A-Za-z])/g, "°").replace(/(\^|\*\*)(-?\d+)/g, (_all, _sign, power: string) => raised(power)).replaceAll("*", "·");
 }
 
+const MEASURED = /(?<=\d )[A-Za-z]+(?:\^-?\d+)?(?:[ /*][A-Za-z]+(?:\^-?\d+)?)*/g;
+
+/** Words with the units behind their numbers as they are printed: 37.8 rad/s². */
+export function wordsPrinted(words: string): string {
+  return words.replace(MEASURED, (unit) => (unit.includes("^") ? unitPrinted(unit) : unit));
+}
+
 /** A quantity that stands in a file, as it is printed; a formula as it stands. */
 export function quantityPrinted(text: string, language: string): string {
   const quantity = quantityOf(text);

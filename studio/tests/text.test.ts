@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { changeBetween, csvOf, printed, quantityOf, quantityPrinted, sliderRange, sweepRange } from "../src/text";
+import { changeBetween, csvOf, printed, quantityOf, quantityPrinted, sliderRange, sweepRange, wordsPrinted } from "../src/text";
 
 describe("a change between two texts", () => {
   test.each([
@@ -37,6 +37,10 @@ describe("a quantity as it is printed", () => {
     ["L/2", "L/2"],
   ])("%s", (text, shown) => expect(quantityPrinted(text, "de")).toBe(shown));
   test("has a point in English", () => expect(quantityPrinted("0.5 m", "en")).toBe("0.5 m"));
+});
+
+test("units behind numbers in words are printed, and formulas stay", () => {
+  expect(wordsPrinted("from rest at 37.8 rad/s^2. Write m*v^2 or 2 kg m^2")).toBe("from rest at 37.8 rad/s². Write m*v^2 or 2 kg m²");
 });
 
 describe("the range of a slider", () => {
