@@ -180,8 +180,8 @@ def test_action_and_reaction_light_up_together_on_bodies_cut_free_each_for_itsel
         page.locator(f".content .chip:has-text('{body}') input").check()
     page.wait_for_function("() => document.querySelectorAll('.content .picture svg').length === 2", timeout=WAIT)
     page.focus(".content .symbols button >> text=/^T/")
-    lit = "[...document.querySelectorAll('.content .picture svg')].map((each) => each.querySelectorAll('.lit').length > 0)"
-    page.wait_for_function(f"() => {lit}.every(Boolean)", timeout=WAIT)
+    pictures = "[...document.querySelectorAll('.content .picture svg')]"
+    page.wait_for_function(f"() => {pictures}.every((each) => each.querySelector('.lit'))", timeout=WAIT)
     page.get_by_label("each body for itself").uncheck()
     page.wait_for_function("() => document.querySelectorAll('.content .picture svg').length === 1", timeout=WAIT)
 
