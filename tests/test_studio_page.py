@@ -182,6 +182,8 @@ def test_action_and_reaction_light_up_together_on_bodies_cut_free_each_for_itsel
     page.focus(".content .symbols button >> text=/^T/")
     pictures = "[...document.querySelectorAll('.content .picture svg')]"
     page.wait_for_function(f"() => {pictures}.every((each) => each.querySelector('.lit'))", timeout=WAIT)
+    page.reload()  # which finds them again
+    page.wait_for_function(f"() => {pictures}.length === 2", timeout=WAIT)
     page.get_by_label("each body for itself").uncheck()
     page.wait_for_function("() => document.querySelectorAll('.content .picture svg').length === 1", timeout=WAIT)
 

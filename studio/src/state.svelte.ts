@@ -91,6 +91,9 @@ export class Studio {
   lit = $state.raw<Lit | null>(null);
   /** What is drawn over the motion. */
   shows = $state<OverlaysRequest["show"]>([]);
+  /** The bodies that are cut free: each for itself, so that action and reaction are both to be seen, or as one. */
+  freed = $state<string[]>([]);
+  isApart = $state(true);
   /** Where the sliders of a shared page stand. */
   places = $state.raw<number[]>(server.sliders.map((slider) => slider.own));
 
