@@ -137,14 +137,17 @@ def test_an_element_is_added_and_joined_by_pointing(page: Firefox) -> None:
     page.wait_for("document.querySelector('dialog[open] .primary')")
     page.click("dialog[open] .primary")
     page.wait_for(f"{TEXT}.includes('particle: {{particle:')")
-    page.wait_for("document.querySelector('.badge.dof:not(.stale)').textContent.startsWith('3')")
+    page.wait_for("document.querySelector('.badge.dof:not(.stale)')?.textContent.startsWith('3')")
     page.press("Control+i")
+    page.wait_for("document.querySelector('dialog[open] .list button')")
     page.press(*"spring", "Enter")
-    page.evaluate("[...document.querySelectorAll('dialog[open] button')].find((each) => each.textContent === 'Point in the scene').click()")
+    page.wait_for("document.querySelector('dialog[open] .primary')")
+    page.evaluate("document.querySelector('dialog[open] .primary + button').click()")
     for spot in ("rod.end", "particle"):
+        page.wait_for("document.querySelector(`.view .spot[aria-label='${arguments[0]}']`)", spot)
         page.evaluate("document.querySelector(`.view .spot[aria-label='${arguments[0]}']`).focus()", spot)
         page.press("Enter")
-    page.wait_for(f"/spring: .*rod.end, particle/.test({TEXT})")
+    page.wait_for(f"/spring: .*first: rod.end, second: particle/.test({TEXT})")
 
 
 def test_a_force_lights_up_at_both_bodies_and_a_slider_is_typeset(page: Firefox) -> None:
