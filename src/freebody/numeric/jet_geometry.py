@@ -125,8 +125,6 @@ class _TurningPose(Pose[Jet]):
     """The pose of a body that moves and turns, whose rows are arrays: x, y and the angle are three coordinates after
     each other."""
 
-    __slots__ = ()
-
     def place(self, v: Vector[Jet]) -> Vector[Jet]:
         """What the sum of the pose and the turned vector comes to, for one that is fixed in the body: its gradient has
         a single entry more than that of the mass centre, the turned vector a quarter turn on."""
