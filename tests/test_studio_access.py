@@ -298,7 +298,50 @@ def in_space(visitor: Visitor) -> None:
     visitor.look("results in space")
 
 
-VIEWS: list[Callable[[Visitor], None]] = [panels, dialogs, mistakes, notices, pointing, judging, in_space]
+FALLING = (
+    "parameters: {mu: 0.3, g: 9.81 m/s^2}\n"
+    "bodies: {ladder: {rod: {mass: 10 kg, length: 4 m}}}\n"
+    "ground: {points: {O: [0, 0]}, lines: {floor: {through: O, along: x}}}\n"
+    "connections: {foot: {contact: {between: [ladder.start, ground.floor], friction: mu}}}\n"
+    "loads: {weight: {gravity: g}}\n"
+    "measures: {theta: {angle of ladder}}\nstart: {theta: 60 deg}\n"
+)
+
+
+def over_the_motion(visitor: Visitor) -> None:
+    """Arrows with their scales, cones and centres; what a symbol lights up; the phase plane."""
+    page = visitor.page
+    visitor.write(FALLING)
+    page.wait_for_function(f"() => {TEXT}.startsWith('parameters: {{mu')")
+    page.wait_for_selector(f"{READY} >> nth=0", timeout=WAIT)
+    visitor.pane("scene")
+    page.click(".transport .menu > summary")
+    for box in page.locator(".transport .sheet input[value]").all():
+        box.check()
+    page.wait_for_selector(".legend li", timeout=WAIT)
+    page.click(".transport .menu > summary")
+    visitor.look("arrows over the motion")
+    page.click(f".plots button:has-text('{visitor.word('phasePlane')}')")
+    page.wait_for_selector(".phase .way")
+    visitor.look("a phase plane")
+    visitor.pane("results")
+    page.click("#tab-free")
+    page.wait_for_selector(".content .symbols button", timeout=WAIT)
+    page.focus(".content .symbols button")
+    page.wait_for_selector(".content .picture .lit", timeout=WAIT)
+    visitor.look("a force that lights up")
+
+
+VIEWS: list[Callable[[Visitor], None]] = [
+    panels,
+    dialogs,
+    mistakes,
+    notices,
+    pointing,
+    judging,
+    in_space,
+    over_the_motion,
+]
 MAIN = pytest.param(panes_and_menus, marks=pytest.mark.essential, id=panes_and_menus.__name__)
 
 

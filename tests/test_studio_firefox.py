@@ -129,6 +129,41 @@ def test_a_question_is_answered_and_derived(page: Firefox) -> None:
     page.wait_for("document.querySelector('.content .freebody-report .step')")
 
 
+@pytest.mark.essential
+def test_an_element_is_added_and_joined_by_pointing(page: Firefox) -> None:
+    page.press("Control+i")
+    page.wait_for("document.querySelector('dialog[open] .list button')")
+    page.press(*"particle", "Enter")
+    page.wait_for("document.querySelector('dialog[open] .primary')")
+    page.click("dialog[open] .primary")
+    page.wait_for(f"{TEXT}.includes('particle: {{particle:')")
+    page.wait_for("document.querySelector('.badge.dof:not(.stale)')?.textContent.startsWith('3')")
+    page.press("Control+i")
+    page.wait_for("document.querySelector('dialog[open] .list button')")
+    page.press(*"spring", "Enter")
+    page.wait_for("document.querySelector('dialog[open] .primary')")
+    page.evaluate("document.querySelector('dialog[open] .primary + button').click()")
+    for spot in ("rod.end", "particle"):
+        page.wait_for("document.querySelector(`.view .spot[aria-label='${arguments[0]}']`)", spot)
+        page.evaluate("document.querySelector(`.view .spot[aria-label='${arguments[0]}']`).focus()", spot)
+        page.press("Enter")
+    page.wait_for(f"/spring: .*first: rod.end, second: particle/.test({TEXT})")
+
+
+def test_a_force_lights_up_at_both_bodies_and_a_slider_is_typeset(page: Firefox) -> None:
+    page.click("#tab-free")
+    page.wait_for("document.querySelector('.content .symbols button')")
+    page.evaluate("document.querySelector('.content .symbols button').focus()")
+    page.wait_for("document.querySelector('.content .picture .lit')")
+    assert page.evaluate("return document.querySelector('.sliders .what math').textContent") == "L"
+    assert page.evaluate("return [...document.querySelectorAll('.sliders .number')].map((each) => each.innerText)") == [
+        *("1 m", "2 kg", "9.81 m/s²", "−60°"),
+    ]
+    page.click("[aria-label*=Deutsch]")
+    page.wait_for("document.querySelector('.sliders').innerText.includes('9,81 m/s²')")
+    page.click("[aria-label*=English]")
+
+
 def test_dialogs_are_opened_by_keys_and_shut(page: Firefox) -> None:
     for keys, inside in (
         ("Control+i", "input[type=search]"),

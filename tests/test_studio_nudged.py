@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import fields
 from typing import Any
@@ -11,7 +12,14 @@ import pytest
 from tests.example_files import FOLDER, plain
 
 from freebody.language.document import Document
+from freebody.language.expression import Expr
+from freebody.numeric.jet_geometry import Frame, JetGeometry
+from freebody.numeric.jets import Array
+from freebody.numeric.system import NumericSystem
+from freebody.studio.moving import motion
 from freebody.studio.nudged import nudged
+from freebody.studio.reading import look_in, passing_system
+from freebody.studio.wire.motions import MotionRequest
 from freebody.system.system import System
 
 CHAIN = """
@@ -90,6 +98,39 @@ def test_what_the_reader_asks_the_number_of_is_read_with_the_rest() -> None:
     system = System.from_document(document)
     assert nudged(system, document.with_value(("parameters", "m"), "2 kg")) is not None
     assert nudged(system, document.with_value(("parameters", "R"), "2.5 m")) is None
+
+
+def test_what_hangs_on_no_number_is_found_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And of what does, each number of the model once: by the work that is counted while a parameter is moved."""
+    look_in([])
+    numbers = CHAIN.replace("k: N/m, ", "")
+    asked = [
+        MotionRequest(text=numbers.replace("L: 1 m", f"L: {n} m"), until=1, frames=21, is_passing=True) for n in (1, 2)
+    ]
+    motion(asked[0])
+    before = passing_system(asked[0].text)
+    lasting = {name: vars(before)[name] for name in ("groups", "touched", "bounds", "glyphs", "all_moving")}
+    trees, poses = Counter[int](), Counter[bytes]()
+    number_of, geometry = NumericSystem._number, JetGeometry.__init__
+
+    def counted(system: NumericSystem, expr: Expr, t: float) -> float:
+        trees[id(expr)] += 1
+        return number_of(system, expr, t)
+
+    def seen(g: JetGeometry, frame: Frame, q: Array, v: Array, *rest: Any) -> None:
+        poses[q.tobytes() + v.tobytes()] += 1
+        geometry(g, frame, q, v, *rest)
+
+    monkeypatch.setattr(NumericSystem, "_number", counted)
+    monkeypatch.setattr(JetGeometry, "__init__", seen)
+    passing = motion(asked[1])
+    system = passing_system(asked[1].text)
+    assert {name: vars(system)[name] for name in lasting} == lasting
+    assert all(vars(system)[name] is found for name, found in lasting.items())
+    assert set(trees.values()) == {1}
+    assert max(poses.values()) <= 2  # the start: where it is assembled, and for the engine
+    look_in([])
+    assert motion(asked[1]) == passing  # of the text read as a whole, to the last digit
 
 
 @pytest.mark.parametrize("words", [("mass: 1 kg", "mass: 2 kg"), ("9.81", "9.8"), ("of alpha}", "of beta}")])

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.studio_browser import PENDULUM, READY, ROOT, TEXT, WAIT, text_of, wait_for_text
+from tests.studio_browser import PENDULUM, READY, ROOT, TEXT, WAIT, text_of, type_all, wait_for_text
 
 from freebody.studio.folder import Folder
 
@@ -170,6 +170,22 @@ def test_what_a_symbol_speaks_of_lights_up_and_back(page: Any) -> None:
             if page.locator("#panel .freebody-report mi.lit").count():
                 return
     pytest.fail("nothing lights up")
+
+
+def test_action_and_reaction_light_up_together_on_bodies_cut_free_each_for_itself(page: Any) -> None:
+    """The tension of the string on the mass and on the pulley; cut free together they have it inside."""
+    type_all(page, (ROOT / "examples" / "atwood_machine.yaml").read_text(encoding="utf-8"))
+    page.click("#tab-free")
+    for body in ("left", "pulley"):
+        page.locator(f".content .chip:has-text('{body}') input").check()
+    page.wait_for_function("() => document.querySelectorAll('.content .picture svg').length === 2", timeout=WAIT)
+    page.focus(".content .symbols button >> text=/^T/")
+    pictures = "[...document.querySelectorAll('.content .picture svg')]"
+    page.wait_for_function(f"() => {pictures}.every((each) => each.querySelector('.lit'))", timeout=WAIT)
+    page.reload()  # which finds them again
+    page.wait_for_function(f"() => {pictures}.length === 2", timeout=WAIT)
+    page.get_by_label("each body for itself").uncheck()
+    page.wait_for_function("() => document.querySelectorAll('.content .picture svg').length === 1", timeout=WAIT)
 
 
 def test_a_slider_is_an_edit_that_keeps_comments_and_is_undone_at_once(page: Any) -> None:

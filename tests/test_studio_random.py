@@ -1,17 +1,20 @@
 """The studio in the hands of somebody who presses everything: random actions, told by a seed, after which nothing has
 gone wrong, the page still answers, and its memory has not grown.
 
-The ordinary run has a few of them; `pytest -m slow` has as many as half an hour of fast work.
+The ordinary run has a few of them; `pytest -m slow` has as many as half an hour of fast work. By the clock it goes
+on as long as the environment says: `FREEBODY_MINUTES=30 pytest -m slow -s tests/test_studio_random.py -k minutes`.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import random
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from itertools import compress
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 import pytest
@@ -214,7 +217,10 @@ def at_rest(page: Any, text: str) -> int:
     return memory_of(page)
 
 
-def pressed_everything(browser: Any, address: str, n: int, seed: int | None = None) -> None:
+def pressed_everything(
+    browser: Any, address: str, n: int, seed: int | None = None, *, minutes: float = 0.0
+) -> list[int]:
+    """The memory before and after n actions; with minutes, as often as there is time for so many of them."""
     seed = random.randrange(10**6) if seed is None else seed
     print("seed", seed)
     page = browser.new_page(viewport={"width": 1500, "height": 900}, locale="en-GB")
@@ -224,16 +230,21 @@ def pressed_everything(browser: Any, address: str, n: int, seed: int | None = No
     page.on("response", lambda reply: wrong.append(f"{reply.status} {reply.url}") if reply.status >= 400 else None)
     page.goto(address)
     page.wait_for_selector(".badge.dof:not(.stale)", timeout=WAIT)
-    before = at_rest(page, PENDULUM)
+    held = [at_rest(page, PENDULUM)]
     somebody = Somebody(page, random.Random(seed))
     done: list[str] = []
-    for _ in range(n):
-        done.append(somebody.act())
-        assert wrong == [], f"seed {seed}, after {done[-6:]}: {wrong}"
-    after = at_rest(page, PENDULUM)
+    until = monotonic() + 60.0 * minutes
+    while len(held) == 1 or monotonic() < until:
+        for _ in range(n):
+            done.append(somebody.act())
+            assert wrong == [], f"seed {seed}, after {done[-6:]}: {wrong}"
+        held.append(at_rest(page, PENDULUM))
+        print(f"{len(done)} actions, {held[-1] / 2**20:.2f} MB", flush=True)
     page.close(run_before_unload=False)
     assert wrong == [], f"seed {seed}"
-    assert after - before < GROWTH, f"seed {seed}: {(after - before) / 2**20:.1f} MB more after {n} actions"
+    more = (held[-1] - held[0]) / 2**20
+    assert held[-1] - held[0] < GROWTH, f"seed {seed}: {more:.1f} MB more after {len(done)} actions"
+    return held
 
 
 def test_nothing_goes_wrong_in_60_random_actions(browser: Any, address: str) -> None:
@@ -244,3 +255,10 @@ def test_nothing_goes_wrong_in_60_random_actions(browser: Any, address: str) -> 
 def test_nothing_goes_wrong_in_4000_random_actions(browser: Any, address: str) -> None:
     """Half an hour at two a second."""
     pressed_everything(browser, address, 4000)
+
+
+@pytest.mark.slow
+def test_nothing_goes_wrong_in_as_many_minutes_as_are_asked_for(browser: Any, address: str) -> None:
+    """Its memory, looked at every 150 actions, has not grown from the first look after some work to the last."""
+    held = pressed_everything(browser, address, 150, minutes=float(os.environ.get("FREEBODY_MINUTES", "1")))
+    assert held[-1] - held[1] < GROWTH

@@ -2,7 +2,7 @@
 import { untrack } from "svelte";
 import uPlot from "uplot";
 import { extent, leastSpan } from "./plane";
-import { round } from "./text";
+import { local, round, unitPrinted } from "./text";
 import type { Line } from "./wire";
 
 export interface Look {
@@ -19,11 +19,8 @@ function look(): Look {
   return { ink: of("--muted"), grid: of("--faint"), lines: Array.from({ length: 7 }, (_, k) => of(`--body-${k}`)), now: of("--accent"), warning: of("--warning") };
 }
 
-/** As all other numbers of the page. */
-const written = (_plot: uPlot, at: number[]) => at.map((value) => String(round(value)).replace("-", "−"));
-
 /** A name with its unit, where it has one. */
-export const called = (name: string, unit: string) => (unit && unit !== "1" ? `${name} [${unit}]` : name);
+export const called = (name: string, unit: string) => (unit && unit !== "1" ? `${name} [${unitPrinted(unit)}]` : name);
 
 /** lines: of one unit; size: of the picture [m], beside which round-off is nothing; across: what the axis is called, where
  * that is not plain; sync: plots of the same share their cursor; draw: what comes on top */
@@ -31,6 +28,7 @@ export interface Shown {
   x: number[];
   lines: Line[];
   unit: string;
+  language: string;
   size: () => number;
   height: number;
   across?: string;
@@ -38,8 +36,9 @@ export interface Shown {
   draw(plot: uPlot, look: Look): void;
 }
 
-export function chart(into: HTMLElement, { x, lines, unit, size, height, across, sync, draw }: Shown): uPlot {
+export function chart(into: HTMLElement, { x, lines, unit, language, size, height, across, sync, draw }: Shown): uPlot {
   const colors = look(), font = "11px system-ui", least = () => untrack(() => leastSpan(unit, size()));
+  const written = (_plot: uPlot, at: number[]) => at.map((value) => local(String(round(value)), language));
   const axis = { stroke: colors.ink, grid: { stroke: colors.grid, width: 1 }, ticks: { stroke: colors.grid, width: 1 }, font, labelSize: 16, labelFont: font, values: written };
   return new uPlot(
     {
@@ -48,7 +47,7 @@ export function chart(into: HTMLElement, { x, lines, unit, size, height, across,
       // round-off fills no picture
       scales: { x: { time: false }, y: { range: (_plot, low, high) => (high - low > least() ? uPlot.rangeNum(low, high, 0.1, true) : extent([low, high], least())) } },
       legend: { live: false },
-      axes: [{ ...axis, size: 30, ...(across ? { label: across } : {}) }, { ...axis, size: 56, label: unit === "1" ? "" : unit }],
+      axes: [{ ...axis, size: 30, ...(across ? { label: across } : {}) }, { ...axis, size: 56, label: unit === "1" ? "" : unitPrinted(unit) }],
       series: [{ label: across ?? "t" }, ...lines.map((line, k) => ({ label: line.name, stroke: colors.lines[k % colors.lines.length]!, width: 1.6, dash: [[], [6, 3], [2, 2], [8, 3, 2, 3]][k % 4]!, spanGaps: false }))],
       hooks: { draw: [(plot) => draw(plot, colors)] },
     },

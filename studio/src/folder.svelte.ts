@@ -101,8 +101,8 @@ export class Folder {
     }
   }
   private view() {
-    const { file, version, savedText } = this, { panel, pane, selected, time, derived, asking, shows } = this.studio;
-    return { file, version, savedText, panel, pane, selected, time, derived, asking, shows: [...shows], editor: this.studio.writer?.kept() };
+    const { file, version, savedText } = this, { panel, pane, selected, time, derived, asking, shows, freed, isApart } = this.studio;
+    return { file, version, savedText, panel, pane, selected, time, derived, asking, shows: [...shows], freed: [...freed], isApart, editor: this.studio.writer?.kept() };
   }
   private restore(view: ReturnType<Folder["view"]>): void {
     // what the text was made of: if the file is another one now, that is told
@@ -110,7 +110,7 @@ export class Folder {
     if (view.editor) this.studio.writer?.restore(view.editor);
     this.told = "";
     const { panel, pane, selected, time, derived, asking } = view;
-    this.studio.shows = view.shows ?? [];
+    [this.studio.shows, this.studio.freed, this.studio.isApart] = [view.shows ?? [], view.freed ?? [], view.isApart ?? true];
     [this.studio.panel, this.studio.pane, this.studio.selected, this.studio.time, this.studio.derived] = [panel, pane, selected, time, derived];
     [this.studio.asking, this.studio.question] = [asking, asking ?? ""];
     void this.lookAtFile();

@@ -8,7 +8,7 @@ import { Marks } from "./marks.svelte";
 import { notebook } from "./notebook";
 import * as server from "./server";
 import type { Told } from "./server";
-import { type Change, changeBetween, printed } from "./text";
+import { type Change, changeBetween, local, printed, unitPrinted, wordsPrinted } from "./text";
 import { ANGLES, LENGTHS, SI, type Units, linesIn, unitIn } from "./units";
 import type { Answers, CurvesAnswer, Element, Kind, MotionAnswer, OverlaysRequest, Parameter, ReadAnswer, Requests, StudyAnswer } from "./wire";
 import { WORDS, type Word, keysIn } from "./words";
@@ -33,6 +33,8 @@ export interface Writer {
 
 /** Of the width that the outer panes have, unless somebody chooses. */
 export const SHARES = { model: 24, results: 32 };
+/** How long a slider stays where it is before all else follows [ms]: longer than a hand that moves it slowly pauses. */
+const AT_REST = 200;
 const NARROWEST = 12, LEAST_SCENE = 20;
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -76,6 +78,7 @@ export class Studio {
   time = $state(0);
   until = $state(3);
   isMoving = false; // by hand: what is shown is on its way
+  private isSliding = false; // the text is being changed by a slider
   dialog = $state<"" | "add" | "commands" | "gallery" | "help" | "save" | "changed" | "share" | "units">("");
   /** The kind that the next dialog begins with. */
   adding: Kind | null = null;
@@ -88,6 +91,9 @@ export class Studio {
   lit = $state.raw<Lit | null>(null);
   /** What is drawn over the motion. */
   shows = $state<OverlaysRequest["show"]>([]);
+  /** The bodies that are cut free: each for itself, so that action and reaction are both to be seen, or as one. */
+  freed = $state<string[]>([]);
+  isApart = $state(true);
   /** Where the sliders of a shared page stand. */
   places = $state.raw<number[]>(server.sliders.map((slider) => slider.own));
 
@@ -125,8 +131,10 @@ export class Studio {
   /** A number of SI in words, in the units that are shown. */
   quantity = (value: number, unit: string): string => {
     const shown = unitIn(unit, this.units);
-    return `${printed(value * shown.factor, this.language)} ${shown.unit.replace("^2", "²")}`;
+    return `${printed(value * shown.factor, this.language)} ${unitPrinted(shown.unit)}`;
   };
+  /** A number that is written with a point, as the language writes it. */
+  local = (number: string | number): string => local(String(number), this.language);
   /** Whether what is shown is that of the text as it stands. */
   get isCurrent(): boolean {
     return this.model !== null && this.modelText === this.text;
@@ -177,11 +185,14 @@ export class Studio {
     this.marks.changed();
     this.isStale = true;
     this.folder.changed();
-    if (this.read) this.readSoon();
-    else this.readNow(); // nothing of it is shown yet
+    if (!this.read) this.readNow(); // nothing of it is shown yet
+    else if (this.isSliding) this.readOnceAtRest();
+    else this.readSoon();
   }
 
   private readSoon = debounced(60, () => this.readNow());
+  /** The same once a slider rests: the accurate motion of one place would hold up that of the next. */
+  private readOnceAtRest = debounced(AT_REST, () => this.readNow());
 
   readNow(): void {
     const text = this.text;
@@ -271,7 +282,9 @@ export class Studio {
     const { start, end } = parameter.span;
     if (this.text.slice(start, end) !== parameter.text) return; // its place is not known until the text is read
     this.follow(this.text.slice(0, start) + text + this.text.slice(end), { frames: FEWER }); // on its way meanwhile
+    this.isSliding = true;
     this.marks.while(parameter.name, () => this.writer?.change([{ from: start, to: end, insert: text }], "input.type.slider"));
+    this.isSliding = false;
   }
 
   /** Places of parameters after a change, until the text is read again. */
@@ -338,7 +351,7 @@ export class Studio {
     if (told.status === "cancelled") return this.word("cancelled");
     if (told.status === "too long") return this.word("tooLong");
     if (told.status === "crashed") return `${this.word("crashed")} (${told.message})`;
-    return told.message;
+    return wordsPrinted(told.message);
   }
 
   fail(error: unknown): void {

@@ -46,6 +46,32 @@ export function printed(value: number, language: string, digits = 3): string {
   return `${shown(Number(mantissa))}·10${sign}${[...String(Math.abs(exponent))].map((each) => RAISED[Number(each)]).join("")}`;
 }
 
+/** A number that is written as in a file, as it is printed: with the sign and the decimal mark of the language. */
+export function local(number: string, language: string): string {
+  return number.replace("-", "−").replace(".", language === "de" ? "," : ".");
+}
+
+/** A unit that is written as in a file, as it is printed: m/s², N·m, °. */
+export function unitPrinted(unit: string): string {
+  const raised = (power: string) => (power.startsWith("-") ? "⁻" : "") + [...power.replace("-", "")].map((each) => RAISED[Number(each)]).join("");
+  return unit.replace(/(?<![A-Za-z])deg(?![A-Za-z])/g, "°").replace(/(\^|\*\*)(-?\d+)/g, (_all, _sign, power: string) => raised(power)).replaceAll("*", "·");
+}
+
+const MEASURED = /(?<=\d )[A-Za-z]+(?:\^-?\d+)?(?:[ /*][A-Za-z]+(?:\^-?\d+)?)*/g;
+
+/** Words with the units behind their numbers as they are printed: 37.8 rad/s². */
+export function wordsPrinted(words: string): string {
+  return words.replace(MEASURED, (unit) => (unit.includes("^") ? unitPrinted(unit) : unit));
+}
+
+/** A quantity that stands in a file, as it is printed; a formula as it stands. */
+export function quantityPrinted(text: string, language: string): string {
+  const quantity = quantityOf(text);
+  if (!quantity) return text;
+  const unit = unitPrinted(quantity.rest.trim());
+  return local(text.slice(0, text.length - quantity.rest.length).trim(), language) + (unit && unit !== "°" ? ` ${unit}` : unit);
+}
+
 /** Without the last digits of floating point. */
 export function round(value: number): number {
   return Number(value.toPrecision(6));

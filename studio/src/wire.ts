@@ -333,10 +333,11 @@ export interface PageRequest {
   format?: "html" | "gif" | "mp4" | "csv" | "nc" | "parquet";
 }
 
-/** A number that can be moved: a parameter, or a value of the start. symbol: as pictures have it; text: as it stands in the file, with its unit */
+/** A number that can be moved: a parameter, or a value of the start. symbol: as pictures have it; math: in MathML, empty where the name is no symbol; text: as it stands in the file, with its unit */
 export interface Parameter {
   name: string;
   symbol: string;
+  math: string;
   section: "parameters" | "start";
   text: string;
   span: Span;

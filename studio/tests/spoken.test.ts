@@ -1,12 +1,12 @@
 import { expect, test } from "vitest";
-import { short, spoken } from "../src/spoken";
+import { shortOf, spoken } from "../src/spoken";
 
-const words = { atTime: "At", turnedBy: "turned by", more: "{} more" };
+const words = { language: "en", atTime: "At", turnedBy: "turned by", more: "{} more" };
 const line = (name: string, unit: string, values: (number | null)[]) => ({ name, label: name, unit, values });
 const rod = { planar: true, names: ["rod"], columns: [[0.25, 0.5], [-0.43301, 0], [-Math.PI / 3, 0]], t0: 0, dt: 0.5, n_frames: 2 };
 
 test("a number has three digits", () => {
-  expect(["-60", "1e-12", "1234.5", "0.0012345"].map((each) => short(Number(each)))).toEqual(["−60", "0", "1230", "0.00123"]);
+  expect(["-60", "1e-12", "1234.5", "0.0012345"].map((each) => shortOf(Number(each)))).toEqual(["−60", "0", "1230", "0.00123"]);
 });
 
 test("the scene says where a body is at the time that is shown", () => {
@@ -24,4 +24,9 @@ test("of many bodies the one that is selected is told, or the first ones", () =>
 
 test("a value that is not there is not told", () => {
   expect(spoken(rod, [line("theta", "rad", [null, 1])], 0, null, words)).not.toContain("theta");
+});
+
+test("numbers are written as the language writes them", () => {
+  const german = { language: "de", atTime: "Zur Zeit", turnedBy: "gedreht um", more: "{} mehr" };
+  expect(spoken(rod, [line("a", "m/s^2", [-0.5, 0])], 0.2, null, german)).toBe("Zur Zeit 0,2 s; rod: x = 0,25 m, y = −0,433 m, gedreht um −60°; a = −0,5 m/s².");
 });

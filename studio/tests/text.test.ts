@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { changeBetween, csvOf, printed, quantityOf, sliderRange, sweepRange } from "../src/text";
+import { changeBetween, csvOf, printed, quantityOf, quantityPrinted, sliderRange, sweepRange, wordsPrinted } from "../src/text";
 
 describe("a change between two texts", () => {
   test.each([
@@ -24,6 +24,23 @@ describe("a quantity", () => {
     expect(quantityOf("3")).toEqual({ value: 3, rest: "" });
   });
   test.each(["L/2", "2*L", "kg", "theta_0", "2^x"])("is no formula: %s", (text) => expect(quantityOf(text)).toBeNull());
+});
+
+describe("a quantity as it is printed", () => {
+  test.each([
+    ["9.81 m/s^2", "9,81 m/s²"],
+    ["-60 deg", "−60°"],
+    ["3 N m", "3 N m"],
+    ["2e-3 kg*m^-1", "2e−3 kg·m⁻¹"],
+    ["90 deg/s", "90 °/s"],
+    ["7", "7"],
+    ["L/2", "L/2"],
+  ])("%s", (text, shown) => expect(quantityPrinted(text, "de")).toBe(shown));
+  test("has a point in English", () => expect(quantityPrinted("0.5 m", "en")).toBe("0.5 m"));
+});
+
+test("units behind numbers in words are printed, and formulas stay", () => {
+  expect(wordsPrinted("from rest at 37.8 rad/s^2. Write m*v^2 or 2 kg m^2")).toBe("from rest at 37.8 rad/s². Write m*v^2 or 2 kg m²");
 });
 
 describe("the range of a slider", () => {

@@ -121,6 +121,36 @@ class Frame:
         return [cast("Measure", measure) for measure, number in self._numbers.items() if number in numbers]
 
 
+class _TurningPose(Pose[Jet]):
+    """The pose of a body that moves and turns, whose rows are arrays: x, y and the angle are three coordinates after
+    each other."""
+
+    def place(self, v: Vector[Jet]) -> Vector[Jet]:
+        """What the sum of the pose and the turned vector comes to, for one that is fixed in the body: its gradient has
+        a single entry more than that of the mass centre, the turned vector a quarter turn on."""
+        if not (v.x.is_constant and v.y.is_constant):
+            return super().place(v)
+        a, b, cos, sin = v.x.value, v.y.value, self.cos, self.sin
+        along, left = a * cos.value - b * sin.value, a * sin.value + b * cos.value
+        turning = int(self.angle.gradient.argmax())
+        x, y = self.x.gradient.copy(), self.y.gradient.copy()
+        x[turning], y[turning] = -left, along
+        return Vector(
+            Jet(
+                self.x.value + along,
+                x,
+                self.x.rate + (a * cos.rate - b * sin.rate),
+                self.x.bias + (a * cos.bias - b * sin.bias),
+            ),
+            Jet(
+                self.y.value + left,
+                y,
+                self.y.rate + (a * sin.rate + b * cos.rate),
+                self.y.bias + (a * sin.bias + b * cos.bias),
+            ),
+        )
+
+
 def entries_of(columns: Sequence[int], values: Array, n: int) -> Gradient:
     """A gradient of n entries with those of some coordinates."""
     if n > LARGE:
@@ -270,7 +300,8 @@ class JetGeometry:
             return Pose(x, y, Jet(0.0), Jet(1.0), Jet(0.0))
         theta = turning[0]
         c, s = math.cos(theta.value), math.sin(theta.value)
-        return Pose(x, y, theta, theta.chain(c, -s, -c), theta.chain(s, c, -s))
+        pose = Pose if self._unit_rows is None else _TurningPose
+        return pose(x, y, theta, theta.chain(c, -s, -c), theta.chain(s, c, -s))
 
     def tangent(self, v: Vector[Jet], offset: Jet) -> tuple[Jet, Jet]:
         # v = l e(a) + offset n(a):  l = sqrt(|v|^2 - offset^2),  a = atan2(v_y, v_x) - atan2(offset, l)

@@ -99,8 +99,12 @@ class Fit:
     weights: Array  # make the gaps numbers by the size of the system
     extent: float  # how far the system reaches, by its size
     equations: Sequence[PoseEquation]
-    branches: Mapping[Branch, float]
+    geometry: JetGeometry  # at the pose, in which the equations were looked at
     n_steps: int = 0  # that led to it
+
+    @property
+    def branches(self) -> Mapping[Branch, float]:
+        return self.geometry.angles
 
     @property
     def error(self) -> float:
@@ -278,7 +282,7 @@ class Placing:
             return None
         weights = np.array([1.0 / self.sizes.length if equation.unit == "m" else 1.0 for equation in equations])
         extent = max(1.0, self.sizes.relative(q).max(initial=0.0))
-        return Fit(q, values, rows, weights, extent, equations, g.angles)
+        return Fit(q, values, rows, weights, extent, equations, g)
 
 
 def rows_of(jets: Sequence[Jet], n: int) -> Array | SparseRows:

@@ -54,9 +54,9 @@ class Reference(NumericSystem):
         if self.system.mode is not None and guess is None and not extra:
             from freebody.numeric.mobility.modes import chosen
 
-            self.remember(fit.q, fit.branches)
+            self.remember_at(fit.geometry)
             fit = assembled(self, extra, chosen(self, fit.q, self.system.mode))
-        self.remember(fit.q, fit.branches)
+        self.remember_at(fit.geometry)
         if not extra:
             self._check_lines(fit.q)
         return fit.q
@@ -64,7 +64,7 @@ class Reference(NumericSystem):
     def _check_lines(self, q: Array) -> None:
         """Raises CannotAnswer where something is held along a line that has no length at the start: a link, a belt or
         a mesh of wheels with one centre has no direction in which it could act."""
-        g = self.geometry(q, np.zeros_like(q), 0.0)
+        g = self.at_rest(q)
         for row in self.system.constraint_rows:
             if isinstance(row.measure, NonholonomicForm) or not row.measure.incremental:
                 continue
@@ -113,7 +113,7 @@ class Reference(NumericSystem):
         """Velocities of least kinetic energy [m/s, rad/s] that hold what is held and have the rates of the
         model's start; `extra` rates replace those. Where the start is a blow, those after it. Without `with_start` only
         the `extra` rates are asked for. Raises CannotAnswer naming a rate that contradicts."""
-        g = self.geometry(q, np.zeros_like(q), t)
+        g = self.at_rest(q, t)
         if with_start and self.system.is_struck:
             return blow(self, g, extra).after
         return start_velocities(self, g, extra, with_start=with_start)

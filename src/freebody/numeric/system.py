@@ -40,6 +40,7 @@ class NumericSystem:
         """values: by parameter name, in SI; a parameter left out keeps the value of the model. Raises
         CannotAnswer naming the parameters without a value."""
         self.system = system
+        self._known_numbers: dict[int, tuple[Expr, float]] = {}  # at t = 0, with the tree whose number it is
         numbers = _numbers(system, values or {})
         columns: dict[str, tuple[int, ...]] = {}
         n_places, n_turns = (3, 3) if system.space else (2, 1)
@@ -64,6 +65,8 @@ class NumericSystem:
         self._parts: dict[frozenset[str], Self] = {}
         self.branches: dict[Branch, float] = {}
         self._origins: dict[int, float] | None = None
+        # the pose that was remembered last, with the angles that were met there
+        self._remembered: tuple[JetGeometry, Mapping[Branch, float]] | None = None
         self._without_origin: dict[int, str] = {}  # by number of a measure: why it has no value at the start
 
     def _moments_of(self, body: RigidBody) -> tuple[Array, Array]:
@@ -184,7 +187,12 @@ class NumericSystem:
     # -- where measures count from ------------------------------------------------------------
     def remember(self, q: Array, branches: Mapping[Branch, float]) -> None:
         """From this pose incremental measures count, and the angles of lines go on from here."""
-        g = self.geometry(q, np.zeros_like(q), 0.0, branches)
+        self.remember_at(self.geometry(q, np.zeros_like(q), 0.0, branches))
+
+    def remember_at(self, g: JetGeometry) -> None:
+        """The same of a pose that was looked at already, without velocities at t = 0."""
+        if g.frame is not self.frame:  # of a part
+            g = self.geometry(g.q, np.zeros_like(g.q), 0.0, g.angles)
         everything: list[tuple[str, Measure | NonholonomicForm]] = [
             *((row.name, row.measure) for row in self.system.constraint_rows),
             *((push.name, push.measure) for push in self.system.all_loads),
@@ -203,7 +211,16 @@ class NumericSystem:
             else:
                 if counts:
                     origins[self.frame.number(measure)] = jet.value
-        self.branches, self._origins = g.angles, origins
+        self.branches, self._origins = dict(g.angles), origins
+        self._remembered = g, self.branches
+
+    def at_rest(self, q: Array, t: float = 0.0) -> JetGeometry:
+        """What measures see at a pose without velocities; that of the start was looked at already."""
+        if self._remembered is not None:
+            g, branches = self._remembered
+            if t == 0.0 and branches is self.branches and np.array_equal(g.q, q):
+                return g
+        return self.geometry(q, np.zeros_like(q), t)
 
     @property
     def counts(self) -> bool:
@@ -255,6 +272,14 @@ class NumericSystem:
     # -- numbers and names --------------------------------------------------------------------
     def number(self, expr: Expr, t: float = 0.0) -> float:
         """Value of an expression in the parameters and time."""
+        known = self._known_numbers.get(id(expr)) if t == 0.0 else None
+        if known is None:  # the same trees are asked for many times
+            known = expr, self._number(expr, t)
+            if t == 0.0:
+                self._known_numbers[id(expr)] = known
+        return known[1]
+
+    def _number(self, expr: Expr, t: float) -> float:
         if isinstance(expr, Number):
             return float(expr.value)
         with named("a number of the model"):

@@ -15,7 +15,7 @@ from freebody.present.layout import Layout, bounds, headings
 from freebody.present.marks import ContactTrack
 from freebody.present.pen import Pen
 from freebody.present.scene import Scene
-from freebody.present.strokes import Caption, Path, Stretch, Stroke, paths_points, stroke_points
+from freebody.present.strokes import Caption, Path, Stretch, Stroke, paths_corners, stroke_points
 from freebody.present.surfaces import Surfaces, surplus
 
 _NARROWEST, _LOWEST = 0.6, 0.35  # width by height of a picture, and height by width
@@ -83,10 +83,9 @@ class Drawing:
     def _frame(self, least: tuple[float, float]) -> None:
         """Sets the corners round all strokes so far."""
         frames = self.key_frames()
-        paths = [stroke for stroke in self.strokes if isinstance(stroke, Path)]
-        seen = [paths_points(paths, self.poses[frames])]
-        seen.extend(self.points(s, k) for s in self.strokes if not isinstance(s, Path) for k in frames)
-        low, high = box_round(np.concatenate([*seen, self.low[None], self.high[None]]))
+        corners = paths_corners([stroke for stroke in self.strokes if isinstance(stroke, Path)], self.poses[frames])
+        seen = [self.points(s, k) for s in self.strokes if not isinstance(s, Path) for k in frames]
+        low, high = box_round(np.concatenate([*seen, corners, self.low[None], self.high[None]]))
         margin = 3 * self.symbol
         wide, tall = high - low + 2 * margin
         middle = (low + high) / 2

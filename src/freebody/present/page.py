@@ -24,6 +24,7 @@ from freebody.present.scene import Scene
 from freebody.present.theme import THEMES
 
 ANGLE_DIGITS = 4
+_THEMES = {name: asdict(theme) for name, theme in THEMES.items()}
 _KEYS = (
     "Space plays and pauses, {step}, Home and End go to the ends; {turn}the wheel or plus and minus come nearer, "
     "a double click or 0 goes back."
@@ -100,7 +101,7 @@ class Pages:
             "frame": [rounded(v, 9) for v in self.front],
             "gravity": None if gravity is None else rounded(gravity, 9),
             "fixed": still,
-            "themes": {name: asdict(theme) for name, theme in THEMES.items()},
+            "themes": _THEMES,
             "points": self._points(),
             "columns": self.columns,
             **{"strokes": [], "marks": [], "pieces": [], "words": []},

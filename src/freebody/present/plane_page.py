@@ -22,10 +22,10 @@ _ALONG_Z = np.array([(0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
 def page(drawing: Drawing, times: Array, title: str) -> Pages:
     """The page. times: (n_times,) [s], equally spaced, of the poses of the drawing."""
     digits = digits_of(float((drawing.high - drawing.low).max()))
-    columns: list[list[float]] = []
-    for pose in np.moveaxis(drawing.poses, 0, -1):
-        columns += [rounded(pose[0], digits), rounded(pose[1], digits), rounded(pose[2], ANGLE_DIGITS)]
-    columns += [rounded(track, ANGLE_DIGITS) for track in drawing.headings.T]
+    poses = np.moveaxis(drawing.poses, 0, -1)  # of each body x, y and the angle over time
+    places, angles = rounded(poses[:, :2], digits), rounded(poses[:, 2], ANGLE_DIGITS)
+    columns = [track for (x, y), angle in zip(places, angles, strict=True) for track in (x, y, angle)]
+    columns += rounded(drawing.headings.T, ANGLE_DIGITS)
     script = _Strokes(len(drawing.scene.names), digits + 1)
     own = {
         "symbol": drawing.symbol,

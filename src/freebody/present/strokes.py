@@ -73,7 +73,9 @@ def stroke_points(stroke: Stroke, pose: Array, every: Array) -> Array:
     if isinstance(stroke, Strand):
         return _strand_points(stroke, pose, every)
     if isinstance(stroke, Path):
-        return paths_points([stroke], pose)
+        every = with_ground(pose)
+        x, y = _path_points(stroke, every, np.cos(every[..., 2]), np.sin(every[..., 2]))
+        return np.stack((x[0], y[0]), axis=-1)
     a, b = positions(pose, stroke.first)[0], positions(pose, stroke.second)[0]
     along = b - a
     length = float(np.hypot(*along))
@@ -83,23 +85,25 @@ def stroke_points(stroke: Stroke, pose: Array, every: Array) -> Array:
     return a + stroke.points[:, :1] * along + stroke.points[:, 1:] * left
 
 
-def paths_points(strokes: Sequence[Path], poses: Array) -> Array:
-    """(n, 2) [m] all points of some strokes at many instants together, which a picture has to have in it."""
-    if not strokes:
-        return np.zeros((0, 2))
-    every, n = with_ground(poses), [len(stroke.points) for stroke in strokes]
-    axes = np.stack((turned(every[..., 2], 1.0, 0.0), turned(every[..., 2], 0.0, 1.0)), axis=-1)  # of each body, once
-    on, turn = [stroke.place.body for stroke in strokes], [stroke.turn for stroke in strokes]
-    arms = np.array([stroke.place.xy for stroke in strokes])
-    places = every[:, on, :2] + _along(axes[:, on], arms)
-    points = np.concatenate([stroke.points for stroke in strokes])
-    own = np.repeat(np.arange(len(strokes)), n)
-    return (places[:, own] + _along(axes[:, np.array(turn)[own]], points)).reshape(-1, 2)
+def paths_corners(strokes: Sequence[Path], poses: Array) -> Array:
+    """(n, 2) [m] the corners of boxes round each of some strokes at all of many instants."""
+    every = with_ground(poses)
+    cos, sin = np.cos(every[..., 2]), np.sin(every[..., 2])  # of each body, once
+    corners: list[tuple[float, float]] = []
+    for stroke in strokes:
+        x, y = _path_points(stroke, every, cos, sin)
+        corners += [(float(x.min()), float(y.min())), (float(x.max()), float(y.max()))]
+    return np.array(corners).reshape(-1, 2)
 
 
-def _along(axes: Array, points: Array) -> Array:
-    """(n_times, n, 2) points (n, 2) along axes (n_times, n, 2, 2), whose columns they are."""
-    return axes[..., 0] * points[:, :1] + axes[..., 1] * points[:, 1:]
+def _path_points(stroke: Path, every: Array, cos: Array, sin: Array) -> tuple[Array, Array]:
+    """(n_times, n) [m] the coordinates of the points of a stroke. every: (n_times, n_bodies + 1, 3) with that of the
+    ground; cos, sin: of its angles"""
+    on, turn, (a, b) = stroke.place.body, stroke.turn, stroke.place.xy
+    c, s, points = cos[:, on], sin[:, on], stroke.points
+    x, y = every[:, on, 0] + (c * a - s * b), every[:, on, 1] + (s * a + c * b)
+    c, s = cos[:, turn, None], sin[:, turn, None]
+    return x[:, None] + (c * points[:, 0] - s * points[:, 1]), y[:, None] + (s * points[:, 0] + c * points[:, 1])
 
 
 def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:

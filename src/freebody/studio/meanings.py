@@ -52,9 +52,19 @@ class _Said:
     forces: dict[str, None] = field(default_factory=dict[str, None])
 
 
+def typeset(symbol: str) -> str:
+    """A symbol in MathML."""
+    return to_mathml(Symbol(symbol))
+
+
+def letters(math: str) -> str:
+    """What the letters of a symbol in MathML are on a page."""
+    return _TAG.sub("", math)
+
+
 def shown(symbol: str) -> str:
     """What the letters of a symbol are on a page."""
-    return _TAG.sub("", to_mathml(Symbol(symbol)))
+    return letters(typeset(symbol))
 
 
 def _all(system: System) -> Iterator[tuple[str, Iterable[str], str, str]]:

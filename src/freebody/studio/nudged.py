@@ -23,6 +23,11 @@ from freebody.system.reading.start import rate_of
 from freebody.system.system import System
 
 _NUDGED = ("parameters", "start")
+# what a system finds out about itself from its bodies, connections and loads alone, whatever the numbers are
+_LASTING = (
+    *("_moving", "material", "all_moving", "all_measures", "all_loads"),
+    *("bounds", "dry_friction", "_rows", "borders", "glyphs", "_sites", "groups", "touched"),
+)
 
 
 def nudged(before: System, document: Document) -> System | None:
@@ -45,7 +50,9 @@ def nudged(before: System, document: Document) -> System | None:
     given = {**before.parameters, **read}
     own = copy(before.names)
     own.parameters = given
-    return replace(before, parameters=given, start=starts[0], start_rates=starts[1], document=document, names=own)
+    system = replace(before, parameters=given, start=starts[0], start_rates=starts[1], document=document, names=own)
+    vars(system).update({name: vars(before)[name] for name in _LASTING if name in vars(before)})
+    return system
 
 
 def _changes(old: Any, new: Any) -> dict[str, Any] | None:

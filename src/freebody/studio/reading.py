@@ -10,7 +10,7 @@ from typing import Any, cast
 from freebody.errors import FreebodyError, ModelError, Problem
 from freebody.language.document import Document, Place
 from freebody.messages import Message
-from freebody.studio.meanings import shown
+from freebody.studio.meanings import letters, typeset
 from freebody.studio.nudged import nudged
 from freebody.studio.telling import told
 from freebody.studio.wire.said import Language, Span
@@ -226,9 +226,17 @@ def _number(document: Document, places: Places, section: Any, path: Place, *, is
     if span is not None and span[0] < span[1]:
         text = places.text[slice(*span)]
         name = str(path[1])
-        symbol = shown(name) if name.isidentifier() else ""
+        math = typeset(name) if name.isidentifier() else ""
         at = places.span(*span)
-        yield Parameter(name=name, symbol=symbol, section=section, text=text, span=at, is_positive=is_positive)
+        yield Parameter(
+            name=name,
+            symbol=letters(math),
+            math=math,
+            section=section,
+            text=text,
+            span=at,
+            is_positive=is_positive,
+        )
 
 
 _latest: list[Document] = []  # what was read last: a slider moves one number of it

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -31,6 +32,11 @@ from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.numbers import Numbers
 
 
+@cache
+def _fields_of(measure: type[Any]) -> tuple[str, ...]:
+    return tuple(f.name for f in fields(measure))
+
+
 class Packing:
     """Collects measures, rows, held rows and loads of a system; `written` makes arrays of them."""
 
@@ -38,11 +44,13 @@ class Packing:
         self.numbers = numbers
         self.cells = cells_of(numbers)
         self.measures = self.cells.measures
+        self._kind_names = frozenset(kind.name for kind in self.measures.kinds)
         self._bodies = {body.name: k for k, body in enumerate(numbers.system.all_moving)}
         self.n_bodies = len(self._bodies)
         self.constant_force = np.zeros((self.n_bodies + 1, 3 * self.measures.width))
         self._measures: list[dict[MeasureKey, int]] = [{} for _ in self.measures.kinds]
         self.pieces: list[tuple[int, MeasureKey]] = []
+        self._gradients: dict[tuple[int, MeasureKey], Floats] = {}
         self.part_lent = 1.0  # of what massless bodies are lent
         self.reads_turns = False  # whether held rows or loads depend on turns
         self._with_bearing: dict[int, tuple[Measure, float, float | None]] = {}
@@ -64,14 +72,14 @@ class Packing:
     def _elementary(self, measure: Measure) -> Base | None:
         """A row of one elementary measure, entered in the arrays of its kind."""
         name, kinds = type(measure).__name__, self.measures.kinds
-        if all(kind.name != name for kind in kinds):
+        if name not in self._kind_names:
             return None
+        values = [(f, getattr(measure, f)) for f in _fields_of(type(measure))]
         bodies: list[int] = []
         numbers: list[float] = []
         constant = 0.0
         on_ground: set[str] = set()
-        for f in fields(measure):  # pyrefly: ignore[bad-argument-type]
-            value: Any = getattr(measure, f.name)
+        for field, value in values:
             if isinstance(value, Point):
                 body, components = self._body(value.body), self.cells.point(value)
             elif isinstance(value, Direction):
@@ -79,17 +87,17 @@ class Packing:
             elif isinstance(value, str):
                 body, components = self._body(value), self.cells.axes(value)
                 if body == self.n_bodies:  # the angle of a fixed body is a number
-                    constant += self._fixed_angle(f.name, value)
+                    constant += self._fixed_angle(field, value)
             else:
                 numbers.append(self.numbers.number(value))
                 continue
             bodies.append(body)
             numbers += components
             if body == self.n_bodies:
-                on_ground.add(f.name)
+                on_ground.add(field)
         index = next(i for i, kind in enumerate(kinds) if kind.name == name and set(kind.fixed) <= on_ground)
         kind = kinds[index]
-        names = [f.name for f in fields(measure) if isinstance(getattr(measure, f.name), (Point, Direction, str))]  # pyrefly: ignore[bad-argument-type]
+        names = [field for field, value in values if isinstance(value, (Point, Direction, str))]
         bodies = [b for n, b in zip(names, bodies, strict=True) if n not in kind.fixed]
         key = (tuple(bodies), tuple(numbers))
         known = self._measures[index]
@@ -145,9 +153,10 @@ class Packing:
 
     def row(self, measure: Measure | NonholonomicForm) -> Where:
         """The row of a measure, made when it is first asked for."""
-        if measure not in self.by_measure:
-            self.by_measure[measure] = self._new_row(measure)
-        return self.by_measure[measure]
+        known = self.by_measure.get(measure)
+        if known is None:
+            known = self.by_measure[measure] = self._new_row(measure)
+        return known
 
     def setting(self, measure: Measure) -> None:
         """Enters a number that a motion sets (`Written.set`): a row of its own, of no pose."""
@@ -170,10 +179,10 @@ class Packing:
         return "other", len(self.other) - 1
 
     def _enter(self, base: Base) -> int:
-        if base not in self._base:
-            self._base[base] = len(self.bases)
+        place = self._base.setdefault(base, len(self.bases))
+        if place == len(self.bases):
             self.bases.append(base)
-        return self._base[base]
+        return place
 
     def _coefficient(self, coefficient: Component | Measure) -> Where:
         return self.row(coefficient if not isinstance(coefficient, Component) else _component(coefficient))
@@ -336,6 +345,11 @@ class Packing:
 
     def constant_gradient(self, index: int, key: MeasureKey) -> Floats:
         """The gradient of a measure of a kind, as far as it is the same in every pose; NaN where it changes."""
+        if (index, key) not in self._gradients:
+            self._gradients[index, key] = self._constant_gradient(index, key)
+        return self._gradients[index, key]
+
+    def _constant_gradient(self, index: int, key: MeasureKey) -> Floats:
         kind, (_bodies, numbers) = self.measures.kinds[index], key
         n = 3 * self.measures.width * kind.n_bodies
         gradient = np.zeros(n)

@@ -122,11 +122,12 @@ class Element(Said):
 
 
 class Parameter(Said):
-    """A number that can be moved: a parameter, or a value of the start. symbol: as pictures have it; text: as it stands
-    in the file, with its unit"""
+    """A number that can be moved: a parameter, or a value of the start. symbol: as pictures have it; math: in MathML,
+    empty where the name is no symbol; text: as it stands in the file, with its unit"""
 
     name: str
     symbol: str
+    math: str
     section: Literal["parameters", "start"]
     text: str
     span: Span
