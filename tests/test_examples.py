@@ -316,6 +316,12 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "middle": "cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
         "ratio": "1",
     },
+    # the momentum m x v w of trolley and load grows by both v and w (Coriolis); the load hangs r beyond the axle
+    "slewing_crane": {
+        "freedom": "0",
+        "rope": "m*g",
+        "moment": "2*v*w*(M*(x0 + v*t) + m*(x0 + r + v*t))",
+    },
     # one string: m_2 g moves both masses and half of each wheel, a disk whose I/r^2 is M/2
     "cable_round_a_corner": {
         "freedom": "1",
