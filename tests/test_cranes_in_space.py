@@ -59,6 +59,19 @@ def test_a_crane_lifts_as_if_it_stood_still_and_slews_with_its_load_below_the_ri
     assert found["slewing"] == pytest.approx(1000 / (J + M * (ARM + R) ** 2), rel=1e-10)
 
 
+def test_the_tower_of_a_crane_carries_the_load_by_its_arm_alone() -> None:
+    """Jib, wheels and the rope on them are one body: the winch draws it down along the axis of slewing, the load at the
+    arm l + r, both with T."""
+    more = """
+  - {id: moment, find: reaction moment of slewing at start}
+  - {id: force, find: reaction of slewing at start}
+"""
+    found = values_of(crane().replace("phi: 0.3, rate(phi): 0.2", "phi: 0, rate(phi): 0") + more)
+    rope = found["tension"]
+    assert found["force"][2] == pytest.approx(1000 * G + 2 * rope, rel=1e-10)
+    assert found["moment"][1] == pytest.approx(-rope * (ARM + R), rel=1e-10)
+
+
 def test_a_trolley_that_runs_out_while_the_jib_turns_asks_for_twice_its_momentum() -> None:
     """Coriolis: d(m x^2 w)/dt = 2 m x v w, of the trolley at x and the load at x + r."""
     found = values_of((FOLDER / "slewing_crane.yaml").read_text())

@@ -21,6 +21,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, ZERO, Components, Direction, Point
+from freebody.measures.turn import Alignment
 from freebody.model.elements import Attitude, ConstraintRow, RigidBody
 from freebody.model.rotations import (
     UNIT,
@@ -181,6 +182,10 @@ class StandingInSpace:
             is_along = (number_of(self.names, dot(seen, axis)) > 0.0) == is_first
             turned = (*turned, (ONE if is_along else negate(ONE), angle))
         other = attitude.second if is_first else attitude.first
+        if not attitude.turns:  # -b . c' is zero, of the rate w . n: with it nothing that turns a wheel acts on this
+            b, c = perpendiculars(kept.components)
+            beyond = Direction(other, applied(others, applied(transposed(own), c)))
+            turned = (*turned, (negate(ONE), Alignment(beyond, Direction(body, b))))
         return other, KeptDirection(applied(others, seen), turned)
 
     # -- places along a direction -------------------------------------------------------------------

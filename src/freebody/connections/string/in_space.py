@@ -21,8 +21,8 @@ off the wheel. A body that nothing else holds hangs straight down from it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.standing import is_zero, number_of, vanishes
@@ -33,8 +33,10 @@ from freebody.connections.string.swivel import SwivelLeads
 from freebody.connections.string.way_in_space import dot_product
 from freebody.language.expression import Call, Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
+from freebody.measures.turn import Alignment
 from freebody.model.elements import ConstraintRow
 from freebody.model.rotations import UNIT, dot, perpendiculars, vector_product
 from freebody.tolerances import ROUND_OFF
@@ -46,9 +48,17 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class SpatialRun(StringRun):
     """A string on its way in space. hung: of what hangs on it, its number on the way, and the directions across the
-    lead with the point from which it is held along each, and how far."""
+    lead with the point from which it is held along each, and how far. swivels: see `SwivelLeads`."""
 
     hung: tuple[tuple[int, tuple[tuple[Direction, Point, Expr], ...]], ...] = ()
+    swivels: Mapping[int, Direction] = field(default_factory=dict)
+
+    def held_turn(self, k: int) -> tuple[tuple[Expr, Measure], ...]:
+        lead, beyond, plane = self.leads[k], self.swivels.get(k), self.way[k + 1].plane
+        if lead is None or beyond is None or plane is None:
+            return ()
+        aside = Direction(beyond.body, vector_product(plane.normal.components, beyond.components))
+        return ((negate(self.arms[k + 1]), Alignment(aside, lead)),)
 
     @property
     def hooks(self) -> dict[str, Any]:
@@ -154,7 +164,7 @@ class _Laying(SwivelLeads):
             if (turns[k], turns[k + 1]) not in fits:
                 self.leads[k] = None
         hung = tuple((k, self._sides(k, j, arms)) for k, j in self.hanging.items())
-        return SpatialRun(self.way, self.leads, turns, arms, hung)
+        return SpatialRun(self.way, self.leads, turns, arms, hung, self.swivels)
 
     def _sides(self, k: int, j: int, arms: list[Expr]) -> tuple[tuple[Direction, Point, Expr], ...]:
         """Of what hangs at one place P from a wheel at C: by n . (C_2 - C_1) = s_2 R_2 - s_1 R_1 across the lead in the

@@ -5,6 +5,15 @@ to the jib along the axis of slewing. On that axis, P + x e, a wheel round which
 rim where
 
     n . (P - C) = 0,      (n x e) . (P - C) = -s R.
+
+Its length is e . (C_2 - C_1), with e as the first of the two bodies has it. In a virtual rotation, whose moments are
+what the swivel has to hold, e turns with the first body, and the angles of the wheels are counted on their own bodies:
+
+    e . (C_2 - C_1)                turns the first body by s_2 R_2 n_2 - s_1 R_1 n_1
+    the angles of the wheels       turn the first one by s_1 R_1 n_1, and the second one by -s_2 R_2 n_2.
+
+But the string touches the wheels alone: -s_2 R_2 (n_2 x e) . e, which is zero, has the rate s_2 R_2 n_2 . (w_2 - w_1) and
+takes the rest off both.
 """
 
 from __future__ import annotations
@@ -29,6 +38,7 @@ class SwivelLeads(WaySeen):
 
     def __init__(self, still: StandingInSpace, way: list[StringNode]) -> None:
         super().__init__(still, way)
+        self.swivels: dict[int, Direction] = {}  # leads along an axis of turning: that as the body at their end has it
         self.senses: list[int | None] = [None if n.plane is None else _SENSES.get(n.turn or "") for n in way]
 
     def agree(self, k: int, senses: tuple[int, int]) -> bool:
@@ -97,7 +107,7 @@ class SwivelLeads(WaySeen):
                 self.names.problem(told)
                 return False
             senses.append(-ahead if now[0] > 0.0 else ahead)
-        self.leads[k] = along[0] if ahead > 0 else opposite(along[0])
+        self.leads[k], self.swivels[k] = along if ahead > 0 else (opposite(e) for e in along)
         return self.agree(k, (senses[0], senses[1]))
 
     def _ahead(self, k: int, along: Direction) -> int | None:

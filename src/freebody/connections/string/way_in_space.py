@@ -30,7 +30,7 @@ class WaySeen:
         if len(self.names.fields) == 1:
             ((down, _strength),) = self.names.fields
             still = self.still.on_ground(down)
-            if still is not None and not still[1]:
+            if still is not None:
                 return opposite(still[0])
         return Direction(GROUND, self.names.up)
 
