@@ -41,6 +41,8 @@ class Connection(Spec):
     is_rigid: ClassVar[bool] = False
     lets_turn: ClassVar[bool] = False
     lets_hang: ClassVar[bool] = False
+    # in space what it holds follows from the joints of its bodies, and holds none of them anywhere
+    follows_joints: ClassVar[bool] = False
     # its forces act where its bodies touch: people call the place "the contact point"
     has_contact_point: ClassVar[bool] = False
 

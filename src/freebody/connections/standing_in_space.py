@@ -81,7 +81,7 @@ class StandingInSpace:
         found: dict[str, list[_Joint]] = {name: [] for name in self.names.bodies}
         with self.names.quietly():  # of a joint they are told where it stands
             for name, connection in self.names.connections.items():
-                if name in self.names.closing_later or connection.lets_hang:
+                if name in self.names.closing_later or connection.lets_hang or connection.follows_joints:
                     continue
                 rows = (row for row in connection.rows(self.names) if isinstance(row.measure, Displacement))
                 kept = tuple(row for row in rows if not row.unilateral and not row.is_driven)
@@ -291,8 +291,9 @@ class StandingInSpace:
     def _beginnings(self) -> list[tuple[Measure, Expr]]:
         """Measures with where they start: those that the file lets start somewhere, and those that drivers move."""
         names = self.names
+        joints = [c for c in names.connections.values() if not (c.lets_hang or c.follows_joints)]
         with names.quietly():
-            rows = [row for c in names.connections.values() if not c.lets_hang for row in c.rows(names)]
+            rows = [row for c in joints for row in c.rows(names)]
         driving = (row for row in rows if row.reaction.startswith("driving "))
         driven = ((row.measure, substitute(row.target or ZERO, {"t": ZERO})) for row in driving)
         named = ((names.measures.get(name), begun) for name, begun in names.placed_at_start.items())

@@ -86,17 +86,17 @@ def _in_planes(space: StandingInSpace, way: Sequence[StringNode]) -> list[String
     """The places on a way with the planes of their wheels; None with a problem noted."""
     found: list[StringNode] = []
     for node in way:
-        plane = None if node.radius == ZERO else _plane(space, node)
+        plane = None if node.radius == ZERO else wheel_plane(space, node.body)
         if node.radius != ZERO and plane is None:
             return None
         found.append(replace(node, plane=plane))
     return found
 
 
-def _plane(space: StandingInSpace, node: StringNode) -> WheelPlane | None:
-    """The plane across the axis of a wheel: that of its bearing, or its own."""
+def wheel_plane(space: StandingInSpace, wheel: str) -> WheelPlane | None:
+    """The plane across the axis of a wheel: that of its bearing, or its own; None with a problem noted."""
     names = space.names
-    body = names.known(node.body)
+    body = names.known(wheel)
     axles: list[Direction] = []
     carrier = names.ground_origin
     for connection in names.connections.values():
@@ -117,20 +117,20 @@ def _plane(space: StandingInSpace, node: StringNode) -> WheelPlane | None:
             normal, turned = still
             along, side = (Direction(frame, v) for v in perpendiculars(normal.components))
             return WheelPlane(normal, along, side, turned, carrier)
-    names.problem(_not_carried(node) if axles else _without_axle(node))
+    names.problem(_not_carried(wheel) if axles else _without_axle(wheel))
     return None
 
 
-def _without_axle(wheel: StringNode) -> Message:
-    return Message("nothing says about which axis {wheel} turns: hold it by a revolute joint", wheel=wheel.body)
+def _without_axle(wheel: str) -> Message:
+    return Message("nothing says about which axis {wheel} turns: hold it by a revolute joint", wheel=wheel)
 
 
-def _not_carried(wheel: StringNode) -> Message:
+def _not_carried(wheel: str) -> Message:
     """What is told of a wheel whose axis tilts."""
     return Message(
         "the axis of {wheel} does not keep its direction: a string in space runs over wheels that turn about axes "
         "fixed on the ground, or on bodies that do not tilt them (revolute, prismatic)",
-        wheel=wheel.body,
+        wheel=wheel,
     )
 
 
@@ -261,7 +261,7 @@ class _Laying(SwivelLeads):
                 told = Message(
                     "in space a wheel that hangs on a string is held by a joint: {body}", body=self.way[hung].body
                 )
-            names.problem(told if up is not None else _not_carried(self.way[wheel]))
+            names.problem(told if up is not None else _not_carried(self.way[wheel].body))
             return False
         self.leads[k] = up if first_hangs else opposite(up)
         self.hanging.setdefault(hung, wheel)

@@ -12,8 +12,8 @@ what the swivel has to hold, e turns with the first body, and the angles of the 
     e . (C_2 - C_1)                turns the first body by s_2 R_2 n_2 - s_1 R_1 n_1
     the angles of the wheels       turn the first one by s_1 R_1 n_1, and the second one by -s_2 R_2 n_2.
 
-But the string touches the wheels alone: -s_2 R_2 (n_2 x e) . e, which is zero, has the rate s_2 R_2 n_2 . (w_2 - w_1) and
-takes the rest off both.
+But the string touches the wheels alone: -s_2 R_2 (n_2 x e) . e, which is zero, has the rate s_2 R_2 n_2 . (w_2 - w_1),
+which takes the rest off both.
 """
 
 from __future__ import annotations
