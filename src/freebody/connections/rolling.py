@@ -96,7 +96,8 @@ connections:
         return names.line(self.on) is not None
 
     def _round_in_space(self, names: Names) -> RigidBody | None:
-        """The sphere or cylinder on or in which a sphere rolls, or the cylinder on or in which another does, unless all that moves stays in the plane of x and y."""
+        """The sphere or cylinder on or in which a sphere rolls, or the cylinder on or in which another one does, unless
+        all that moves stays in the plane of x and y."""
         body, other = (names.bodies.get(name) for name in (self.body, str(self.on or self.inside)))
         if body is None or other is None or not names.space or (body.round != "sphere" and body.solid != CYLINDER):
             return None
