@@ -316,8 +316,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "middle": "cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
         "ratio": "1",
     },
-    # a pendulum of the length 3 (R - r)/2: its kinetic energy is 3/4 m v^2
-    "roller_in_a_half_pipe": {"freedom": "1", "period": "2*pi*sqrt(3*(R - r)/(2*g))"},
+    # its centre runs on a circle of the radius R - r
+    "roller_in_a_half_pipe": {"freedom": "1", "pressed": "m*(g + v**2/(R - r))", "rising": "v**2/(R - r)"},
     # m v^2/(R - r) round the wall; downwards 7/5 m z'' = -m g, as on a wall that does not bend
     "ball_in_a_pipe": {"freedom": "3", "pressed": "m*v**2/(R - r)", "acceleration": "-5*g/7"},
     # the momentum m x v w of trolley and load grows by both v and w (Coriolis); the load hangs r beyond the axle

@@ -95,3 +95,22 @@ loads: {{weight: {{gravity: {{strength: {g}, along: -z}}}}}}
     found = fb.System.from_text(text).solve("period of small oscillations").answers[0].value
     mass = m + 1 / (2 / m + R**2 / J)  # that moves with the centre
     assert found == pytest.approx(2 * math.pi * math.sqrt(mass * (R - r) / (m * g)), rel=1e-9)
+
+
+def test_a_roller_rises_in_a_pipe_by_three_halves_of_what_slides() -> None:
+    """3/4 m v^2 = m g h; in small swings it is a pendulum of the length 3 (R - r)/2."""
+    s, v = R - r, 0.8
+    text = f"""
+space: {{up: z}}
+bodies:
+  pipe: {{cylinder: {{mass: 1, radius: {R}, length: 2, axis: x}}, fixed: true, at: [0, 0, 0]}}
+  roller: {{cylinder: {{mass: 0.2, radius: {r}, length: 1, axis: x}}, at: [0, 0, {-s}]}}
+connections: {{touch: {{rolling: {{body: roller, inside: pipe}}}}}}
+loads: {{weight: {{gravity: {{strength: {G}, along: -z}}}}}}
+measures: {{h: z of roller, y: y of roller}}
+start: {{rate(y): {v}}}
+"""
+    system = fb.System.from_text(text)
+    assert system.solve("h when rate(y) = 0").answers[0].value == pytest.approx(-s + 0.75 * v**2 / G, rel=1e-9)
+    period = system.solve("period of small oscillations").answers[0].value
+    assert period == pytest.approx(2 * math.pi * math.sqrt(1.5 * s / G), rel=1e-9)
