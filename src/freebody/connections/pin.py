@@ -43,8 +43,7 @@ class Pin(Connection, kind="pin"):
 
     in_plane = True
     in_space_take: ClassVar[Message | None] = Message(
-        "a hinge is revolute: {{first: ground.A, second: rod.start, about: z}}, and a ball joint spherical: {{first: "
-        "ground.A, second: rod.start}}"
+        "a hinge is revolute: {{first: ground.A, second: rod.start, about: z}}, and a ball joint is spherical"
     )
     lets_turn: ClassVar[bool] = True
     with_copies: ClassVar[Literal["", "each", "together"]] = "each"
