@@ -316,6 +316,16 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "middle": "cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
         "ratio": "1",
     },
+    # its centre runs on a circle of the radius R - r
+    "roller_in_a_half_pipe": {"freedom": "1", "pressed": "m*(g + v**2/(R - r))", "rising": "v**2/(R - r)"},
+    # m v^2/(R - r) round the wall; downwards 7/5 m z'' = -m g, as on a wall that does not bend
+    "ball_in_a_pipe": {"freedom": "3", "pressed": "m*v**2/(R - r)", "acceleration": "-5*g/7"},
+    # the momentum m x v w of trolley and load grows by both v and w (Coriolis); the load hangs r beyond the axle
+    "slewing_crane": {
+        "freedom": "0",
+        "rope": "m*g",
+        "moment": "2*v*w*(M*(x0 + v*t) + m*(x0 + r + v*t))",
+    },
     # one string: m_2 g moves both masses and half of each wheel, a disk whose I/r^2 is M/2
     "cable_round_a_corner": {
         "freedom": "1",

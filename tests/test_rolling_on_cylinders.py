@@ -59,3 +59,58 @@ def test_a_ball_leaves_a_level_roller_where_the_cosine_is_ten_seventeenths(axis:
     c, push = result.dataset["h"].values / s, result.dataset["touch.normal_force"].values
     assert push[rolls] == pytest.approx(0.2 * G * (17 * c[rolls] - 10 * c_0) / 7, abs=1e-8)
     assert np.interp(leaving.time, result.dataset["time"].values, c) == pytest.approx(10 * c_0 / 17, abs=1e-5)
+
+
+@pytest.mark.parametrize(("axis", "up", "other"), [("x", "z", "y"), ("y", "x", "z")])
+def test_a_cylinder_leaves_a_fixed_one_where_the_cosine_is_four_sevenths(axis: str, up: str, other: str) -> None:
+    """(3/2) v^2/2 = g s (c_0 - c) with s = R + r, N = m g c - m v^2/s = m g (7 c - 4 c_0)/3."""
+    text = f"""
+space: {{up: {up}}}
+bodies:
+  trunk: {{cylinder: {{mass: 1, radius: {R}, length: 2, axis: {axis}}}, fixed: true, at: [0, 0, 0]}}
+  roller: {{cylinder: {{mass: 0.2, radius: {r}, length: 1, axis: {axis}}}}}
+connections: {{touch: {{rolling: {{body: roller, on: trunk}}}}}}
+loads: {{weight: {{gravity: {{strength: {G}, along: -{up}}}}}}}
+measures: {{h: {up} of roller, s: {other} of roller}}
+start: {{h: {(R + r) * math.cos(0.1)!r}, rate(h): 0, s: {(R + r) * math.sin(0.1)!r}}}
+"""
+    answer = fb.System.from_text(text).solve("h when contact of touch is lost").answers[0]
+    assert answer.value == pytest.approx((R + r) * math.cos(0.1) * 4 / 7, rel=1e-9)
+
+
+def test_a_roller_in_a_pipe_that_turns_swings_as_in_one_that_stands() -> None:
+    """In a pipe on an axle J theta'' = f R, (1/2) m r^2 phi'' = f r, m s'' = -m g s/(R - r) - f and, in small swings,
+    s' = R theta' - r phi' up to signs: what f moves yields by 2/m + R^2/J, and adds the inverse of that to m."""
+    m, J, g = 0.2, 4 * R**2 / 2, G
+    text = f"""
+space: {{up: z}}
+bodies:
+  pipe: {{cylinder: {{mass: 4, radius: {R}, length: 2, axis: x}}}}
+  roller: {{cylinder: {{mass: {m}, radius: {r}, length: 1, axis: x}}, at: [0, 0, {r - R}]}}
+connections:
+  axle: {{revolute: {{first: ground, second: pipe, about: x}}}}
+  touch: {{rolling: {{body: roller, inside: pipe}}}}
+loads: {{weight: {{gravity: {{strength: {g}, along: -z}}}}}}
+"""
+    found = fb.System.from_text(text).solve("period of small oscillations").answers[0].value
+    mass = m + 1 / (2 / m + R**2 / J)  # that moves with the centre
+    assert found == pytest.approx(2 * math.pi * math.sqrt(mass * (R - r) / (m * g)), rel=1e-9)
+
+
+def test_a_roller_rises_in_a_pipe_by_three_halves_of_what_slides() -> None:
+    """3/4 m v^2 = m g h; in small swings it is a pendulum of the length 3 (R - r)/2."""
+    s, v = R - r, 0.8
+    text = f"""
+space: {{up: z}}
+bodies:
+  pipe: {{cylinder: {{mass: 1, radius: {R}, length: 2, axis: x}}, fixed: true, at: [0, 0, 0]}}
+  roller: {{cylinder: {{mass: 0.2, radius: {r}, length: 1, axis: x}}, at: [0, 0, {-s}]}}
+connections: {{touch: {{rolling: {{body: roller, inside: pipe}}}}}}
+loads: {{weight: {{gravity: {{strength: {G}, along: -z}}}}}}
+measures: {{h: z of roller, y: y of roller}}
+start: {{rate(y): {v}}}
+"""
+    system = fb.System.from_text(text)
+    assert system.solve("h when rate(y) = 0").answers[0].value == pytest.approx(-s + 0.75 * v**2 / G, rel=1e-9)
+    period = system.solve("period of small oscillations").answers[0].value
+    assert period == pytest.approx(2 * math.pi * math.sqrt(1.5 * s / G), rel=1e-9)

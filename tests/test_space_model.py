@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -263,6 +264,43 @@ connections: {c1: {planar: {body: p, normal: x}}, c0: {pin: [ground.origin, p]}}
 """
     with pytest.raises(fb.ModelError, match="pin is a connection of the plane"):
         fb.System.from_text(text)
+
+
+@pytest.mark.parametrize(
+    ("kind", "instead"),
+    [
+        ("slider: {body: collar, along: [1, 2, -2]}", "a straight guide is prismatic: {first: ground.A"),
+        ("slider: {body: collar, along: [1, 2, -2]}", "of a particle or of one point of a body point_on_line"),
+        ("slot: {pin: collar, along: x}", "the guide of a point is point_on_line"),
+        ("pin: [ground.A, collar]", "a hinge is revolute"),
+    ],
+)
+def test_a_guide_of_the_plane_is_told_what_it_is_called_in_space(kind: str, instead: str) -> None:
+    text = f"""
+space: {{up: z}}
+ground: {{points: {{A: [0, 0, 3]}}}}
+bodies: {{collar: {{particle: {{mass: 2}}}}}}
+connections: {{rod: {{{kind}}}}}
+"""
+    with pytest.raises(fb.ModelError, match="is a connection of the plane: in space .*" + re.escape(instead)):
+        fb.System.from_text(text)
+
+
+def test_a_collar_slides_down_a_straight_rod_between_two_points_of_space() -> None:
+    """A rod that falls by 2 on a length of 3: (2/3) g along it, (4/9) g down, and m g sqrt(5)/3 across."""
+    text = """
+space: {up: z}
+ground: {points: {A: [0, 0, 3]}}
+bodies: {collar: {particle: {mass: 2}}}
+connections: {rod: {point_on_line: {point: collar, through: ground.A, along: [1, 2, -2]}}}
+loads: {weight: {gravity: {strength: 9.81, along: -z}}}
+measures: {h: z of collar}
+start: {h: 3, rate(h): 0}
+"""
+    system = fb.System.from_text(text)
+    assert system.solve("acceleration of h").answers[0].value == pytest.approx(-4 / 9 * 9.81, rel=1e-12)
+    force = system.solve("reaction of rod").answers[0].value
+    assert math.hypot(*force) == pytest.approx(2 * 9.81 * math.sqrt(5) / 3, rel=1e-12)
 
 
 def test_the_angle_of_a_body_on_one_hinge_is_that_of_the_hinge() -> None:

@@ -215,6 +215,35 @@ start: {{s: 1, z_b: 1}}
     assert (found["first"], found["last"]) == pytest.approx((middle - J_w * a / r**2, last), rel=1e-10)
 
 
+def test_what_turns_a_wheel_does_not_act_on_the_carriage_that_bears_it() -> None:
+    """Two leads pull back the wheel of a carriage, T_1 and T_2 at r above and below: (T_1 - T_2) r turns the wheel, and
+    the rail of the carriage holds no moment."""
+    found = answers("""
+space: true
+ground: {points: {O: [0, 0, 0], Q: [-2, 0.2, 0], L: [0, -0.2, 0]}}
+bodies:
+  carriage: {body: {mass: 3, inertia: [1, 1, 1]}}
+  wheel: {body: {mass: 4, inertia: [0.1, 0.1, 0.1], radius: 0.2}}
+  block: {box: {mass: 2, size: [0.1, 0.1, 0.1]}, near: {at: [-1, -0.2, 0]}}
+connections:
+  rail: {prismatic: {first: ground.O, second: carriage, along: x}}
+  axle: {revolute: {first: carriage, second: wheel, about: z}}
+  low: {prismatic: {first: ground.L, second: block, along: x}}
+  rope: {string: {path: [ground.Q, around wheel, block]}}
+loads: {pull: {force: {at: carriage, along: x, magnitude: 60}}}
+measures: {s: {travel of carriage along x from ground.O}}
+start: {s: 0, rate(s): 0}
+questions:
+  - {id: first, find: tension of rope at Q at start}
+  - {id: last, find: tension of rope at block at start}
+  - {id: rail, find: reaction moment of rail at start}
+""")
+    a = 60 / (4 * 2 + 3 + 4 + 0.1 / 0.2**2)
+    assert found["last"] == pytest.approx(2 * 2 * a, rel=1e-12)
+    assert found["first"] == pytest.approx(found["last"] + 0.1 * a / 0.2**2, rel=1e-12)
+    assert found["rail"] == pytest.approx([0.0, 0.0, 0.0], abs=1e-12)
+
+
 def test_an_end_that_may_leave_the_plane_of_its_wheel_is_refused() -> None:
     text = atwood(0).replace(f"a: {{particle: {{mass: {M1}}}}}", f"a: {{particle: {{mass: {M1}}}, at: [1, 0, 0.2]}}")
     with pytest.raises(ModelError, match="nothing keeps a in the plane of pulley"):

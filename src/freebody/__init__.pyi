@@ -202,7 +202,7 @@ class Belt(_Belt):
     large for its `pretension`, the tension of both runs at rest, or for its `largest_tension`, which a tightener keeps
     in the tight run. The pretension pulls at the bearings, too. `mass_per_length` takes from both at speed. `wrap` is
     the angle of wrap, without which it follows from the places of the bearings, as the `length` does, which is compared
-    if it is given."""
+    if it is given. In space it runs round pulleys with parallel axes whose bearings are on one body."""
 
     def __init__(
         self,
@@ -319,7 +319,8 @@ class Cam(_Cam):
 class Chain(_Chain):
     """`chain: {first: crank, second: hub, pitch: 12.7 mm, teeth: [44, 16]}`: both sprockets turn the same way, with the
     ratio of their teeth; bearings keep the centres apart. The chain force is the tension of the tight run, as the other
-    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row)."""
+    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row). In
+    space it runs over sprockets with parallel axes whose bearings are on one body."""
 
     def __init__(
         self,
@@ -1025,8 +1026,9 @@ class Rolling(_Rolling):
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. On a curve see
-    rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
+    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. A cylinder on
+    or inside another one touches it along a line and stays parallel to it (5 rows). On a curve see rolling_on_curve,
+    on a surface z = f(x, y) rolling_on_surface."""
 
     def __init__(
         self,
@@ -1211,7 +1213,8 @@ class String(_String):
     also for hanging bodies). In space it runs from point to point, through
     rings and over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
     has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
-    wheels whose axes are not parallel it runs along the line in which their planes meet; a drum is wound `clockwise`
+    wheels whose axes are not parallel it runs along the line in which their planes meet, and from the ground to wheels
+    on a jib that turns along the axis of that turn; a drum is wound `clockwise`
     or `counterclockwise` as seen against its axis, and `left` is where x is negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or

@@ -41,6 +41,10 @@ class Connection(Spec):
     is_rigid: ClassVar[bool] = False
     lets_turn: ClassVar[bool] = False
     lets_hang: ClassVar[bool] = False
+    # in space what it holds follows from the joints of its bodies, and holds none of them anywhere
+    follows_joints: ClassVar[bool] = False
+    # of a kind of the plane: what does the same in space
+    in_space_take: ClassVar[Message | None] = None
     # its forces act where its bodies touch: people call the place "the contact point"
     has_contact_point: ClassVar[bool] = False
 

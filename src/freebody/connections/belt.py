@@ -20,8 +20,10 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
+from freebody.connections.belt_in_space import BeltInSpace, belt_in_space
 from freebody.connections.belt_loop import BeltLoop, distance_of_centers
 from freebody.connections.circles import own_radius, touching
+from freebody.connections.standing import moves_out_of_plane
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, free_symbols, multiply, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, POWER, VELOCITY
@@ -49,7 +51,7 @@ class Belt(Connection, kind="belt"):
     large for its `pretension`, the tension of both runs at rest, or for its `largest_tension`, which a tightener keeps
     in the tight run. The pretension pulls at the bearings, too. `mass_per_length` takes from both at speed. `wrap` is
     the angle of wrap, without which it follows from the places of the bearings, as the `length` does, which is compared
-    if it is given."""
+    if it is given. In space it runs round pulleys with parallel axes whose bearings are on one body."""
 
     called: ClassVar[tuple[str, ...]] = ("band",)
 
@@ -67,11 +69,28 @@ class Belt(Connection, kind="belt"):
     length: Formula | None = None
 
     in_plane = True
+    follows_joints: ClassVar[bool] = True
+    more_examples: ClassVar[dict[str, str]] = {
+        "in a plane of its own": """
+space: true
+ground: {points: {A: [0, 0, 0], B: [0, 3 m, 4 m]}}
+bodies: {a: {disk: {mass: 1 kg, radius: 1 m, axis: x}}, b: {disk: {mass: 1 kg, radius: 2 m, axis: x}}}
+connections:
+  p: {revolute: {first: ground.A, second: a, about: x}}
+  q: {revolute: {first: ground.B, second: b, about: x}}
+  it: {belt: [a, b]}
+"""
+    }
     example = """
 bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 2 m}, at: [5 m, 0]}}
 ground: {points: {A: [0, 0], B: [5 m, 0]}}
 connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b]}}
 """
+
+    def is_in_plane(self, names: Names) -> bool:
+        """In space round pulleys of which one is not in the plane of x and y it finds its own plane."""
+        known = [name for name in (self.first, self.second) if name in names.bodies]
+        return not names.space or not moves_out_of_plane(names, known)
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         row = self._row(names)
@@ -101,6 +120,9 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
             names.problem(Message("a belt needs two pulleys, not {first} twice", first=first.name))
             return None
         radii = self._radii(names)
+        if not self.is_in_plane(names):
+            spatial = belt_in_space(names, (first, second), radii, crossed=self.crossed)
+            return None if spatial is None else ConstraintRow("belt", "belt force", spatial.rolled, sign=-1)
         # on a carrier of constant length an open belt couples angles as an internal mesh does
         _distance, _total, rolled = touching(first.center, radii[0], second.center, radii[1], internal=not self.crossed)
         return ConstraintRow("belt", "belt force", rolled, sign=-1)
@@ -108,8 +130,23 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
     def _radii(self, names: Names) -> tuple[Expr, Expr]:
         return own_radius(names, self, "first"), own_radius(names, self, "second")
 
+    def _in_space(self, names: Names) -> BeltInSpace | None:
+        """Where it runs in a plane of its own."""
+        if self.is_in_plane(names) or self.first == self.second:
+            return None
+        with names.quietly():
+            wheels = names.body(self.first), names.body(self.second)
+            return belt_in_space(names, wheels, self._radii(names), crossed=self.crossed)
+
+    def _way(self, names: Names) -> Combination:
+        """How far it has run over the first pulley."""
+        spatial = self._in_space(names)
+        return Combination(((self._radii(names)[0], Angle(self.first)),), LENGTH) if spatial is None else spatial.way
+
     def _loop(self, names: Names) -> BeltLoop:
         first, second = names.known(self.first), names.known(self.second)
+        if (spatial := self._in_space(names)) is not None:
+            return BeltLoop(self._radii(names), spatial.distance, self.crossed)
         return BeltLoop(self._radii(names), distance_of_centers(names, first, second), self.crossed)
 
     # -- what it can carry --------------------------------------------------------------------
@@ -118,7 +155,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
             row, limit = self._row(names), self._limit(names)
         if row is None or limit is None:
             return [], []
-        way = Combination(((self._radii(names)[0], Angle(self.first)),), LENGTH)
+        way = self._way(names)
         row = ConstraintRow(row.component, row.reaction, row.measure, sign=row.sign, connection=connection)
         at_rest, share = limit
         speed = Symbol(f"rate({_WAY})")
@@ -177,7 +214,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
 
     # -- what is asked of it ------------------------------------------------------------------
     def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
-        way = Combination(((self._radii(names)[0], Angle(self.first)),), LENGTH)
+        way = self._way(names)
         found: dict[str, Transmitted] = {}
         if (length := self._loop(names).length) is not None:
             found["length"] = Transmitted(length, LENGTH)
@@ -198,5 +235,9 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
         return found
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
+        spatial = self._in_space(names)
+        if spatial is not None:
+            yield from spatial.glyphs()
+            return
         centers = names.body(self.first).center, names.body(self.second).center
         yield glyphs.Belt(*centers, self._radii(names), is_crossed=self.crossed)

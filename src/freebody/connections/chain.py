@@ -8,11 +8,13 @@ tooth, some (pi/z)^2/2 of the speed, is left out.) Source: Shigley, Mechanical E
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
+from freebody.connections.belt_in_space import BeltInSpace, belt_in_space
 from freebody.connections.belt_loop import BeltLoop, distance_of_centers
 from freebody.connections.circles import touching
+from freebody.connections.standing import moves_out_of_plane
 from freebody.language.expression import ONE, PI, Expr, divide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -30,7 +32,8 @@ if TYPE_CHECKING:
 class Chain(Connection, kind="chain"):
     """`chain: {first: crank, second: hub, pitch: 12.7 mm, teeth: [44, 16]}`: both sprockets turn the same way, with the
     ratio of their teeth; bearings keep the centres apart. The chain force is the tension of the tight run, as the other
-    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row)."""
+    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row). In
+    space it runs over sprockets with parallel axes whose bearings are on one body."""
 
     first: str
     second: str
@@ -39,12 +42,18 @@ class Chain(Connection, kind="chain"):
     length: Formula | None = None
 
     in_plane = True
+    follows_joints: ClassVar[bool] = True
     example = """
 bodies: {a: {body: {inertia: 1 kg m^2}}, b: {body: {inertia: 1 kg m^2}, at: [0.4 m, 0]}}
 ground: {points: {A: [0, 0], B: [0.4 m, 0]}}
 connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {first: a, second: b, pitch: 12.7 mm,
   teeth: [44, 16]}}}
 """
+
+    def is_in_plane(self, names: Names) -> bool:
+        """In space between sprockets of which one is not in the plane of x and y it finds its own plane."""
+        known = [name for name in (self.first, self.second) if name in names.bodies]
+        return not names.space or not moves_out_of_plane(names, known)
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.body(self.first, "first"), names.body(self.second, "second")
@@ -53,6 +62,9 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
             return []
         r1, r2 = self._radii(names, look=True)
         self._loop(names).look(names, names.optional(self, "length", LENGTH))
+        if not self.is_in_plane(names):
+            spatial = belt_in_space(names, (first, second), (r1, r2), crossed=False)
+            return [] if spatial is None else [ConstraintRow("chain", "chain force", spatial.rolled, sign=-1)]
         _distance, _total, rolled = touching(first.center, r1, second.center, r2, internal=True)
         return [ConstraintRow("chain", "chain force", rolled, sign=-1)]
 
@@ -69,8 +81,18 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
         r1, r2 = (divide(pitch * z, 2 * PI) for z in teeth)
         return r1, r2
 
+    def _in_space(self, names: Names) -> BeltInSpace | None:
+        """Where it runs in a plane of its own."""
+        if self.is_in_plane(names) or self.first == self.second:
+            return None
+        with names.quietly():
+            wheels = names.body(self.first), names.body(self.second)
+            return belt_in_space(names, wheels, self._radii(names), crossed=False)
+
     def _loop(self, names: Names) -> BeltLoop:
         first, second = names.known(self.first), names.known(self.second)
+        if (spatial := self._in_space(names)) is not None:
+            return BeltLoop(self._radii(names), spatial.distance)
         return BeltLoop(self._radii(names), distance_of_centers(names, first, second))
 
     def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
@@ -81,5 +103,8 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
         return {"length": Transmitted(length, LENGTH), "links": Transmitted(links, DIMENSIONLESS)}
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
+        if (spatial := self._in_space(names)) is not None:
+            yield from spatial.glyphs()
+            return
         centers = names.body(self.first).center, names.body(self.second).center
         yield glyphs.Belt(*centers, self._radii(names))

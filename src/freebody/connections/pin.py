@@ -42,6 +42,9 @@ class Pin(Connection, kind="pin"):
     further: tuple[str, ...] = ()
 
     in_plane = True
+    in_space_take: ClassVar[Message | None] = Message(
+        "a hinge is revolute: {{first: ground.A, second: rod.start, about: z}}, and a ball joint is spherical"
+    )
     lets_turn: ClassVar[bool] = True
     with_copies: ClassVar[Literal["", "each", "together"]] = "each"
     example = """

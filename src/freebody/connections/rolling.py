@@ -7,7 +7,13 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import look_at_fit, touching
-from freebody.connections.rolling_in_space import rolling_rows, rows_on_cylinder, rows_on_sphere
+from freebody.connections.rolling_in_space import (
+    parallel_cylinders,
+    rolling_rows,
+    rows_of_cylinders,
+    rows_on_cylinder,
+    rows_on_sphere,
+)
 from freebody.connections.standing import is_parallel, moves_out_of_plane, same_way, stands_at
 from freebody.language.expression import Expr, add, divide, negate, number
 from freebody.language.sentences import Message
@@ -18,7 +24,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow, Line, RigidBody, Validity
+from freebody.model.elements import Attitude, ConstraintRow, Line, RigidBody, Validity
 from freebody.model.glyphs import Glyph
 from freebody.model.noting import did_you_mean
 from freebody.model.solids import CYLINDER
@@ -37,8 +43,9 @@ class Rolling(Connection, kind="rolling"):
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. On a curve see
-    rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
+    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. A cylinder on
+    or inside another one touches it along a line and stays parallel to it (5 rows). On a curve see rolling_on_curve,
+    on a surface z = f(x, y) rolling_on_surface."""
 
     body: str
     on: str | None = None
@@ -89,11 +96,12 @@ connections:
         return names.line(self.on) is not None
 
     def _round_in_space(self, names: Names) -> RigidBody | None:
-        """The sphere or cylinder on or in which a sphere rolls, unless all that moves stays in the plane of x and y."""
+        """The sphere or cylinder on or in which a sphere rolls, or the cylinder on or in which another one does, unless
+        all that moves stays in the plane of x and y."""
         body, other = (names.bodies.get(name) for name in (self.body, str(self.on or self.inside)))
-        if body is None or other is None or body.round != "sphere" or not names.space:
+        if body is None or other is None or not names.space or (body.round != "sphere" and body.solid != CYLINDER):
             return None
-        is_known = other.round == "sphere" or other.solid == CYLINDER
+        is_known = other.solid == CYLINDER or (body.round == other.round == "sphere")
         return other if is_known and moves_out_of_plane(names, (body.name, other.name)) else None
 
     def rows(self, names: Names) -> list[ConstraintRow]:
@@ -140,15 +148,23 @@ connections:
             names.problem(Message("{body} cannot roll on itself", body=body.name))
             return []
         if self.radius is not None:
-            told = Message("a sphere rolls on another body in space on its own radius")
+            told = Message("on another body in space it rolls on its own radius")
             names.problem(told, "radius")
             return []
         inside = self.inside is not None
         radii = names.radius(body.name, "body"), names.radius(other.name, inside=inside)
         if inside:
             look_at_fit(names, body.name, radii[0], other.name, radii[1], "inside")
+        if body.solid == CYLINDER:
+            return rows_of_cylinders(names, body, other, inside=inside)
         rows = rows_on_sphere if other.round == "sphere" else rows_on_cylinder
         return rows(names, body, other, inside=inside)
+
+    def attitude(self, names: Names) -> Attitude | None:
+        with names.quietly():
+            body, other = names.bodies.get(self.body), self._round_in_space(names)
+        is_line = body is not None and other is not None and body.solid == other.solid == CYLINDER
+        return parallel_cylinders(body, other) if is_line and body.name != other.name else None
 
     def valid_where(self, names: Names) -> list[Validity]:
         """On a cylinder it rolls between the ends."""

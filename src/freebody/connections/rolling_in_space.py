@@ -28,9 +28,9 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ONE, Components, Direction
-from freebody.measures.turn import Alignment
-from freebody.model.elements import BodyPlane, ConstraintRow, NonholonomicForm, RigidBody
-from freebody.model.rotations import perpendiculars
+from freebody.measures.turn import Alignment, Turn
+from freebody.model.elements import Attitude, BodyPlane, ConstraintRow, NonholonomicForm, RigidBody
+from freebody.model.rotations import UNIT, perpendiculars
 from freebody.model.solids import ELLIPSOID
 from freebody.model.spins import spin, velocity_of_place
 
@@ -75,6 +75,26 @@ def rows_on_cylinder(names: Names, body: RigidBody, cylinder: RigidBody, *, insi
     """The rows of a sphere that rolls on the curved side of a cylinder, or inside it: slip 1 is along its axis, slip 2
     round it."""
     return _held_at(place_on_side(names, body, cylinder, inside=inside))
+
+
+def rows_of_cylinders(names: Names, body: RigidBody, cylinder: RigidBody, *, inside: bool) -> list[ConstraintRow]:
+    """The rows of a cylinder that rolls on or in another one, along a line that is parallel to both axes: beside those
+    of a sphere of its radius, whose slip sees nothing else, the line keeps the axes parallel."""
+    axis = Direction(body.name, body.axis)
+    b, c = (Direction(cylinder.name, v) for v in perpendiculars(cylinder.axis))
+    return [
+        *_held_at(place_on_side(names, body, cylinder, inside=inside)),
+        ConstraintRow("line 1", "moment 1", Alignment(axis, b)),
+        ConstraintRow("line 2", "moment 2", Alignment(axis, c), sign=-1),
+    ]
+
+
+def parallel_cylinders(body: RigidBody, cylinder: RigidBody) -> Attitude:
+    """How a cylinder is turned from the one with which it shares a line: about its axis."""
+    base, own = (perpendiculars(each.axis) for each in (cylinder, body))
+    turn = Turn(Direction(body.name, own[0]), *(Direction(cylinder.name, v) for v in base))
+    before, after = (*base, cylinder.axis), (*own, body.axis)
+    return Attitude(cylinder.name, body.name, before, after, ((UNIT[2], "angle", turn),), ("line 1", "line 2"))
 
 
 def _held_at(place: ContactPlace) -> list[ConstraintRow]:

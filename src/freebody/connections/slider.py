@@ -128,6 +128,10 @@ class Slider(Connection, kind="slider"):
     friction: Formula | dict[str, Any] = 0
 
     in_plane = True
+    in_space_take: ClassVar[Message | None] = Message(
+        "a straight guide is prismatic: {{first: ground.A, second: block, along: x}}, and that of a particle or of one "
+        "point of a body point_on_line: {{point: collar, through: ground.A, along: x}}"
+    )
     has_contact_point = True
     example = """
 bodies: {block: {rectangle: {mass: 1 kg, width: 1 m, height: 1 m}}}

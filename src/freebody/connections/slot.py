@@ -35,6 +35,9 @@ class Slot(Connection, kind="slot"):
     friction: Formula | dict[str, Any] = 0
 
     in_plane = True
+    in_space_take: ClassVar[Message | None] = Message(
+        "the guide of a point is point_on_line: {{point: rod.end, through: ground.A, along: x}}"
+    )
     has_contact_point = True
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}

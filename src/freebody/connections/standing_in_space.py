@@ -3,7 +3,8 @@
 A joint that says how it lets its bodies turn (`Attitude`) carries a direction from one to the other if it does not turn
 them, or about that direction alone. So a direction of the ground is one of every body that gets to it by such joints,
 and how far that body has turned about it is the sum of their angles. Along a direction that does not turn, a point is
-where the rows of a joint put it beside a point of the other body.
+where the rows of a joint put it beside a point of the other body. On what turns, as on the jib of a crane, the same is
+asked of its own directions: there the ground is a body as others are.
 """
 
 from __future__ import annotations
@@ -15,11 +16,12 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import is_zero, number_of
-from freebody.language.expression import Expr, add, multiply, negate
+from freebody.language.expression import Expr, add, multiply, negate, substitute
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, ZERO, Components, Direction, Point
+from freebody.measures.turn import Alignment
 from freebody.model.elements import Attitude, ConstraintRow, RigidBody
 from freebody.model.rotations import (
     UNIT,
@@ -50,7 +52,7 @@ class KeptDirection:
 
 @dataclass(frozen=True)
 class Standing:
-    """How far along a direction of the ground a point is from a body's reference point, or on the ground its origin."""
+    """How far along a direction a point is from a body's reference point, or on the ground its origin."""
 
     body: str
     far: Expr
@@ -79,7 +81,7 @@ class StandingInSpace:
         found: dict[str, list[_Joint]] = {name: [] for name in self.names.bodies}
         with self.names.quietly():  # of a joint they are told where it stands
             for name, connection in self.names.connections.items():
-                if name in self.names.closing_later or connection.lets_hang:
+                if name in self.names.closing_later or connection.lets_hang or connection.follows_joints:
                     continue
                 rows = (row for row in connection.rows(self.names) if isinstance(row.measure, Displacement))
                 kept = tuple(row for row in rows if not row.unilateral and not row.is_driven)
@@ -115,11 +117,32 @@ class StandingInSpace:
     def on_ground(self, along: Direction) -> tuple[Direction, AngleTerms] | None:
         """The direction of the ground along which one of a body stays, and by how much the body has turned about it;
         None where it does not stay."""
-        here = self.carried(along).get(GROUND)
+        return self.on(GROUND, along)
+
+    def on(self, frame: str, along: Direction) -> tuple[Direction, AngleTerms] | None:
+        """The direction of a body along which one of another stays, and by how much the other has turned about it on
+        that; None where it does not stay."""
+        here = self.carried(along).get(frame)
         if here is None:
             return None
         turned = tuple((negate(share), angle) for share, angle in here.turned)
-        return Direction(GROUND, here.components, along.name), turned
+        return Direction(frame, here.components, along.name), turned
+
+    def lowest(self, *directions: Direction) -> str | None:
+        """Of the bodies that keep all of these directions, the one that the fewest joints part from the ground."""
+        kept = set.intersection(*(set(self.carried(along)) for along in directions))
+        order = [name for name in self._depths if name in kept]
+        return min(order, key=lambda name: self._depths[name], default=None)
+
+    @cached_property
+    def _depths(self) -> dict[str, int]:
+        """How many joints part each body from the ground, at least; infinitely many are one more than there are."""
+        found = {GROUND: 0} | {name: 0 for name, body in self.names.bodies.items() if body.fixed}
+        joints = [joint for joints in self._joints.values() for joint in joints]
+        for depth in range(1, len(self.names.bodies) + 1):
+            near = {b for joint in joints if joint.bodies & found.keys() for b in joint.bodies} - found.keys()
+            found |= dict.fromkeys((name for name in self.names.bodies if name in near), depth)
+        return found | {name: len(found) for name in self.names.bodies if name not in found}
 
     def _neighbours(self, body: str, kept: KeptDirection) -> Iterator[tuple[str, KeptDirection]]:
         """The bodies that joints turn against this one about the direction alone, or not at all."""
@@ -159,19 +182,23 @@ class StandingInSpace:
             is_along = (number_of(self.names, dot(seen, axis)) > 0.0) == is_first
             turned = (*turned, (ONE if is_along else negate(ONE), angle))
         other = attitude.second if is_first else attitude.first
+        if not attitude.turns:  # -b . c' is zero, of the rate w . n: with it nothing that turns a wheel acts on this
+            b, c = perpendiculars(kept.components)
+            beyond = Direction(other, applied(others, applied(transposed(own), c)))
+            turned = (*turned, (negate(ONE), Alignment(beyond, Direction(body, b))))
         return other, KeptDirection(applied(others, seen), turned)
 
     # -- places along a direction -------------------------------------------------------------------
     def standing(self, point: Point, along: Direction) -> Standing:
-        """Where joints keep a point along a direction of the ground: on the ground, where they do, else beside the
-        first body that moves that way."""
+        """Where joints keep a point along a direction: on the body whose direction it is, where they do, else beside
+        the first body that moves that way."""
         return self._standing(point, along, frozenset())
 
     def _standing(self, point: Point, along: Direction, seen: frozenset[str]) -> Standing:
         body = self.names.known(point.body)
-        if body.name == GROUND:
-            return Standing(GROUND, dot(point.offset, along.components))
-        if body.fixed:
+        if body.name == along.body:
+            return Standing(along.body, dot(point.offset, (*along.components, ZERO)[:3]))
+        if body.fixed and body.name != GROUND and along.body == GROUND:
             return Standing(GROUND, dot(_placed(body, point), along.components))
         best = self._beside(body, point, along)
         if body.name in seen:
@@ -182,7 +209,7 @@ class StandingInSpace:
                 continue
             found = self._standing(origin, along, seen | {body.name})
             here = Standing(found.body, add(found.far, target, aside))
-            if found.body == GROUND:
+            if found.body == along.body:
                 return here
             if found.body != origin.body or origin.body not in seen:
                 best = here
@@ -197,28 +224,36 @@ class StandingInSpace:
         return Standing(f"{body.name} at {point.offset}", ZERO)
 
     def _between(self, body: RigidBody, start: Point, end: Point, along: Direction) -> Expr | None:
-        """How far one point of a body is from another along the direction; None where that changes."""
+        """How far one point of a body is from another along the direction; None where that changes: where the body
+        keeps neither that nor, as the axis about which it turns, the line through both."""
         if start.offset == end.offset:
             return ZERO
+        arm = tuple(a - b for a, b in zip(end.offset, start.offset, strict=True))
         own = self.carried(along).get(body.name)
-        if own is None:
-            return None
-        return dot(tuple(a - b for a, b in zip(end.offset, start.offset, strict=True)), own.components)
+        if own is not None:
+            return dot(arm, own.components)
+        kept = self.on(along.body, Direction(body.name, arm))
+        return None if kept is None else dot(kept[0].components, (*along.components, ZERO)[:3])
 
     def _held_along(self, body: str, along: Direction) -> Iterator[tuple[Point, Point, Expr]]:
-        """The points of a body that joints keep beside others along a direction of the ground, and how far from them:
-        by rows along perpendicular directions e_i, in whose span the direction d is, sum (d . e_i) times what they
-        hold."""
+        """The points of a body that joints keep beside others along a direction, and how far from them: by rows along
+        perpendicular directions e_i, in whose span the direction d is, sum (d . e_i) times what they hold. Points that
+        coincide do so along any direction."""
         for joint in self._joints.get(body, ()):
             held: dict[tuple[Point, Point], list[tuple[Components, Expr]]] = {}
+            n_met: dict[tuple[Point, Point], int] = {}
             for row in joint.displaced:
                 d = row.measure
                 assert isinstance(d, Displacement)
                 if body not in (d.of.body, d.origin.body) or d.of.body == d.origin.body:
                     continue
-                still = self.on_ground(d.along)
-                if still is not None and not still[1]:
+                if row.target is None and d.along.body == GROUND and d.along.components in UNIT:
+                    n_met[d.of, d.origin] = n_met.get((d.of, d.origin), 0) + 1
+                still = self.on(along.body, d.along)
+                if still is not None:
                     held.setdefault((d.of, d.origin), []).append((still[0].components, row.target or ZERO))
+            for of, origin in (pair for pair, n in n_met.items() if n == len(UNIT)):
+                yield (of, origin, ZERO) if of.body == body else (origin, of, ZERO)
             for (of, origin), rows in held.items():
                 shares = [dot(along.components, e) for e, _target in rows]
                 if not is_zero(self.names, add(ONE, *(negate(multiply(s, s)) for s in shares))):
@@ -227,19 +262,52 @@ class StandingInSpace:
                 yield (of, origin, target) if of.body == body else (origin, of, negate(target))
 
     def distance_along(self, start: Point, end: Point, along: Direction) -> Expr | None:
-        """How far the second point is from the first along a direction of the ground, where that never changes."""
+        """How far the second point is from the first along a direction, where that never changes."""
         first, second = self.standing(start, along), self.standing(end, along)
         return add(second.far, negate(first.far)) if first.body == second.body else None
 
+    def begins(self, point: Point, along: Direction) -> Expr | None:
+        """How far along a direction a point is at the start from the origin of the body that keeps that: where joints
+        hold it, or where a named measure or a driver lets what carries it start."""
+        place = self.standing(point, along)
+        if place.body == along.body:
+            return place.far
+        for measure, begun in self._beginnings:
+            if not isinstance(measure, Displacement):
+                continue
+            seen = self.on(along.body, measure.along)
+            if seen is None or not self._are_parallel(seen[0], along):
+                continue
+            of, origin = self.standing(measure.of, along), self.standing(measure.origin, along)
+            if of.body == place.body and origin.body == along.body:
+                way = multiply(dot(seen[0].components, along.components), begun)
+                return add(origin.far, way, place.far, negate(of.far))
+        return None
+
+    def _are_parallel(self, first: Direction, second: Direction) -> bool:
+        return all(is_zero(self.names, c) for c in vector_product(first.components, second.components))
+
+    @cached_property
+    def _beginnings(self) -> list[tuple[Measure, Expr]]:
+        """Measures with where they start: those that the file lets start somewhere, and those that drivers move."""
+        names = self.names
+        joints = [c for c in names.connections.values() if not (c.lets_hang or c.follows_joints)]
+        with names.quietly():
+            rows = [row for c in joints for row in c.rows(names)]
+        driving = (row for row in rows if row.reaction.startswith("driving "))
+        driven = ((row.measure, substitute(row.target or ZERO, {"t": ZERO})) for row in driving)
+        named = ((names.measures.get(name), begun) for name, begun in names.placed_at_start.items())
+        return [(measure, begun) for measure, begun in (*named, *driven) if measure is not None]
+
     def line_of(self, point: Point, normal: Direction) -> Direction | None:
-        """The direction of the ground along which a point moves in the plane of a normal, where joints let it move
-        along that alone; None also where it does not move."""
+        """The direction along which a point moves in the plane of a normal, seen from the body of that, where joints
+        let it move along that alone; None also where it does not move."""
         found: list[Components] = []
         for m in self._across(point, normal):
             is_new = all(any(not is_zero(self.names, c) for c in vector_product(m, other)) for other in found)
-            if is_new and self.standing(point, Direction(GROUND, m)).body == GROUND:
+            if is_new and self.standing(point, Direction(normal.body, m)).body == normal.body:
                 found.append(m)
-        return Direction(GROUND, vector_product(found[0], normal.components)) if len(found) == 1 else None
+        return Direction(normal.body, vector_product(found[0], normal.components)) if len(found) == 1 else None
 
     def _across(self, point: Point, normal: Direction) -> Iterator[Components]:
         """Directions of a plane in which joints may keep a point: those of their rows, and what is across the line
@@ -248,7 +316,7 @@ class StandingInSpace:
         yield from perpendiculars(n)
         for joint in self._joints.get(point.body, ()):
             rows = (row.measure for row in joint.displaced)
-            still = (self.on_ground(d.along) for d in rows if isinstance(d, Displacement))
+            still = (self.on(normal.body, d.along) for d in rows if isinstance(d, Displacement))
             held = [found[0].components for found in still if found is not None]
             yield from (e for e in held if is_zero(self.names, dot(e, n)))
             for one, other in combinations(held, 2):
@@ -256,23 +324,32 @@ class StandingInSpace:
                 if is_zero(self.names, dot(one, other)) and is_zero(self.names, dot(line, n)):
                     yield vector_product(n, line)
 
-    def started(self, point: Point) -> list[float] | None:
-        """Where a point starts in numbers, of a body that turns on the ground about one axis by an angle that the file
-        lets start: R_2 = R_1 before turn after^T."""
+    def started(self, point: Point, frame: str = GROUND, seen: frozenset[str] = frozenset()) -> list[float] | None:
+        """Where a point starts in numbers, as a body sees it, of one that turns on that about one axis by an angle that
+        the file lets start, R_2 = R_1 before turn after^T, or that is joined to such a one there."""
         names = self.names
+        held = [self.standing(point, Direction(frame, axis)) for axis in UNIT]
+        if all(place.body == frame for place in held):
+            return [number_of(names, place.far) for place in held]
         for joint in self._joints.get(point.body, ()):
             bearing, attitude = joint.connection.bearing(names), joint.attitude
-            if bearing is None or attitude is None or (bearing[0].body, bearing[1].body) != (GROUND, point.body):
+            if bearing is None or attitude is None or bearing[0].body == point.body:
                 continue
-            ((axis, _name, angle),) = attitude.turns
-            begun = (x for name, x in names.placed_at_start.items() if names.measures.get(name) == angle)
-            turn = next(begun, None)
-            if turn is None:
-                continue
-            turned = product(product(attitude.before, rotation(axis, turn)), transposed(attitude.after))
-            arm = applied(turned, tuple(a - b for a, b in zip(point.offset, bearing[1].offset, strict=True)))
-            return [number_of(names, a + b) for a, b in zip(bearing[0].offset, arm, strict=True)]
+            first, second = bearing[:2]
+            turn = self._turned_at_start(attitude) if first.body == frame else None
+            if turn is not None:
+                ((axis, _name, _angle),) = attitude.turns
+                turned = product(product(attitude.before, rotation(axis, turn)), transposed(attitude.after))
+                arm = applied(turned, tuple(a - b for a, b in zip(point.offset, second.offset, strict=True)))
+                return [number_of(names, a + b) for a, b in zip(first.offset, arm, strict=True)]
+            if second.offset == point.offset and first.body not in seen | {frame}:
+                return self.started(first, frame, seen | {point.body})
         return None
+
+    def _turned_at_start(self, attitude: Attitude) -> Expr | None:
+        """The angle of a joint that turns about one axis at the start: that of a named measure, or of a driver."""
+        ((_axis, _name, angle),) = attitude.turns
+        return next((begun for measure, begun in self._beginnings if measure == angle), None)
 
 
 def _axes_of(body: RigidBody) -> tuple[Components, Components, Components]:
@@ -288,5 +365,5 @@ def _placed(body: RigidBody, point: Point) -> Components:
 
 
 def opposite(along: Direction) -> Direction:
-    """The direction against one of the ground, without a name of its own."""
+    """The direction against another one, without a name of its own."""
     return Direction(along.body, reversed_(along.components))

@@ -59,6 +59,7 @@ class Joining(Protocol):
     is_rigid: ClassVar[bool]
     lets_turn: ClassVar[bool]
     lets_hang: ClassVar[bool]
+    follows_joints: ClassVar[bool]
     # its forces act where its bodies touch
     has_contact_point: ClassVar[bool]
 

@@ -51,12 +51,6 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
     for c in model.coordinates:
         q = scalar(known[c.name]) if c.name in known else _start_of(model, c, known)
         values[c.index] = q
-    if not model.system.is_struck:
-        values |= model.start_speeds.together(known_rates, values)
-        for c in sorted(model.coordinates, key=lambda c: c.name not in known_rates):
-            if c.speed not in values:
-                u = scalar(known_rates[c.name]) if c.name in known_rates else None
-                values[c.speed] = u if u is not None else _start_speed(model, c, known_rates, values)
     for c in model.dependent:
         place = scalar(known[c.name]) if c.name in known else model.start.of_coordinate(c)
         if place is None:
@@ -67,6 +61,12 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
     for c in model.coordinates:  # a start value that follows by way of the angle of a line, say
         if f.ingredients(values[c.index]) & dependent.keys():
             values[c.index] = f.lowest_terms(f.follow(values[c.index], dependent))
+    if not model.system.is_struck:
+        values |= model.start_speeds.together(known_rates, values)
+        for c in sorted(model.coordinates, key=lambda c: c.name not in known_rates):
+            if c.speed not in values:
+                u = scalar(known_rates[c.name]) if c.name in known_rates else None
+                values[c.speed] = u if u is not None else _start_speed(model, c, known_rates, values)
     values[f.index(f.time)] = f.zero
     if model.system.is_struck:
         blow = Blow(model, known_rates, values)

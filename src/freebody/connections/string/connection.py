@@ -65,7 +65,8 @@ class String(Connection, kind="string"):
     also for hanging bodies). In space it runs from point to point, through
     rings and over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
     has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
-    wheels whose axes are not parallel it runs along the line in which their planes meet; a drum is wound `clockwise`
+    wheels whose axes are not parallel it runs along the line in which their planes meet, and from the ground to wheels
+    on a jib that turns along the axis of that turn; a drum is wound `clockwise`
     or `counterclockwise` as seen against its axis, and `left` is where x is negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
@@ -306,6 +307,14 @@ connections:
                 )
                 names.assumptions.append(told)
         if isinstance(run, SpatialRun):
+            for body, wheel in run.carried():
+                told = Message(
+                    "{connection}: {body} is kept straight below {other}, which may move sideways",
+                    connection=me,
+                    body=body,
+                    other=wheel,
+                )
+                names.assumptions.append(told)
             return rows
         for first, second, lead in askew(names, run.way, run.leads, run.arms):
             told = Message(

@@ -12,25 +12,31 @@ e = +- n_1 x n_2 / |n_1 x n_2|: it keeps its direction, and the wheels have to s
 
     n_1 . (C_2 - C_1) = s_2 R_2 e . (n_1 x n_2),      n_2 . (C_2 - C_1) = s_1 R_1 e . (n_1 x n_2).
 
+Wheels on what turns, as on the jib of a crane, have their planes there, and all of this holds as the jib sees it; from
+the ground to the jib see `swivel`.
+
 What is at an end has to be kept in the plane of the wheel to which its lead runs: otherwise it would draw the string
 off the wheel. A body that nothing else holds hangs straight down from it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.standing import is_zero, number_of, vanishes
 from freebody.connections.standing_in_space import StandingInSpace, opposite
 from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode, WheelPlane
-from freebody.connections.string.way_in_space import WaySeen, dot_product
+from freebody.connections.string.swivel import SwivelLeads
+from freebody.connections.string.way_in_space import dot_product
 from freebody.language.expression import Call, Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
+from freebody.measures.turn import Alignment
 from freebody.model.elements import ConstraintRow
 from freebody.model.rotations import UNIT, dot, perpendiculars, vector_product
 from freebody.tolerances import ROUND_OFF
@@ -38,20 +44,32 @@ from freebody.tolerances import ROUND_OFF
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_SENSES = {"clockwise": -1, "counterclockwise": 1}
-
 
 @dataclass(frozen=True)
 class SpatialRun(StringRun):
     """A string on its way in space. hung: of what hangs on it, its number on the way, and the directions across the
-    lead with the point from which it is held along each, and how far."""
+    lead with the point from which it is held along each, and how far. swivels: see `SwivelLeads`."""
 
     hung: tuple[tuple[int, tuple[tuple[Direction, Point, Expr], ...]], ...] = ()
+    swivels: Mapping[int, Direction] = field(default_factory=dict)
+
+    def held_turn(self, k: int) -> tuple[tuple[Expr, Measure], ...]:
+        lead, beyond, plane = self.leads[k], self.swivels.get(k), self.way[k + 1].plane
+        if lead is None or beyond is None or plane is None:
+            return ()
+        aside = Direction(beyond.body, vector_product(plane.normal.components, beyond.components))
+        return ((negate(self.arms[k + 1]), Alignment(aside, lead)),)
 
     @property
     def hooks(self) -> dict[str, Any]:
         """Nothing else asks in space where strings place what hangs on them."""
         return {}
+
+    def carried(self) -> Iterator[tuple[str, str]]:
+        """What hangs straight below a wheel that may move aside, and that wheel."""
+        for k, sides in self.hung:
+            others = [origin.body for _normal, origin, _far in sides if origin.body != GROUND]
+            yield from ((self.way[k].body, other) for other in others[:1])
 
     def hanging(self) -> Iterator[ConstraintRow]:
         """Rows that keep what hangs straight below."""
@@ -68,17 +86,17 @@ def _in_planes(space: StandingInSpace, way: Sequence[StringNode]) -> list[String
     """The places on a way with the planes of their wheels; None with a problem noted."""
     found: list[StringNode] = []
     for node in way:
-        plane = None if node.radius == ZERO else _plane(space, node)
+        plane = None if node.radius == ZERO else wheel_plane(space, node.body)
         if node.radius != ZERO and plane is None:
             return None
         found.append(replace(node, plane=plane))
     return found
 
 
-def _plane(space: StandingInSpace, node: StringNode) -> WheelPlane | None:
-    """The plane across the axis of a wheel: that of its bearing, or its own."""
+def wheel_plane(space: StandingInSpace, wheel: str) -> WheelPlane | None:
+    """The plane across the axis of a wheel: that of its bearing, or its own; None with a problem noted."""
     names = space.names
-    body = names.known(node.body)
+    body = names.known(wheel)
     axles: list[Direction] = []
     carrier = names.ground_origin
     for connection in names.connections.values():
@@ -92,21 +110,28 @@ def _plane(space: StandingInSpace, node: StringNode) -> WheelPlane | None:
         axles.append(Direction(body.name, UNIT[2]))
     if body.axis:
         axles.append(Direction(body.name, body.axis))
-    for axle in axles:
-        still = space.on_ground(axle)
-        if still is not None:
+    frames = {axle: space.lowest(axle) for axle in axles}
+    for axle, frame in sorted(frames.items(), key=lambda found: found[1] != GROUND):
+        still = None if frame is None else space.on(frame, axle)
+        if frame is not None and still is not None and frame != body.name:
             normal, turned = still
-            along, side = (Direction(GROUND, v) for v in perpendiculars(normal.components))
+            along, side = (Direction(frame, v) for v in perpendiculars(normal.components))
             return WheelPlane(normal, along, side, turned, carrier)
-    told = Message(
+    names.problem(_not_carried(wheel) if axles else _without_axle(wheel))
+    return None
+
+
+def _without_axle(wheel: str) -> Message:
+    return Message("nothing says about which axis {wheel} turns: hold it by a revolute joint", wheel=wheel)
+
+
+def _not_carried(wheel: str) -> Message:
+    """What is told of a wheel whose axis tilts."""
+    return Message(
         "the axis of {wheel} does not keep its direction: a string in space runs over wheels that turn about axes "
         "fixed on the ground, or on bodies that do not tilt them (revolute, prismatic)",
-        wheel=node.body,
+        wheel=wheel,
     )
-    if not axles:
-        told = Message("nothing says about which axis {wheel} turns: hold it by a revolute joint", wheel=node.body)
-    names.problem(told)
-    return None
 
 
 def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
@@ -125,12 +150,11 @@ def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
     return laying.run()
 
 
-class _Laying(WaySeen):
+class _Laying(SwivelLeads):
     """A string in the making: its leads, and in which sense it runs round each wheel."""
 
     def __init__(self, still: StandingInSpace, way: list[StringNode]) -> None:
         super().__init__(still, way)
-        self.senses: list[int | None] = [None if n.plane is None else _SENSES.get(n.turn or "") for n in way]
         self.fits: dict[int, list[tuple[int, int]]] = {}  # senses with which leads keep their directions
 
     def run(self) -> SpatialRun:
@@ -140,7 +164,7 @@ class _Laying(WaySeen):
             if (turns[k], turns[k + 1]) not in fits:
                 self.leads[k] = None
         hung = tuple((k, self._sides(k, j, arms)) for k, j in self.hanging.items())
-        return SpatialRun(self.way, self.leads, turns, arms, hung)
+        return SpatialRun(self.way, self.leads, turns, arms, hung, self.swivels)
 
     def _sides(self, k: int, j: int, arms: list[Expr]) -> tuple[tuple[Direction, Point, Expr], ...]:
         """Of what hangs at one place P from a wheel at C: by n . (C_2 - C_1) = s_2 R_2 - s_1 R_1 across the lead in the
@@ -149,11 +173,12 @@ class _Laying(WaySeen):
         plane, lead, other = self.way[j].plane, self.leads[min(j, k)], self.way[j].point
         assert plane is not None
         assert lead is not None
-        normal = Direction(GROUND, vector_product(plane.normal.components, lead.components))
+        frame = plane.normal.body
+        normal = Direction(frame, vector_product(plane.normal.components, lead.components))
         found: list[tuple[Direction, Point, Expr]] = []
         for along, offset in ((normal, negate(arms[j])), (plane.normal, ZERO)):
             place = self.still.standing(other, along)
-            if place.body == GROUND:
+            if place.body == frame == GROUND:
                 found.append((along, self.names.ground_origin, add(place.far, offset)))
             else:
                 found.append((along, other, offset))
@@ -173,6 +198,8 @@ class _Laying(WaySeen):
             )
             self.names.problem(told)
             return False
+        if a.plane is not None and b.plane is not None and a.plane.normal.body != b.plane.normal.body:
+            return self.along_swivel(k, a.plane, b.plane)
         if a.plane is not None and b.plane is not None and not self._are_parallel(a.plane, b.plane):
             return self._crossing(k, a.plane, b.plane)
         plane = a.plane or b.plane
@@ -220,10 +247,11 @@ class _Laying(WaySeen):
 
     def _hung(self, k: int, plane: WheelPlane) -> bool:
         """A lead straight down to what hangs."""
-        names, up = self.names, self.up
+        names, up = self.names, self.up_on(plane.normal.body)
         first_hangs = self.way[k].hangs or (self.way[k].is_put and not self.way[k + 1].hangs)
         hung, wheel = (k, k + 1) if first_hangs else (k + 1, k)
-        if self.way[hung].plane is not None or not is_zero(names, dot(up.components, plane.normal.components)):
+        is_level = up is not None and is_zero(names, dot(up.components, plane.normal.components))
+        if self.way[hung].plane is not None or up is None or not is_level:
             told = Message(
                 "{body} cannot hang on {wheel}, whose axis is not level: guide it by a joint",
                 body=self.way[hung].body,
@@ -233,7 +261,7 @@ class _Laying(WaySeen):
                 told = Message(
                     "in space a wheel that hangs on a string is held by a joint: {body}", body=self.way[hung].body
                 )
-            names.problem(told)
+            names.problem(told if up is not None else _not_carried(self.way[wheel].body))
             return False
         self.leads[k] = up if first_hangs else opposite(up)
         self.hanging.setdefault(hung, wheel)
@@ -243,7 +271,8 @@ class _Laying(WaySeen):
         """Whether an end that nothing else holds is put where it would hang, and says so in which sense the string goes
         round the wheel."""
         hung, wheel = (k, k + 1) if self.way[k].is_put else (k + 1, k)
-        level, here, center = self.level(plane), self.where(hung), self.where(wheel)
+        frame = plane.normal.body
+        level, here, center = self.level(plane), self.where(hung, frame), self.where(wheel, frame)
         if not self.way[hung].is_put or level is None or here is None or center is None:
             return False
         away = [p - q for p, q in zip(here, center, strict=True)]
@@ -270,7 +299,7 @@ class _Laying(WaySeen):
             line = self.still.line_of(end.point, plane.normal)
             if line is None:
                 continue
-            normal = Direction(GROUND, vector_product(plane.normal.components, line.components))
+            normal = Direction(line.body, vector_product(plane.normal.components, line.components))
             across = self.still.distance_along(a.point, b.point, normal)
             if across is None:
                 continue
@@ -281,7 +310,7 @@ class _Laying(WaySeen):
             fits = [s for s in self._senses_of(k) if vanishes(self.names, _gap(across, sign, s, (a.radius, b.radius)))]
             if fits:
                 self.leads[k], self.fits[k] = along, fits
-                return len(fits) > 1 or self._agree(k, fits[0])
+                return len(fits) > 1 or self.agree(k, fits[0])
         return True
 
     def _senses_of(self, k: int) -> list[tuple[int, int]]:
@@ -292,31 +321,17 @@ class _Laying(WaySeen):
         ]
         return [(s, t) for s in options[0] for t in options[1]]
 
-    def _agree(self, k: int, senses: tuple[int, int]) -> bool:
-        """Takes the senses that a lead asks for; False with a problem noted where they are others already."""
-        for j, s in zip((k, k + 1), senses, strict=True):
-            if s and self.senses[j] not in (None, s):
-                told = Message(
-                    "{wheel} stands so that the string runs round it one way before it and the other way after it: put "
-                    "its ends elsewhere",
-                    wheel=self.way[j].body,
-                )
-                self.names.problem(told)
-                return False
-            if s:
-                self.senses[j] = s
-        return True
-
     def _is_ahead(self, k: int, line: Direction, is_last: bool) -> bool | None:
         """Whether a lead runs along the line of an end, seen from its start; None with a problem noted where nothing
         tells on which side of the wheel the end is."""
         names = self.names
-        first, last = (self.where(j) for j in (k, k + 1))
+        first, last = (self.where(j, line.body) for j in (k, k + 1))
         if first is not None and last is not None:
             ahead = sum((q - p) * number_of(names, e) for p, q, e in zip(first, last, line.components, strict=True))
             if abs(ahead) > ROUND_OFF:
                 return ahead > 0.0
-        rise = number_of(names, dot(line.components, self.up.components))
+        up = self.up_on(line.body)
+        rise = 0.0 if up is None else number_of(names, dot(line.components, up.components))
         if abs(rise) > ROUND_OFF:  # what is guided up and down is below
             return (rise < 0.0) == is_last
         end, wheel = (k + 1, k) if is_last else (k, k + 1)
@@ -334,9 +349,9 @@ class _Laying(WaySeen):
         n1, n2 = first.normal.components, second.normal.components
         cross = vector_product(n1, n2)
         size = Call("sqrt", dot(cross, cross)) if not is_zero(names, dot(cross, cross) - number(1)) else number(1)
-        e = Direction(GROUND, tuple(c / size for c in cross))
+        e = Direction(first.normal.body, tuple(c / size for c in cross))
         asides = [self.still.distance_along(a.point, b.point, p.normal) for p in (first, second)]
-        places = self.where(k), self.where(k + 1)
+        places = self.where(k, e.body), self.where(k + 1, e.body)
         if asides[0] is None or asides[1] is None or places[0] is None or places[1] is None:
             told = Message(
                 "the common tangent of {first} and {second}, whose axes are not parallel, would not stay one: hold "
@@ -367,7 +382,7 @@ class _Laying(WaySeen):
             names.problem(told)
             return False
         self.leads[k] = e if sign > 0 else opposite(e)
-        return self._agree(k, (senses[0], senses[1]))
+        return self.agree(k, (senses[0], senses[1]))
 
     # -- senses -----------------------------------------------------------------------------------
     def sense(self, k: int) -> bool:

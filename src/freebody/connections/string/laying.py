@@ -21,6 +21,7 @@ from freebody.connections.string.hanging import Hook, hooks_of
 from freebody.connections.string.node import StringNode
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import DOWN, GROUND, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.spec import Heading
@@ -40,6 +41,10 @@ class StringRun:
     leads: list[Direction | None]  # constant directions; None along the common tangent
     turns: list[int]  # +1 where it runs counter-clockwise round the place, -1 clockwise, 0 at a point
     arms: list[Expr]  # at which it pulls on the circles: s R
+
+    def held_turn(self, k: int) -> tuple[tuple[Expr, Measure], ...]:
+        """What belongs to the length of a lead and is zero: see `swivel`."""
+        return ()
 
     @property
     def hooks(self) -> dict[str, Hook]:

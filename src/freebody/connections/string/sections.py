@@ -80,7 +80,7 @@ def sections_of(run: StringRun, grips: Container[str]) -> list[StringSection]:
     for k, direction in enumerate(leads):
         a, b = way[k], way[k + 1]
         if direction is not None:
-            terms.append((ONE, Displacement(b.point, a.point, direction)))
+            terms += [(ONE, Displacement(b.point, a.point, direction)), *run.held_turn(k)]
         elif len(a.point.offset) > 2 and a.radius == b.radius == ZERO:
             terms.append((ONE, Distance(a.point, b.point)))  # in space
         else:

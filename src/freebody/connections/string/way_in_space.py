@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
-from freebody.connections.standing import begins_at, number_of
+from freebody.connections.standing import number_of
 from freebody.connections.standing_in_space import StandingInSpace, opposite
 from freebody.connections.string.node import StringNode, WheelPlane
 from freebody.measures.geometry import GROUND, Direction
@@ -29,17 +30,25 @@ class WaySeen:
         if len(self.names.fields) == 1:
             ((down, _strength),) = self.names.fields
             still = self.still.on_ground(down)
-            if still is not None and not still[1]:
+            if still is not None:
                 return opposite(still[0])
         return Direction(GROUND, self.names.up)
 
+    def up_on(self, frame: str) -> Direction | None:
+        """What is up, as a body keeps it."""
+        found = self.still.on(frame, self.up)
+        return None if found is None else replace(found[0], name=self.up.name)
+
     def of_drum(self, k: int) -> int | None:
         """e = s n x p, p from the centre to where the string leaves it: up or down, right or left on the ground."""
-        plane, heading, side = self.way[k].plane, self.heading(k if k == 0 else k - 1), self.way[k].side
+        plane, side = self.way[k].plane, self.way[k].side
+        heading = None if plane is None else self.heading(k if k == 0 else k - 1, plane.normal.body)
         if plane is None or heading is None or side is None:
             return None
-        toward = self.names.compass[_TOWARD.get(side, side)]
-        n, p = ([number_of(self.names, c) for c in d.components] for d in (plane.normal, toward))
+        toward = self.still.on(plane.normal.body, self.names.compass[_TOWARD.get(side, side)])
+        if toward is None:
+            return None
+        n, p = ([number_of(self.names, c) for c in d.components] for d in (plane.normal, toward[0]))
         ahead = dot_product(heading, _cross(n, p))
         return None if abs(ahead) <= ROUND_OFF else 1 if ahead > 0.0 else -1
 
@@ -47,7 +56,7 @@ class WaySeen:
         """Over the top to the right it runs clockwise; round the shorter side where the leads say so."""
         node, plane = self.way[k], self.way[k].plane
         assert plane is not None
-        before, after = self.heading(k - 1), self.heading(k)
+        before, after = (self.heading(j, plane.normal.body) for j in (k - 1, k))
         n = [number_of(self.names, c) for c in plane.normal.components]
         bend = None if before is None or after is None else dot_product(n, _cross(before, after))
         are_known = self.leads[k - 1] is not None and self.leads[k] is not None
@@ -56,16 +65,16 @@ class WaySeen:
             return 1 if bend > 0.0 else -1
         if level is None or node.way == "around":
             return None
-        right = self._goes_right(k, level[0])
+        right = self._goes_right(k, level[0], plane.normal.body)
         return None if right is None else (-1 if right else 1) * (-1 if node.way == "under" else 1)
 
-    def _goes_right(self, k: int, right: list[float]) -> bool | None:
+    def _goes_right(self, k: int, right: list[float], frame: str) -> bool | None:
         """Whether the string comes to a wheel from the left and goes on to the right. What hangs is on the other side
         than what is beside the wheel."""
-        here = self.where(k)
+        here = self.where(k, frame)
         sides: list[float | None] = []
         for j in (k - 1, k + 1):
-            there = None if j in self.hanging else self.where(j)
+            there = None if j in self.hanging else self.where(j, frame)
             away = (
                 None
                 if there is None or here is None
@@ -80,9 +89,12 @@ class WaySeen:
         return before < 0.0 if before is not None else after is not None and after > 0.0
 
     def level(self, plane: WheelPlane) -> tuple[list[float], list[float]] | None:
-        """What is to the right and up in the plane of a wheel, seen against its axis; None where that is upright."""
-        n = [number_of(self.names, c) for c in plane.normal.components]
-        up = [number_of(self.names, c) for c in self.up.components]
+        """What is to the right and up in the plane of a wheel, seen against its axis; None where that is upright, or
+        what carries the wheel does not stay upright."""
+        upright = self.up_on(plane.normal.body)
+        if upright is None:
+            return None
+        n, up = ([number_of(self.names, c) for c in d.components] for d in (plane.normal, upright))
         rise = [u - dot_product(up, n) * c for u, c in zip(up, n, strict=True)]
         size = dot_product(rise, rise) ** 0.5
         if size <= ROUND_OFF:
@@ -90,36 +102,34 @@ class WaySeen:
         upward = [x / size for x in rise]
         return _cross(upward, n), upward
 
-    def heading(self, k: int) -> list[float] | None:
-        """The direction of a lead in numbers, from its stated direction or from where its ends are."""
+    def heading(self, k: int, frame: str) -> list[float] | None:
+        """The direction of a lead in numbers, as a body sees it, from its stated direction or from where its ends
+        are."""
         if not 0 <= k < len(self.leads):
             return None
         lead = self.leads[k]
         if lead is not None:
-            return [number_of(self.names, c) for c in lead.components]
-        first, last = self.where(k), self.where(k + 1)
+            seen = self.still.on(frame, lead)
+            return None if seen is None else [number_of(self.names, c) for c in seen[0].components]
+        first, last = self.where(k, frame), self.where(k + 1, frame)
         return None if first is None or last is None else [q - p for p, q in zip(first, last, strict=True)]
 
-    def where(self, k: int) -> list[float] | None:
+    def where(self, k: int, frame: str = GROUND) -> list[float] | None:
         """Where a place is at the start in numbers: as it is held, put, or guessed to be, or as a named measure of it
-        starts."""
+        starts. frame: the body that sees it; beside the ground only what it holds."""
         names, point = self.names, self.way[k].point
         body = names.known(point.body)
         guess = body.start.at or (None if body.start.near is None else body.start.near.at)
         found: list[float] = []
         for j, axis in enumerate(UNIT):
-            along = Direction(GROUND, axis)
-            place = self.still.standing(point, along)
-            begun = begins_at(names, point, along)
-            if place.body == GROUND:
-                found.append(number_of(names, place.far))
-            elif begun is not None:
+            begun = self.still.begins(point, Direction(frame, axis))
+            if begun is not None:
                 found.append(number_of(names, begun))
-            elif guess is not None:
+            elif guess is not None and frame == GROUND:
                 name, at = guess
                 found.append(number_of(names, at[j] + point.offset[j] - body.points[name][j]))
             else:
-                return self.still.started(point)
+                return self.still.started(point, frame)
         return found
 
 

@@ -130,7 +130,16 @@ def _check_plane(names: Names, connection: Connection, connections: Mapping[str,
     """In space, connections of the plane join bodies that stay in it."""
     flat = {body for c in connections.values() if c.keeps_flat(names) for body in c.mentions(names)}
     free = sorted(b for b in connection.mentions(names) - flat if not names.known(b).fixed)
-    if free:
+    if free and connection.in_space_take is not None:
+        told = Message(
+            "{kind} is a connection of the plane: in space {instead}. Or hold {names} in the plane of x and y by a "
+            "planar joint",
+            kind=connection.kind,
+            instead=connection.in_space_take,
+            names=", ".join(free),
+        )
+        names.problem(told)
+    elif free:
         names.problem(
             Message(
                 "{kind} is a connection of the plane; in space it joins bodies that stay in the plane of "
