@@ -164,3 +164,29 @@ def test_derivations_of_magnification_quality_even_motion_and_comparison_hold() 
     is_derived(FORCED, "quality factor")
     is_derived(PUSHED, "natural frequency")
     is_derived(TRAIN, "which is greater, tension of s or tension of t")
+
+
+RUBBED = """
+parameters: {m: 2 kg, k: 200 N/m, x0: 0.3 m, mu: 0.9, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}, points: {O: [-1 m, 0]}}
+bodies: {b: {particle: {mass: m}, at: [x0, 0]}}
+connections: {c: {contact: {between: [b, floor], friction: mu}}}
+loads: {w: {gravity: g}, s: {spring: {first: ground.O, second: b, stiffness: k, length: 1 m}}}
+measures: {x: x of b}
+start: {x: x0, rate(x): 0}
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("words", ["x when b comes to rest for good", "x when b finally comes to rest"])
+def test_block_on_a_spring_loses_the_same_amplitude_in_each_half_swing_until_friction_holds_it(words: str) -> None:
+    """2 mu m g/k in each (Meriam & Kraige, Dynamics, sec. 8/2; Hibbeler, ch. 22): after two of them at x0 - 4 mu m g/k."""
+    loss = 2 * 0.9 * 2 * 9.81 / 200
+    assert loss / 2 < 0.3 - loss < 3 * loss / 2
+    assert posed(RUBBED, words).value == pytest.approx(0.3 - 2 * loss)
+
+
+def test_a_stop_behind_which_it_slides_on_is_told_as_one_for_an_instant() -> None:
+    answer = posed(RUBBED, "x when b comes to rest")
+    assert answer.value == pytest.approx(2 * 0.9 * 2 * 9.81 / 200 - 0.3)
+    assert any("for an instant only" in note for note in answer.notes)

@@ -106,7 +106,8 @@ class Setup:
         rolls = any(isinstance(row.measure, NonholonomicForm) for row in self.system.constraint_rows)
         if found > model.degrees_of_freedom and rolls and not self.system.space:
             return  # rows of velocities may bind more a step away, where no motion leads
-        if found < model.degrees_of_freedom or not self.system.space:
+        are_named = any(turn.name for b in self.system.moving for turn in b.chain)
+        if found < model.degrees_of_freedom or not self.system.space or not are_named:
             raise CannotAnswer(
                 Message(
                     "about the start the connections leave {m} degrees of freedom, and in the formulas {n}: the pose "
