@@ -180,7 +180,7 @@ start: {x: x0, rate(x): 0}
 @pytest.mark.slow
 @pytest.mark.parametrize("words", ["x when b comes to rest for good", "x when b finally comes to rest"])
 def test_block_on_a_spring_loses_the_same_amplitude_in_each_half_swing_until_friction_holds_it(words: str) -> None:
-    """2 mu m g/k in each (Meriam & Kraige, Dynamics, sec. 8/2; Hibbeler, ch. 22): after two of them at x0 - 4 mu m g/k."""
+    """2 mu m g/k in each (Meriam & Kraige, Dynamics, sec. 8/2): after two of them at x0 - 4 mu m g/k."""
     loss = 2 * 0.9 * 2 * 9.81 / 200
     assert loss / 2 < 0.3 - loss < 3 * loss / 2
     assert posed(RUBBED, words).value == pytest.approx(0.3 - 2 * loss)
@@ -190,3 +190,46 @@ def test_a_stop_behind_which_it_slides_on_is_told_as_one_for_an_instant() -> Non
     answer = posed(RUBBED, "x when b comes to rest")
     assert answer.value == pytest.approx(2 * 0.9 * 2 * 9.81 / 200 - 0.3)
     assert any("for an instant only" in note for note in answer.notes)
+
+
+RING = """
+parameters: {R: 0.3 m, r: 0.12 m, W: 4 rad/s}
+bodies:
+  arm: {rod: {mass: 0, length: R - r}}
+  ring: {disk: {mass: 0, radius: R}, fixed: true}
+  p: {disk: {mass: 1 kg, radius: r}, points: {T: [r, 0]}}
+connections:
+  O: {pin: [ground.O, arm.start]}
+  C: {pin: [arm.end, p.center]}
+  mesh: {gear_mesh: {first: ring, second: p, internal: true}}
+  motor: {driver: {measure: a, follows: W*t}}
+measures: {a: angle of arm}
+"""
+
+
+def test_planet_in_a_ring_stands_as_it_is_drawn_whatever_the_difference_of_their_radii_is_called() -> None:
+    """Its point in the mesh is at rest, and goes to the other side by R W^2 (R - r)/r: a line of length R - r that is
+    taken to have the length r - R stands half a turn off (Kraige/Beer & Johnston, Dynamics, ch. 15)."""
+    assert posed(RING, "speed of p.T at start").value == pytest.approx(0, abs=1e-12)
+    assert posed(RING, "acceleration of p.T at start along left").value == pytest.approx(0.3 * 16 * 0.18 / 0.12)
+
+
+def test_verdict_on_what_is_greater_stands_also_where_contacts_have_phases() -> None:
+    """T_right - T_left = m a + mu m g > 0 while the block slides to the right (Beer & Johnston, Dynamics, ch. 12)."""
+    table = """
+parameters: {mA: 4 kg, mB: 2 kg, mC: 5 kg, mu: 0.2, g: 9.81 m/s^2}
+ground: {points: {P: [-1 m, 0], Q: [1 m, 0]}, lines: {table: {along: right}}}
+bodies:
+  A: {particle: {mass: mA}}
+  B: {particle: {mass: mB}, at: [-1 m, -1 m]}
+  C: {particle: {mass: mC}, at: [1 m, -1 m]}
+connections:
+  table: {contact: {between: [A, ground.table], friction: mu}}
+  left: {string: {path: [B, over ground.P, A]}}
+  right: {string: {path: [A, over ground.Q, C]}}
+loads: {weight: {gravity: g}}
+measures: {x: x of A}
+start: {x: 0, rate(x): 0}
+"""
+    answer = posed(table, "which is greater, tension of left or tension of right")
+    assert answer.verdict == "the second one is greater"

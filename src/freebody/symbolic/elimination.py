@@ -248,7 +248,9 @@ class Elimination:
             if self._is_still(square) and not own & self.field.ingredients(x):
                 is_known = known_angle(self.field, y, x, self.field.sqrt(square)) is not None
                 if is_known and line.offset.is_zero():
-                    length, angle = self.straight(Vector(x, y), line.offset)  # of R - r the sign that it has at the start
+                    length, angle = self.straight(
+                        Vector(x, y), line.offset
+                    )  # of R - r the sign that it has at the start
                     return used, {line.length: length, line.angle: angle}
             key = (x.key(), y.key(), line.offset.key())
             opposite = ((-x).key(), (-y).key(), line.offset.key())

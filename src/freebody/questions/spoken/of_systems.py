@@ -119,7 +119,8 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "steady amplitude" and not lookup.is_forced(names):
         return
     if not of and quantity in lookup.FORCED and rest.only("name", *SILENT):
-        yield [f"{quantity} of {name}" for name in names.measures]
+        driven = joining.driven(names)  # an angle that goes round evenly does not swing
+        yield [f"{quantity} of {name}" for name in names.measures if name not in driven]
     if not of and quantity in ("stroke", "time ratio") and rest.only(*SILENT):
         angles = [name for name in lookup.angles(names, "") if name not in joining.driven(names)]
         yield [

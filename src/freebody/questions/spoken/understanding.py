@@ -49,7 +49,11 @@ class Asked(Protocol):
 AskedT = TypeVar("AskedT", bound=Asked)
 
 # right at the start, and not at the right end
-_AT_ONCE = re.compile(r"(?<!the )\bright (?=(?:at|after|before|when|as)\b)")
+_AT_ONCE = re.compile(r"(?<!the )(?<!along )\bright (?=(?:at|after|before|when|as)\b)")
+# along a direction at an instant, in the order of the grammar
+_TIMED_ALONG = re.compile(
+    r"^(?P<of>.+?) (?P<at>(?:just )?(?:after|before) the impact|at (?:the )?start) (?P<along>along (?:the )?[\w.-]+)[?]?$"
+)
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
@@ -95,6 +99,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return []
     if len(text) > LONGEST:
         return []
+    if (put := _TIMED_ALONG.sub(r"\g<of> \g<along> \g<at>", text)) != text:
+        del names.problems[n_before:]
+        return understood(names, put, read)
     if JOINT in text and not isinstance(each := _read_quietly(names, text, read), Unread):
         del names.problems[n_before:]
         return [*zip(each, text.split(JOINT), strict=True)]
