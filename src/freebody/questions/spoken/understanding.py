@@ -52,7 +52,7 @@ AskedT = TypeVar("AskedT", bound=Asked)
 _AT_ONCE = re.compile(r"(?<!the )(?<!along )\bright (?=(?:at|after|before|when|as)\b)")
 # along a direction at an instant, in the order of the grammar
 _TIMED_ALONG = re.compile(
-    r"^(?P<of>.+?) (?P<at>(?:just )?(?:after|before) the impact|at (?:the )?start) "
+    r"^(?P<of>.+?) (?P<at>(?:just )?(?:after|before) the impact|in the impact|at (?:the )?start) "
     r"(?P<along>along (?:the )?[\w.-]+)[?]?$"
 )
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
