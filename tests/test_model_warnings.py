@@ -24,6 +24,14 @@ connections: {guide: {slider: {body: block, along: incline}}}
 loads: {w: {gravity: g}}
 measures: {s: travel of block along incline}
 """
+ON_DECK = """
+parameters: {M: 60 kg, m: 80 kg, F: 5 N}
+bodies: {boat: {particle: {mass: M}, lines: {deck: {along: right}}}, man: {particle: {mass: m}}}
+connections: {water: {slider: {body: boat, along: right}}, deck: {slider: {body: man, along: boat.deck}}}
+loads: {push: {force: {at: man, along: right, magnitude: F}}}
+measures: {x: x of boat, s: travel of man along boat.deckFROM}
+start: {x: 0, s: 0}
+"""
 PENDULUM = """
 parameters: {m: 1 kg, g: 9.81 m/s^2, L: 1 m}
 bodies: {bob: {particle: {mass: m}}}
@@ -156,6 +164,7 @@ def warned(text: str) -> list[tuple[str, str]]:
         ),
         (CAM.replace("LIFT", "h*phi/pi*(2 - phi/pi)"), "cam open", "changes by -0.01019 m per rad over"),
         (MAN.replace("PLACE", "6 m"), "off the rod", "S lies 1 m beyond the end of ladder"),
+        (ON_DECK.replace("FROM", ""), "counted from the ground", "the way of boat is in it"),
     ],
 )
 def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says: str) -> None:
@@ -245,3 +254,14 @@ def test_the_side_of_an_elbow_is_taken_as_it_is_said_and_decides_between_tension
     # 2 N sin(t) = F, cos(t) = 0.9 m/(2 a)
     (answer,) = system.solve("tension in upper").answers
     assert answer.value == pytest.approx(sign * 400 / (2 * (1 - 0.81) ** 0.5), rel=1e-9)
+
+
+def test_the_way_on_a_body_counted_from_a_point_of_it_or_about_a_fixed_axle_is_left_alone() -> None:
+    turning = """
+parameters: {m: 1 kg, I: 2 kg m^2}
+bodies: {rod: {body: {mass: m, inertia: I}, lines: {axis: {along: right}}}, bead: {particle: {mass: m}, at: [1 m, 0]}}
+connections: {pivot: {pin: [ground.O, rod]}, groove: {slider: {body: bead, along: rod.axis}}}
+measures: {r: travel of bead along rod.axis}
+"""
+    assert not warned(ON_DECK.replace("FROM", " from boat"))
+    assert not warned(turning)

@@ -37,13 +37,14 @@ class Transition:
     """A change of the state of a contact: it begins to roll (or to stick), stops slipping, begins to slip, opens, is
     touched, has bounced for the last time; or the instant just before or just after a blow or an impact. `of` are the
     connections (of a blow also the impulses) that are meant; none means any. count: which of such changes, counted from
-    the start. rests: that nothing moves any more is said as well."""
+    the start. rests: that nothing moves any more is said as well; stays: nor later on."""
 
     kind: TransitionKind
     of: tuple[str, ...]
     text: str
     count: int = 1
     rests: bool = False
+    stays: bool = False
 
 
 class Counted(Quantity):
@@ -214,7 +215,7 @@ _WORDS: tuple[tuple[str, TransitionKind], ...] = (
     (rf"{_SUBJECT} stops (?:slipping|sliding)", "slip ends"),
     (rf"(?:the )?(?:bouncing|rebounds?)(?: of {_NAME})? {_ENDS}", "bounces end"),
     (rf"{_SUBJECT} (?:stops?|ceases?|has (?:stopped|ceased)) (?:bouncing|to bounce|rebounding)", "bounces end"),
-    (rf"{_SUBJECT} (?P<rests>stops|comes to rest)", "slip ends"),
+    (rf"{_SUBJECT} (?P<last>(?:finally|eventually) )?(?P<rests>stops|comes to rest)(?P<stays> for good)?", "slip ends"),
     (rf"(?:slip|slipping|sliding)(?: of {_NAME})? (?:begins|starts)", "slips"),
     (rf"{_SUBJECT} (?:slips?|slides?|(?:begins?|starts?) {_SLIDING})", "slips"),
     (rf"{_SUBJECT} (?:opens?|parts?|lifts? off|takes? off|loses? contact)", "opens"),
@@ -253,12 +254,14 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         if found is None:
             continue
         name = found.groupdict().get("of")
-        if found.groupdict().get("rests") is not None and not can_change(names):
+        rests, *lasts = (found.groupdict().get(word) is not None for word in ("rests", "stays", "last"))
+        stays = any(lasts)
+        if rests and not can_change(names):
             return None  # nothing sticks where it stops: an event of a measure, whose rate is zero
         if name is None:
-            if found.groupdict().get("rests") is not None:
+            if rests:
                 _refuse_rolling(names, (), path)
-            return Transition(kind, (), text, rests=found.groupdict().get("rests") is not None)
+            return Transition(kind, (), text, rests=rests, stays=stays)
         if name in names.measures or (kind == "opens" and _runs_off(names, name)):
             return None
         of, on = connections_of(names, name, path), found.groupdict().get("on")
@@ -271,9 +274,9 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
                 told = Message("{name} and {other} have no contact with each other", name=name, other=on)
                 names.problem(told, *path)
             of = both
-        if found.groupdict().get("rests") is not None:
+        if rests:
             _refuse_rolling(names, of, path)
-        return Transition(kind, of, text, rests=found.groupdict().get("rests") is not None)
+        return Transition(kind, of, text, rests=rests, stays=stays)
     return None
 
 

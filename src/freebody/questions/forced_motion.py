@@ -1,7 +1,7 @@
 """Questions about oscillations that a harmonic load or drive forces, when free ones have died away.
 
 steady amplitude of QUANTITY      phase lag of QUANTITY [behind QUANTITY]      resonance frequency of QUANTITY
-transmissibility [from QUANTITY] to QUANTITY
+transmissibility [from QUANTITY] to QUANTITY      magnification factor of QUANTITY
 """
 
 from __future__ import annotations
@@ -90,6 +90,21 @@ class Transmissibility(Forced, kind="transmissibility"):
 
 
 @dataclass(frozen=True)
+class MagnificationFactor(Forced, kind="magnification factor"):
+    """The steady amplitude of a quantity over that under the same excitation of a frequency that tends to zero: how
+    much further it swings than it would be deflected at rest. Source: Rao, Mechanical Vibrations, 5th ed. 2011,
+    sec. 3.3."""
+
+    of: Quantity
+
+    example = SteadyAmplitude.example.replace("steady amplitude of x", "magnification factor of x")
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+
+@dataclass(frozen=True)
 class ResonanceFrequency(Forced, kind="resonance frequency"):
     """The angular frequency of the excitation at which the steady amplitude of a quantity is largest."""
 
@@ -155,3 +170,13 @@ def _transmitted(names: Names, found: Found, path: Path) -> Quantity | None:
 def _resonance(names: Names, found: Found, path: Path) -> Quantity | None:
     of = _swinging(names, found["of"], path)
     return None if of is None else ResonanceFrequency(of)
+
+
+@asked(
+    "magnification factor of QUANTITY",
+    r"(?:dynamic )?(?:magnification|amplification) factor of (?:the )?(?P<of>.+)",
+    rank=90,
+)
+def _magnified(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = _swinging(names, found["of"], path)
+    return None if of is None else MagnificationFactor(of)

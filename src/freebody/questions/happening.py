@@ -197,6 +197,14 @@ def _stated(
     if not timed and names.lets_go_from_rest and (rolls := _ROLLS.match(text)) is not None:
         return Lasting("rolls", _of(names, rolls.groupdict(), path), text), True
     if (tips := _TIPS.match(text)) is not None:
+        if not any(row.unilateral and row.reaction == "normal force" for row in names.constraint_rows):
+            told = Message(
+                "nothing stands on a contact from which it could tip: say how far it has to turn, e.g. least {p} so "
+                "that {angle} reaches 90 deg",
+                p=next(iter(names.parameters), "w0"),
+                angle=next((name for name, m in names.measures.items() if m.dimension == DIMENSIONLESS), "phi"),
+            )
+            names.problem(told, *path)
         return Lasting("stands", _of(names, tips.groupdict(), path), text), False
     if (escapes := _ESCAPES.match(text)) is not None and (away := _outward(names, escapes["of"])) is not None:
         event = read_event(names, f"{away} turns back", path)

@@ -1,19 +1,21 @@
-"""Questions about the ratio of two quantities, and of two loads that balance each other."""
+"""Questions about the ratio of two quantities, which of two is greater, and of two loads that balance each other."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.language.expression import Symbol, divide
+from freebody.errors import ExpressionError
+from freebody.language.expression import Symbol, add, divide, free_symbols, negate
+from freebody.language.parser import parse
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.names import did_you_mean
 from freebody.model.state import State
-from freebody.questions.arithmetic import OF_MOTIONS, CalculatedOfMotion, Functions, Joined, quotient
+from freebody.questions.arithmetic import OF_MOTIONS, CalculatedOfMotion, Functions, Joined, quotient, read_calculated
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.loads import LoadForce, Power
-from freebody.questions.reading import read_quantity
+from freebody.questions.reading import read_calculation, read_quantity
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -59,6 +61,43 @@ questions: {it: ratio of angular velocity of small to angular velocity of big}
     def sentence(self, system: Described) -> Sentence | None:
         top, bottom = self.top.sentence(system), self.bottom.sentence(system)
         return None if top is None or bottom is None else Sentence("what.ratio", {"top": top, "bottom": bottom})
+
+
+@dataclass(frozen=True)
+class Comparison(Joined, kind="comparison"):
+    """Which of two quantities is greater: by the sign of their difference; of vectors that of their sizes."""
+
+    first: Quantity
+    second: Quantity
+
+    example = """
+parameters: {m: 2 kg, M: 3 kg, F: 12 N, R: 5 N}
+bodies: {a: {particle: {mass: m}}, b: {particle: {mass: M}}}
+loads: {push: {force: {at: a, along: right, magnitude: F}}, pull: {force: {at: b, along: right, magnitude: R}}}
+measures: {x: x of a, y: x of b}
+questions: {it: "which is greater, acceleration of x or acceleration of y"}
+"""
+    compares = True
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.first.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.first.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return self.first, self.second
+
+    def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
+        first, second = (of.sqrt(sum(x * x for x in v)) if isinstance(v, tuple) else v for v in values)
+        return first - second
+
+    def sentence(self, system: Described) -> Sentence | None:
+        first, second = self.first.sentence(system), self.second.sentence(system)
+        return None if first is None or second is None else Sentence("what.greater", {"one": first, "other": second})
 
 
 @dataclass(frozen=True)
@@ -119,6 +158,40 @@ def _advantage(names: Names, found: Found, path: Path) -> Quantity | None:
             names.unknown(name, Message("there is no load {name}.{hint}", name=name, hint=hint), *path)
             return None
     return MechanicalAdvantage(loads[0], loads[1], (names.loads[loads[0]], names.loads[loads[1]]))
+
+
+def _side(names: Names, text: str, path: Path) -> Quantity | None:
+    """A quantity, what is calculated from several, or an expression in the parameters."""
+    try:
+        is_of_parameters = free_symbols(parse(text)) <= names.parameters.keys() | {"pi"}
+    except ExpressionError:
+        is_of_parameters = False
+    return read_calculated(names, text, {}, path, [text]) if is_of_parameters else read_calculation(names, text, path)
+
+
+@asked(
+    "which is greater, QUANTITY or QUANTITY",
+    r"which (?:one |of them )?is (?:the )?greater,? (?:the )?(?P<first>.+?) or (?:the )?(?P<second>.+)",
+    rank=98,
+)
+def _compared(names: Names, found: Found, path: Path) -> Quantity | None:
+    first, second = (_side(names, str(found[k]), path) for k in ("first", "second"))
+    if first is None or second is None:
+        return None
+    if first.dimension != second.dimension:
+        told = Message(
+            "{first} and {second} are of unlike units and cannot be compared",
+            first=str(found["first"]),
+            second=str(found["second"]),
+        )
+        names.problem(told, *path)
+        return None
+    if {first.scope, second.scope}.isdisjoint(OF_MOTIONS):
+        return Comparison(first, second)
+    operands = (("first", first), ("second", second))
+    text = f"({found['first']}) - ({found['second']})"
+    form = add(Symbol("first"), negate(Symbol("second")))
+    return CalculatedOfMotion(form, operands, first.dimension, text)
 
 
 @asked("ratio of QUANTITY to QUANTITY", r"ratio of (?P<top>.+) to (?P<bottom>.+)", rank=65)

@@ -14,6 +14,7 @@ from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.model.names import Names, did_you_mean
+from freebody.questions.base import NAME
 from freebody.questions.happening import Happening, read_happening
 from freebody.questions.linkages import ASSEMBLES, TURNS_FULLY, Assembly, OfLinkage, full_turn
 from freebody.questions.motion import OfMeasure, Staying
@@ -64,6 +65,7 @@ def read_turned_round(
         return None
     # what is to be so: a quantity largest, an inequality, a full turn, something that happens, a place that is reached
     relation, is_just = without_just(as_timed(locking(steadily(relation))))
+    relation = _as_force(names, relation)
     if when is None and event_at_end(names, relation)[1] is None and without_start(relation) == relation:
         relation = over_the_motion(relation)
     if when is None and (at := REACHES_PLACE.match(relation)) is not None and _moves(names, at["who"], at["what"]):
@@ -96,6 +98,24 @@ def read_turned_round(
         return None
     # else an equation
     return _value(read, names, parameter, relation, when)
+
+
+_PULLED = re.compile(
+    rf"(?:the )?(?P<of>{NAME}) (?:always )?(?:stays|remains|keeps|is always) "
+    r"(?:(?P<pulls>taut|tight|stretched|(?:in|under) tension)|(?:in|under) compression)"
+)
+
+
+def _as_force(names: Names, relation: str) -> str:
+    """That a rod, which also pushes, stays in tension or in compression, as the sign of its force all the time; of a
+    string it is that it stays taut."""
+    found = _PULLED.fullmatch(relation)
+    rows = [] if found is None else [r for r in names.constraint_rows if r.connection == found["of"]]
+    if found is None or not any(row.reaction == "tension" for row in rows):
+        return relation
+    if found["pulls"] and any(row.unilateral for row in rows):
+        return f"{found['of']} stays taut"
+    return f"tension of {found['of']} stays {'above' if found['pulls'] else 'below'} 0"
 
 
 def _moves(names: Names, who: str | None, measure: str) -> bool:

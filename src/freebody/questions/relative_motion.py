@@ -104,12 +104,20 @@ def _relative(names: Names, found: Found, path: Path) -> Quantity | None:
     return RelativeMotion(point, other, _ORDERS[what], along, is_size, read_basis(names, found["basis"], path))
 
 
+def _carries_a_string(names: Names, body: str) -> bool:
+    """Whether a string runs over a wheel."""
+    pulls = [row for row in names.constraint_rows if row.reaction == "tension"]
+    return "center" in names.bodies[body].points and any(body in row.measure.bodies() for row in pulls)
+
+
 def _seen_from(names: Names, text: str, path: Path) -> Point | None:
     """A point, or a body that does not turn as a whole."""
     if text == GROUND:
         return ORIGIN
     body, _, place_on_it = text.partition(".")
     if body in names.bodies and body != GROUND and not place_on_it and names.bodies[body].turns:
+        if _carries_a_string(names, body):  # what hangs on a pulley is seen from its axle
+            return names.point(f"{body}.center", *path)
         points = ", ".join(f"{body}.{name}" for name in list(names.bodies[body].points)[:4])
         told = Message(
             "{body} turns, so its points move differently: name one of them ({points})", body=body, points=points

@@ -189,12 +189,13 @@ questions: {it: stability of equilibrium}
         return Sentence("what.stability")
 
 
-Damped = Literal["ratio", "ratios", "frequency", "frequencies", "period", "decrement", "decrements"]
+Damped = Literal["ratio", "ratios", "frequency", "frequencies", "period", "decrement", "decrements", "quality"]
 
 
 @dataclass(frozen=True)
 class Damping(OfSmallMotion, kind="damping"):
-    """How small oscillations die away: damping ratio, damped frequency or period, logarithmic decrement."""
+    """How small oscillations die away: damping ratio, damped frequency or period, logarithmic decrement, quality
+    factor 1/(2 zeta)."""
 
     what: Damped
 
@@ -324,13 +325,15 @@ _DAMPED: dict[str, tuple[Damped, Damped]] = {
     "damped frequency": ("frequency", "frequencies"),
     "damped period": ("period", "period"),
     "logarithmic decrement": ("decrement", "decrements"),
+    "quality factor": ("quality", "quality"),
 }
 
 
 @asked(
-    "damping ratio | damped frequency | damped period | logarithmic decrement",
+    "damping ratio | damped frequency | damped period | logarithmic decrement | quality factor",
     r"(?P<what>damping ratio|degree of damping|damped (?:natural |angular )?frequency|damped period"
-    r"|logarithmic decrement)|(?P<all>damping ratio|damped (?:natural |angular )?frequencie|logarithmic decrement)s",
+    r"|logarithmic decrement|quality factor)"
+    r"|(?P<all>damping ratio|damped (?:natural |angular )?frequencie|logarithmic decrement)s",
     rank=75,
 )
 def _damping(names: Names, found: Found, path: Path) -> Quantity | None:

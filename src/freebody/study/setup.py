@@ -24,9 +24,11 @@ from freebody.questions.vectors import ORIGIN, axes_of
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, on_this_flank, require
+from freebody.symbolic.equilibrium import ClosedFormRest
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
+from freebody.symbolic.small_motion import small_motion_about
 from freebody.symbolic.start import StartState, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -104,7 +106,8 @@ class Setup:
         rolls = any(isinstance(row.measure, NonholonomicForm) for row in self.system.constraint_rows)
         if found > model.degrees_of_freedom and rolls and not self.system.space:
             return  # rows of velocities may bind more a step away, where no motion leads
-        if found < model.degrees_of_freedom or not self.system.space:
+        are_named = any(turn.name for b in self.system.moving for turn in b.chain)
+        if found < model.degrees_of_freedom or not self.system.space or not are_named:
             raise CannotAnswer(
                 Message(
                     "about the start the connections leave {m} degrees of freedom, and in the formulas {n}: the pose "
@@ -167,6 +170,22 @@ class Setup:
             return self.start_instant
         speeds = {c.speed for c in (*self.model.coordinates, *self.model.dependent)}
         return SymbolicState(self.model, {k: x for k, x in self.start.values.items() if k not in speeds})
+
+    @cached_property
+    def moves_off_evenly(self) -> bool:
+        """Whether nothing can rest, and small motions are those beside a motion with constant acceleration."""
+        return self.place_of_small_motion().moves_evenly
+
+    def place_of_small_motion(self, *, stable_first: bool = True) -> ClosedFormRest:
+        """The equilibrium; where there is none and the equations are linear, the start, about which they are as they
+        are about any motion with constant acceleration."""
+        if stable_first not in self._small_about:
+            self._small_about[stable_first] = small_motion_about(self.model, self.start, stable_first=stable_first)
+        return self._small_about[stable_first]
+
+    @cached_property
+    def _small_about(self) -> dict[bool, ClosedFormRest]:
+        return {}
 
     @cached_property
     def motion(self) -> SmoothMotion:

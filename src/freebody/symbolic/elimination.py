@@ -246,9 +246,11 @@ class Elimination:
                 return used, {line.length: length, line.angle: angle}
             square = x * x + y * y
             if self._is_still(square) and not own & self.field.ingredients(x):
-                length = self.field.sqrt(square)
-                angle = known_angle(self.field, y, x, length)
-                if angle is not None and line.offset.is_zero():
+                is_known = known_angle(self.field, y, x, self.field.sqrt(square)) is not None
+                if is_known and line.offset.is_zero():
+                    length, angle = self.straight(
+                        Vector(x, y), line.offset
+                    )  # of R - r the sign that it has at the start
                     return used, {line.length: length, line.angle: angle}
             key = (x.key(), y.key(), line.offset.key())
             opposite = ((-x).key(), (-y).key(), line.offset.key())
@@ -295,10 +297,9 @@ class Elimination:
             square = self.field.lowest_terms(x * x + y * y)
             if not used or not line.offset.is_zero() or not self._is_still(square):
                 continue
-            length = self.field.sqrt(square)
-            known = known_angle(self.field, y, x, length)
-            if known is None:
+            if known_angle(self.field, y, x, self.field.sqrt(square)) is None:
                 continue
+            length, known = self.straight(Vector(x, y), line.offset)  # its sign as above
             difference = RowEquation(line.name, self._so_far(self.field.variable(line.angle)) - known)
             options = self._single_options(difference)
             if not options:

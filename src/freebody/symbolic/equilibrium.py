@@ -59,6 +59,7 @@ class ClosedFormRest:
     stable: tuple[Condition, ...] = ()
     is_stable: bool | None = True
     neutral: tuple[str, ...] = ()
+    moves_evenly: bool = False  # whether it is none: all go on together with constant acceleration
     linear: Linearised | None = field(default=None, repr=False, compare=False)  # the equations about it
 
 

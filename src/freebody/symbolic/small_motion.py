@@ -35,7 +35,7 @@ from freebody.symbolic.equilibrium import GYROSCOPIC, ClosedFormRest, find_equil
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import determinant
-from freebody.symbolic.linearised import Linearised
+from freebody.symbolic.linearised import Linearised, swing_of
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
 from freebody.symbolic.residues import Coefficients, ResidueField
@@ -264,8 +264,10 @@ def free_oscillations(model: SymbolicModel, start: StartState) -> FreeOscillatio
     closed form, or where forces that are linear in the speeds and do no work mix the motions."""
     if not model.coordinates:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
-    rest = find_equilibrium(model, start)
     notes: list[str] = []
+    rest = small_motion_about(model, start)
+    if rest.moves_evenly:
+        notes.append(Message("there is no rest: these are the vibrations beside a motion with constant acceleration"))
     if not _is_start(model, rest, start):
         shown = joined((compared(Symbol(c.name), "=", tidy(rest.values[c.index])) for c in model.coordinates), ", ")
         notes.append(reworded(Message("about the equilibrium {place}", place=shown), shown))
@@ -280,6 +282,36 @@ def free_oscillations(model: SymbolicModel, start: StartState) -> FreeOscillatio
     if found.linear.is_gyroscopic:
         raise CannotAnswer(GYROSCOPIC)
     return found
+
+
+def small_motion_about(model: SymbolicModel, start: StartState, *, stable_first: bool = True) -> ClosedFormRest:
+    """The equilibrium, else the start where small motions are those beside an even motion. Raises CannotAnswer."""
+    try:
+        return find_equilibrium(model, start, stable_first=stable_first)
+    except CannotAnswer:
+        moving = _beside_even_motion(model, start)
+        if moving is None:
+            raise
+        return moving
+
+
+def _beside_even_motion(model: SymbolicModel, start: StartState) -> ClosedFormRest | None:
+    """The pose of the start, where no place is one of rest since all go on together with constant acceleration, and the
+    equations are linear: M q'' + C q' + K q = f with constant matrices has the modes of its homogeneous part, beside
+    any solution. None where they are not linear."""
+    f, coordinates = model.field, model.coordinates
+    if model.dependent or swing_of(model) is not None:
+        return None
+    at = {c.index: start.of(c.index) for c in coordinates}
+    linear = Linearised(model, at)
+    moving = {g for c in coordinates for g in (c.index, c.speed)} | {f.index(f.time)}
+    forces = model.dynamics.forcing
+    slopes = [f.lowest_terms(f.derivative(F, c.index)) for F in forces for c in coordinates]
+    slopes += [f.lowest_terms(f.partial(F, c.speed)) for F in forces for c in coordinates]
+    masses = [f.lowest_terms(x) for row in model.dynamics.mass_matrix for x in row]
+    if any(f.ingredients(x) & moving for x in (*slopes, *masses)) or determinant(linear.mass).is_zero():
+        return None
+    return ClosedFormRest(at, moves_evenly=True, linear=linear)
 
 
 def _is_start(model: SymbolicModel, rest: ClosedFormRest, start: StartState) -> bool:

@@ -202,6 +202,7 @@ def _damping(q: Damping, telling: SmallTelling) -> None:
             "ratio": divide(C, multiply(number(2), _root(multiply(K, M)))),
             "frequency": swing,
             "period": divide(multiply(number(2), Symbol("pi")), swing),
+            "quality": divide(_root(multiply(K, M)), C),
             "decrement": divide(multiply(Symbol("pi"), C), multiply(M, swing)),
         }
         args: dict[str, Argument] = {"lines": lines}

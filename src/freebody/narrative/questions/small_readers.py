@@ -99,7 +99,7 @@ class SmallMotions:
         return read
 
     def damped(self, what: str, k: int) -> Callable[[World], float]:
-        """Damping ratio, damped frequency or period, decrement of the k-th motion that swings."""
+        """Damping ratio, quality factor, damped frequency or period, decrement of the k-th motion that swings."""
 
         def read(world: World) -> float:
             mass, stiffness = self._linear(world.draw)
@@ -108,12 +108,14 @@ class SmallMotions:
             A = np.block([[np.zeros((n, n)), np.eye(n)], turned])
             rates = np.linalg.eigvals(A)
             swinging: list[complex] = sorted((s for s in rates.tolist() if s.imag > 0), key=abs)
-            if not swinging and what == "ratio":
+            if not swinging and what in ("ratio", "quality"):
                 a, b = sorted(rates.real)[:2]
-                return float(-(a + b) / (2 * np.sqrt(a * b)))
+                ratio = float(-(a + b) / (2 * np.sqrt(a * b)))
+                return ratio if what == "ratio" else 1 / (2 * ratio)
             s = swinging[k]
             return {
                 "ratio": -s.real / abs(s),
+                "quality": -abs(s) / (2 * s.real),
                 "frequency": s.imag,
                 "period": 2 * np.pi / s.imag,
                 "decrement": -2 * np.pi * s.real / s.imag,

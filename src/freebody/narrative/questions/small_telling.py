@@ -101,8 +101,13 @@ class SmallTelling:
 
     # -- the equilibrium ----------------------------------------------------------------------
     def equilibrium(self) -> None:
-        """Speeds and accelerations vanish; what is left determines the coordinates."""
+        """Speeds and accelerations vanish; what is left determines the coordinates. Where nothing can rest the constant
+        forces drop out of linear equations."""
         script = self.script
+        if self.free.rest.moves_evenly:
+            with script.stage("small.even", "small.even_hint"):
+                script.say("small.deviations")
+            return
         with script.stage("small.equilibrium", "small.equilibrium_hint"):
             meanings: list[Meaning] = []
             for k, c in enumerate(self.model.coordinates):

@@ -18,7 +18,16 @@ if TYPE_CHECKING:
 
 _NAMED_AS_FORCES = ("force", "torque", "drag", "buoyancy")  # kinds of loads of which a name alone is the force
 _GEARED = ("tooth force", "belt force", "chain force")  # what turns one body by another
-_OF_QUANTITY = ("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
+_OVER_FREQUENCY = ("steady amplitude", "magnification factor", "free amplitude", "transmissibility")
+_OF_QUANTITY = (
+    "stroke",
+    "time ratio",
+    "extremes",
+    "steady amplitude",
+    "phase lag",
+    "resonance frequency",
+    "magnification factor",
+)
 __all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
 
 
@@ -64,6 +73,9 @@ def quantities(names: Names, clause: Clause) -> Groups:
             yield [f"range of {text}" for text in group]
         return
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
+    if degrees == ["greatest"] and clause.has("quantity", *_OVER_FREQUENCY) and (omega := lookup.excitation(names)):
+        for group in _plain(names, clause.without("degree")):  # the greatest that any frequency of the excitation gives
+            yield [f"largest {text} over {omega}" for text in group if text.startswith(_OVER_FREQUENCY)]
     if clause.all("quantity") == ["natural frequency"] and clause.only("quantity", "degree", *SILENT):
         yield from ([f"{_OF_MODE[which]} natural frequency"] for which in degrees if which in _OF_MODE)
     if degrees:

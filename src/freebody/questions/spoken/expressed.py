@@ -170,6 +170,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "free amplitude": r"amplitude|greatest|=",
         "resonance frequency": rf"resonance|frequency|{_CHOICE}",
         "transmissibility": r"transmissib",
+        "magnification factor": r"magnification",
+        "quality factor": r"quality",
         "equilibrium": rf"{_REST}|{_CHOICE}|speed|velocity|static",
         "time": rf"time|{_CHOICE}|period|until|when",
         "stopping time": r"time",

@@ -241,6 +241,13 @@ def rivals(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
 
 
 @cache
+def comparisons(language: str) -> tuple[tuple[re.Pattern[str], str, str], ...]:
+    """Patterns for questions which of two things is greater, and what both sides are."""
+    rules = cast("list[list[str]]", _file(language)["several"]["compared"])
+    return tuple((re.compile(pattern, re.IGNORECASE), first, second) for pattern, first, second in rules)
+
+
+@cache
 def pairs(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
     """Patterns for what stands for two things, and how it is said of them by their names."""
     rules = cast("list[list[str]]", _file(language)["several"]["pairs"])

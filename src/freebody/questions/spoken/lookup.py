@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols, negate, substitute
 from freebody.language.notation import to_python
-from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE
 
+FORCED = ("steady amplitude", "phase lag", "resonance frequency", "magnification factor")
 STRETCHED = ("extension", "compression")  # quantities of what is longer, or shorter, than without force
 _LEVEL = 1e-9  # of a direction that is level, or straight up
 
@@ -331,7 +332,9 @@ def stretched_at_rest(names: Names, spring: str) -> list[str]:
         if isinstance(length, Distance):
             natural = negate(substitute(measure.expression, {symbol: ZERO}))  # of: length - l_0
             ends = f"{length.start.name} to {length.end.name}"
-            found.append(f"(equilibrium of distance from {ends}) - {_factor(to_python(natural).replace('**', '^'))}")
+            text = _factor(to_python(natural).replace("**", "^"))
+            text = text if free_symbols(natural) else f"{text} m"  # a length that the file gives with its unit
+            found.append(f"(equilibrium of distance from {ends}) - {text}")
     return found
 
 
@@ -339,6 +342,14 @@ def is_forced(names: Names) -> bool:
     """Whether a load is a function of time."""
     is_driven = any("drive" in names.called.get(name, ()) for name in names.connections)
     return is_driven or any(p.general is not None or "t" in free_symbols(p.law) for p in names.applied_loads)
+
+
+def excitation(names: Names) -> str:
+    """The parameter that is the frequency of the loads and drives that swing, where it is one; else nothing."""
+    laws = [p.law for p in names.applied_loads] + [r.target for r in names.constraint_rows if r.target is not None]
+    timed = {name for law in laws if "t" in free_symbols(law) for name in free_symbols(law)}
+    found = [p.name for p in names.parameters.values() if p.name in timed and p.dimension == ANGULAR_VELOCITY]
+    return found[0] if len(found) == 1 else ""
 
 
 def catching(names: Names, *, pulls: bool) -> list[str]:

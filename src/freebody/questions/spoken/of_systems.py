@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import free_symbols
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, losing
@@ -109,14 +110,17 @@ def _cycles(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"1/({text})" for text in group]
 
 
-@said_of("stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency")
+@said_of(
+    "stroke", "time ratio", "extremes", "steady amplitude", "phase lag", "resonance frequency", "magnification factor"
+)
 def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     """What is asked of the place of something: its stroke, its time ratio."""
     of = [name for _, name in rest.names if name not in names.parameters]  # the speed Omega at which it resonates
     if quantity == "steady amplitude" and not lookup.is_forced(names):
         return
-    if not of and quantity in ("steady amplitude", "phase lag", "resonance frequency") and rest.only("name", *SILENT):
-        yield [f"{quantity} of {name}" for name in names.measures]
+    if not of and quantity in lookup.FORCED and rest.only("name", *SILENT):
+        driven = joining.driven(names)  # an angle that goes round evenly does not swing
+        yield [f"{quantity} of {name}" for name in names.measures if name not in driven]
     if not of and quantity in ("stroke", "time ratio") and rest.only(*SILENT):
         angles = [name for name in lookup.angles(names, "") if name not in joining.driven(names)]
         yield [
@@ -128,6 +132,16 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity} of {name}" for name in measures]
         guides = [] if measures else joining.guides(names, of[0])
         yield [f"{quantity} of position of {of[0]} along {guide}" for guide in guides]
+
+
+@said_of("critical damping")
+def _critical_damping(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of the parameter of the only damper, or of the one that is named."""
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        laws = [p.law for p in names.applied_loads if p.load in losing.damped(names)]
+        strengths = dict.fromkeys(name for law in laws for name in free_symbols(law) if name in names.parameters)
+        yield [f"critical damping of {name}" for name in strengths if not of or name == of[0] or of[0] in names.loads]
 
 
 @said_of("dead points")

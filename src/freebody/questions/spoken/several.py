@@ -20,6 +20,7 @@ from freebody.questions.spoken.lexicon import (
     CLOSE,
     OPEN,
     Word,
+    comparisons,
     contexts,
     counted_by,
     languages,
@@ -61,8 +62,19 @@ def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
 
 
+def sides_of(text: str) -> tuple[str, str] | None:
+    """What is compared where a text asks which of two is greater."""
+    for language in languages():
+        for pattern, first, second in comparisons(language):
+            if found := pattern.match(text):
+                return found.expand(first), found.expand(second)
+    return None
+
+
 def of_rivals(text: str) -> str:
     """The text in which both are asked for, where it asks which of them is larger: their values tell."""
+    if sides := sides_of(text):
+        return f"{sides[0]} and {sides[1]}"
     for language in languages():
         for pattern, written in rivals(language):
             text = pattern.sub(written, text)

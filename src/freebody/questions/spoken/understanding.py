@@ -25,7 +25,7 @@ from freebody.questions.spoken.lexicon import MARKED, Word, languages, phrases_a
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
-from freebody.questions.spoken.several import each_of, of_rivals, paired, parts
+from freebody.questions.spoken.several import each_of, of_rivals, paired, parts, sides_of
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import spelt_out
 from freebody.questions.spoken.words import Unknown, respelt, without_unit, words_of
@@ -49,7 +49,12 @@ class Asked(Protocol):
 AskedT = TypeVar("AskedT", bound=Asked)
 
 # right at the start, and not at the right end
-_AT_ONCE = re.compile(r"(?<!the )\bright (?=(?:at|after|before|when|as)\b)")
+_AT_ONCE = re.compile(r"(?<!the )(?<!along )\bright (?=(?:at|after|before|when|as)\b)")
+# along a direction at an instant, in the order of the grammar
+_TIMED_ALONG = re.compile(
+    r"^(?P<of>.+?) (?P<at>(?:just )?(?:after|before) the impact|in the impact|at (?:the )?start) "
+    r"(?P<along>along (?:the )?[\w.-]+)[?]?$"
+)
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
@@ -95,6 +100,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return []
     if len(text) > LONGEST:
         return []
+    if (put := _TIMED_ALONG.sub(r"\g<of> \g<along> \g<at>", text)) != text:
+        del names.problems[n_before:]
+        return understood(names, put, read)
     if JOINT in text and not isinstance(each := _read_quietly(names, text, read), Unread):
         del names.problems[n_before:]
         return [*zip(each, text.split(JOINT), strict=True)]
@@ -102,6 +110,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     del names.problems[n_before:]
     if (asked := without_context(names, elements_of(names), text)) != text:
         return understood(names, asked, read)
+    if (sides := sides_of(text)) is not None:
+        return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
     if len(nearest) != 1 and (parted := _several(names, text, read)):
         return parted
@@ -156,6 +166,43 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             )
         names.unknown(text, none, "find")
     return []
+
+
+def _compared(
+    names: Names,
+    text: str,
+    sides: tuple[str, str],
+    told: list[Problem],
+    read: Callable[[str], AskedT | None],
+) -> list[tuple[AskedT, str]]:
+    """Which of two is greater: of sides that are read by themselves, or the second by what it shares with the first."""
+    each = [words for side in sides if (words := _words(names, side, read))]
+    if len(each) < len(sides):
+        both = _several(names, text, read)
+        each = [words for _asked, words in both] if len(both) == len(sides) else each
+    if len(each) == len(sides):
+        words = f"which is greater, {each[0]} or {each[1]}"
+        if not isinstance(asked := _read_quietly(names, words, read), Unread):
+            return [*zip(asked, (words,), strict=True)]
+    lacking = Message(
+        "cannot read '{text}': of each of both say what it is, as in: which is greater, {first} or {second}",
+        text=text,
+        first="speed of a",
+        second="speed of b",
+    )
+    if _is_specific(told):
+        names.problems += told
+    else:
+        names.problem(lacking, "find")
+    return []
+
+
+def _words(names: Names, text: str, read: Callable[[str], AskedT | None]) -> str:
+    """A side of a comparison in the words of the grammar: a quantity, or an expression in the parameters."""
+    found = _one(names, text, read)
+    if found:
+        return found[0][1] if len(found) == 1 else ""
+    return "" if isinstance(_read_quietly(names, f"which is greater, {text} or {text}", read), Unread) else text
 
 
 def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:

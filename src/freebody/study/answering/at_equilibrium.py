@@ -23,7 +23,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import nearest_equilibrium
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.equilibrium import GYROSCOPIC, find_equilibrium
+from freebody.symbolic.equilibrium import GYROSCOPIC
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import swing_of
 from freebody.symbolic.small_motion import place_of_mode
@@ -146,8 +146,10 @@ def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float
 def _numbers_about(setup: Setup, draw: Draw) -> Array:
     """Natural frequencies about the equilibrium that formulas give, else the one nearest to the start."""
     try:
-        places = places_at(setup, find_equilibrium(setup.model, setup.start).values, draw)
-        if unrest(setup, draw, places) > AT_REST:  # the formula takes something to be positive that is not so there
+        places = places_at(setup, setup.place_of_small_motion().values, draw)
+        if (
+            not setup.moves_off_evenly and unrest(setup, draw, places) > AT_REST
+        ):  # the formula takes something to be positive that is not so there
             raise CannotAnswer(Message("this is no equilibrium"))
         q, v = resting(draw, places)
         found = frequencies_at(setup, draw, places)
@@ -206,7 +208,9 @@ def small_motions_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, f
     found: list[SmallMotion] = []
     for t in instants(setup, draw):
         q, v = resting(draw, places, t)
-        at = LinearisationPoint(q, v, t, draw.start().branches, frozen=not is_driven(setup, v))
+        at = LinearisationPoint(
+            q, v, t, draw.start().branches, frozen=not (is_driven(setup, v) or setup.moves_off_evenly)
+        )
         found.append(SmallMotion(draw.reference, at))
     small = found[0]
     if len(found) > 1:
@@ -219,7 +223,7 @@ def small_motions_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, f
 def frequencies_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) -> Array:
     """Natural angular frequencies [rad/s] of the undamped system about an equilibrium, or beside what is driven."""
     q, v = resting(draw, places)
-    if not is_driven(setup, v) and len(instants(setup, draw)) == 1:
+    if not (is_driven(setup, v) or setup.moves_off_evenly) and len(instants(setup, draw)) == 1:
         return draw.reference.frequencies(q)
     small = small_motions_at(setup, draw, places)
     mass, K = small.orthonormal.T @ small.M @ small.orthonormal, small.stiffness

@@ -20,6 +20,7 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.questions.reading import Question
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Value, made
+from freebody.study.answering.comparing import which_is_greater
 from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
 from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.draws import Draw
@@ -71,6 +72,8 @@ class AnswerCompletion:
             if broken:
                 value = self._where_a_divisor_vanishes(needed)
                 found.notes += [] if value is None else [Message("the value is that of the simulated motion")]
+            if q.quantity.compares and isinstance(element, Ratio):
+                found.verdict = which_is_greater(element, needed, value)
             parts = element if isinstance(element, tuple) else (element,)
             found.notes += special_functions_named(parts)
             told = texts(needed, until_event=self.reached is not None)

@@ -15,7 +15,6 @@ from freebody.questions.reading import Question
 from freebody.study.answering.finding import Elements
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.existence import exists
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.written import has_values
@@ -62,7 +61,7 @@ def as_written(setup: Setup, question: Question, state: SymbolicState) -> list[C
         return []
     waits = question.event is not None or question.transition is not None
     if rests:
-        values = find_equilibrium(setup.model, setup.start, stable_first=q.is_about_stable).values
+        values = setup.place_of_small_motion(stable_first=q.is_about_stable).values
         still = {c.speed: setup.model.field.zero for c in setup.model.coordinates}
         state = SymbolicState(setup.model, values | still)
     elif waits:

@@ -16,6 +16,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
+from freebody.study.answering.comparing import which_is_greater
 from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.loops import loops_in
@@ -252,10 +253,14 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         judgement = judged(question, main.value, tree.home.model, tree.system, region)
     else:
         judgement = judged(question, main.value, main.phase.model, main.phase.system)
+    verdict = ""
+    if question.quantity.compares and isinstance(main.value, Ratio):
+        verdict = which_is_greater(main.value, [*own.piece.conditions, *own.piece.needs] if main.is_home else [], value)
     return made(
         question,
         _shown(main),
         value,
+        verdict=verdict,
         conditions=own.conditions or (for_all(tree.system),),
         notes=notes,
         judgement=judgement,

@@ -33,7 +33,7 @@ from freebody.study.phases.ends import FirstEvent, PhaseOutcome
 from freebody.study.phases.events import first_events
 from freebody.study.phases.in_blow import after_in_formulas, not_struck
 from freebody.study.phases.in_the_end import in_the_end
-from freebody.study.phases.nodes import PhaseNode, WayToPhase
+from freebody.study.phases.nodes import PhaseEnd, PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import elements_in, passage_of
 from freebody.study.phases.phase import BOUNCES_END, PhaseWatch
@@ -159,8 +159,14 @@ def _at_transition(
                 later = replace(asked, count=left - 1)
                 yield from _at_transition(tree, question, later, [way.on(edge, node) for node in edge.nodes])
                 continue
+            if meant is not None and asked.stays:
+                yield from _at_last_rest(tree, question, asked, way, edge, meant)
+                continue
             if meant is not None:
-                yield branch_at(tree, question, way, meant, edge.conditions, edge.sets)
+                branch = branch_at(tree, question, way, meant, edge.conditions, edge.sets)
+                if asked.rests and any(0 in node.sets and _slides(node, meant) for node in edge.nodes):
+                    branch.notes.append(Message("it is at rest there for an instant only, and slides on from there"))
+                yield branch
                 continue
             for node in edge.nodes:
                 conditions = [*edge.conditions, *node.conditions]
@@ -170,6 +176,22 @@ def _at_transition(
                 else:
                     after = node if asked.kind == "opens" and rebounds(node, asked) else None
                     yield branch_at(tree, question, way, meant, conditions, node.sets, after)
+
+
+def _at_last_rest(
+    tree: PhaseTree, question: Question, asked: Transition, way: WayToPhase, edge: PhaseEnd, meant: FirstEvent
+) -> Iterator[AnswerBranch]:
+    """Where what stops is held by friction; where it is not, at a later stop."""
+    for node in edge.nodes:
+        if _slides(node, meant):
+            yield from _at_transition(tree, question, asked, [way.on(edge, node)])
+        else:
+            yield branch_at(tree, question, way, meant, [*edge.conditions, *node.conditions], node.sets)
+
+
+def _slides(node: PhaseNode, meant: FirstEvent) -> bool:
+    """Whether what has stopped slides in the phase that follows."""
+    return node.phase.mode.states.get(meant.watch.name, 0) != 0
 
 
 def _beside_blow(

@@ -42,6 +42,11 @@ def damping(setup: Setup, question: Question, q: Damping, at_rest: AtRest) -> Fi
         if q.what in ("ratio", "ratios"):
             parts.append(f.lowest_terms(decay / (2 * omega)))
             continue
+        if q.what == "quality":
+            undamped = CannotAnswer(Message("nothing damps the motion, so it has no quality factor"))
+            conditions += insisted([Condition(decay, ">", Message("damped"))], undamped)
+            parts.append(f.lowest_terms(omega / decay))
+            continue
         left = f.lowest_terms(mode.square - decay * decay / 4)
         creeps = CannotAnswer(Message("it is overdamped for all values: it creeps back without swinging"))
         conditions += insisted([Condition(left, ">", Message("underdamped"))], creeps)
@@ -67,13 +72,15 @@ def damped_values(small: SmallMotion, q: Damping) -> list[float]:
     rates = [m.rate for m in natural_motions(small) if m.kind != "rigid"]
     pairs = [s for s in rates if s.imag]
     alone = sorted((s.real for s in rates if not s.imag), reverse=True)
-    if alone and (q.what not in ("ratio", "ratios") or len(alone) != 2 or pairs):
+    if alone and (q.what not in ("ratio", "ratios", "quality") or len(alone) != 2 or pairs):
         raise SaysNothing(Message("a motion is overdamped"))
     if alone:
-        return [-(alone[0] + alone[1]) / (2.0 * math.sqrt(alone[0] * alone[1]))]
+        ratio = -(alone[0] + alone[1]) / (2.0 * math.sqrt(alone[0] * alone[1]))
+        return [1.0 / (2.0 * ratio) if q.what == "quality" else ratio]
     pairs.sort(key=abs)
     read: dict[str, Callable[[complex], float]] = {
         "ratio": lambda s: -s.real / abs(s),
+        "quality": lambda s: abs(s) / (-2.0 * s.real),
         "freq": lambda s: abs(s.imag),
         "period": lambda s: math.tau / abs(s.imag),
         "decrement": lambda s: -s.real * math.tau / abs(s.imag),

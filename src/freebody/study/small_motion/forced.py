@@ -13,7 +13,13 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
-from freebody.questions.forced_motion import PhaseLag, ResonanceFrequency, SteadyAmplitude, Transmissibility
+from freebody.questions.forced_motion import (
+    MagnificationFactor,
+    PhaseLag,
+    ResonanceFrequency,
+    SteadyAmplitude,
+    Transmissibility,
+)
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.at_equilibrium import frequencies_at, insist_on_rest, places_at
@@ -34,7 +40,12 @@ from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
 
 FORCED = Message("frequency response of the full system, linearised in numbers")
+NO_DEFLECTION = Message(
+    "the excitation vanishes with its frequency, so there is no deflection to compare with; ask for the steady "
+    "amplitude, or for the transmissibility"
+)
 _VERTICES = 12  # steps to a maximum in numbers, each the square of the last
+_SLOW = 1e-5  # of the frequencies: their squares are below the tolerance
 _APART = 1e-3  # of the frequency: where amplitudes beside a maximum are read
 
 
@@ -108,6 +119,16 @@ class _Forced:
         top, below = self.root(swing.square), self.root(by.square)
         return f.lowest_terms(top / below)
 
+    def omega(self) -> int:
+        """The parameter that is the frequency of the excitation."""
+        f, frequency = self.model.field, self.forced.swing.frequency
+        omega = next((g for g in frequency.generators() if frequency == f.variable(g)), None)
+        if omega is None:
+            raise CannotAnswer(
+                Message("the frequency of the excitation is no parameter of its own; write cos(Omega*t)")
+            )
+        return omega
+
     def finite(self, by: Phasor) -> list[Condition]:
         """That a divisor does not vanish: without damping it does where the excitation meets a natural frequency."""
         condition, _possible = require(by.re if by.im.is_zero() else by.square, "!=", Message("no resonance"))
@@ -151,9 +172,35 @@ def _transmissibility(q: Transmissibility, told: _Forced, question: Question) ->
     return Finding(x, evidence, told.conditions, told.notes, may_be_complex=True, unit=unit)
 
 
+@_asked.register(MagnificationFactor)
+def _magnification(q: MagnificationFactor, told: _Forced, question: Question) -> Finding:
+    """|A(Omega)| over |A(0)|, the loads and drives having the same amplitudes."""
+    f, omega, swing = told.model.field, told.omega(), told.of(q.of)
+    still = {omega: f.zero}
+    size = f.lowest_terms(f.follow(swing.square, still) / f.follow(told.forced.determinant.square, still))
+    if size.is_zero():
+        raise CannotAnswer(NO_DEFLECTION)
+    x = f.lowest_terms(told.amplitude(swing, told.forced.determinant) / told.root(size))
+    told.conditions += told.finite(told.forced.determinant)
+    evidence = told.evidence(question, x, lambda numbers: _number(q, told, numbers))
+    return Finding(x, evidence, told.conditions, told.notes, may_be_complex=True)
+
+
 @_number.register(SteadyAmplitude)
 def _amplitude_number(q: SteadyAmplitude, told: _Forced, numbers: ForcedNumbers) -> float:
     return abs(numbers.of(q.of))
+
+
+@_number.register(MagnificationFactor)
+def _magnification_number(q: MagnificationFactor, told: _Forced, numbers: ForcedNumbers) -> float:
+    """The amplitude over that at a frequency that is slow beside all others."""
+    name = to_python(told.model.field.expression(told.forced.swing.frequency))
+    natural = min(frequencies_at(told.setup, numbers.draw, numbers.places), default=numbers.frequency)
+    slow = _SLOW * min(natural, numbers.frequency)
+    sizes = [_size_at(told, q.of, numbers.draw, name, x) for x in (slow, slow / 2)]
+    if abs(sizes[0] - sizes[1]) > TOLERANCE * sizes[0]:
+        raise CannotAnswer(NO_DEFLECTION)
+    return abs(numbers.of(q.of)) / sizes[0]
 
 
 @_number.register(Transmissibility)
@@ -222,10 +269,7 @@ def _in_step(told: _Forced, re: Ratio) -> tuple[Ratio, list[Condition]]:
 def _resonance(q: ResonanceFrequency, told: _Forced, question: Question) -> Finding:
     """Where the derivative of the squared amplitude by the frequency vanishes; without damping, where the amplitude is
     without bound."""
-    f, frequency = told.model.field, told.forced.swing.frequency
-    omega = next((g for g in frequency.generators() if frequency == f.variable(g)), None)
-    if omega is None:
-        raise CannotAnswer(Message("the frequency of the excitation is no parameter of its own; write cos(Omega*t)"))
+    f, omega = told.model.field, told.omega()
     square = f.lowest_terms(told.of(q.of).square / told.forced.determinant.square)
     is_bounded = told.linear.is_damped
     sought = f.lowest_terms(f.partial(square, omega)).numerator() if is_bounded else square.denominator()
@@ -309,16 +353,16 @@ def _resonance_number(q: ResonanceFrequency, told: _Forced, numbers: ForcedNumbe
 def _to_vertex(told: _Forced, q: ResonanceFrequency, draw: Draw, name: str, x: float) -> float | None:
     """Newton's step towards the maximum of the amplitude, as a part of x, from differences of fourth order; None where
     the amplitude does not bend downwards."""
-    a, b, c, d, e = (_size_at(told, q, draw, name, x * (1.0 + k * _APART)) for k in (-2, -1, 0, 1, 2))
+    a, b, c, d, e = (_size_at(told, q.of, draw, name, x * (1.0 + k * _APART)) for k in (-2, -1, 0, 1, 2))
     slope = (8.0 * (d - b) - (e - a)) / (12.0 * _APART)
     bend = (16.0 * (b + d) - (a + e) - 30.0 * c) / (12.0 * _APART**2)
     return -slope / bend if bend < -1e-3 * c else None
 
 
-def _size_at(told: _Forced, q: ResonanceFrequency, draw: Draw, name: str, frequency: float) -> float:
+def _size_at(told: _Forced, of: Quantity, draw: Draw, name: str, frequency: float) -> float:
     """The amplitude in numbers at another frequency."""
     other = Draw.of(draw.reference.system, {**draw.values, name: frequency})
-    return abs(ForcedNumbers(told.setup.system, other, told.numbers(draw).places, frequency).of(q.of))
+    return abs(ForcedNumbers(told.setup.system, other, told.numbers(draw).places, frequency).of(of))
 
 
 def _squares_of(base: Ratio, omega: int) -> list[Ratio]:

@@ -28,6 +28,7 @@ from freebody.study.answering.draws import Draw
 from freebody.system.system import System
 
 _STEP = 1e-4  # rad, m, and by Omega of rates
+_HARMONIC = 1e-6  # of what is read at four instants of a period
 _RESONANT = 1e-6  # of the size of the slopes, whose round-off is some 1e-8
 
 Complex = NDArray[np.complex128]
@@ -61,8 +62,11 @@ class ForcedNumbers:
         """Of what is read off a state: its mean at the equilibrium, its own swing, and its slopes along Z."""
         n, w = len(self.places), self.frequency
         zero: Array = np.zeros(n)
-        start, quarter, half = (read(self.seen(self.rest, zero, phase)) for phase in (0.0, 0.25, 0.5))
+        start, quarter, half, last = (read(self.seen(self.rest, zero, phase)) for phase in (0.0, 0.25, 0.5, 0.75))
         mean = (start + half) / 2.0
+        sizes = np.abs(start) + np.abs(quarter) + np.abs(half) + np.abs(last)
+        if np.any(np.abs(quarter + last - 2.0 * mean) > _HARMONIC * np.maximum(sizes, 1.0)):
+            raise CannotAnswer(Message("it does not swing harmonically about the equilibrium"))
         columns: list[Complex] = []
         for k in range(n):
             e = np.zeros(n)
@@ -92,7 +96,10 @@ class ForcedNumbers:
         """A quantity's swing, re cos(Omega t) - im sin(Omega t)."""
 
         def read(s: Snapshot) -> Array:
-            return np.array([float(quantity.value(self.system, s))])
+            value = quantity.value(self.system, s)
+            if isinstance(value, tuple):
+                raise CannotAnswer(Message("a vector has no one amplitude; ask along a direction"))
+            return np.array([float(value)])
 
         _mean, own, slopes = self._swing(read)
         return complex((slopes @ self.motion + own)[0])
