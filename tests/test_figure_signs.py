@@ -277,6 +277,28 @@ def test_springs_that_push_are_drawn_pushing(name: str, body: str, told: str) ->
     assert told in example(name).free_body(body).description
 
 
+NUMBERS = """
+parameters: {g: 9.81 m/s^2}
+bodies: {block: {particle: {mass: 20 kg}}}
+connections: {guide: {slider: {body: block, along: right}}}
+loads: {weight: {gravity: g}, push: {force: {at: block, along: right, magnitude: 100 N}}}
+"""
+
+
+def test_a_weight_and_a_force_that_are_numbers_have_units() -> None:
+    """`20 g` would be a mass of 20 grams."""
+    told = fb.System.from_text(NUMBERS).free_body("block").description.replace("\u2009", " ")
+    assert "weight 20 kg g, down" in told
+    assert "push 100 N, to the right" in told
+
+
+@pytest.mark.parametrize(("body", "sense"), [("drum", "down"), ("motor", "up")])
+def test_a_belt_whose_runs_are_not_parallel_pulls_across_the_line_of_centres(body: str, sense: str) -> None:
+    """With the sine (r2 - r1)/d of the angle between the runs and that line, in symbols of the model."""
+    told = example("belt_drive").free_body(body).description.replace("\u2009", " ")
+    assert f"(r_2 \u2212 r_1) F_b/0.6 m, {sense}" in told
+
+
 def test_a_rope_rubs_on_a_drum_that_stands_still_at_its_rim() -> None:
     system = example("capstan")
     body = FreeBody(start_of(system).snapshot, ["drum"])

@@ -40,6 +40,12 @@ loads: {w: {gravity: g}}
 measures: {theta: angle of line from ground.O to bob from down}
 start: {theta: ANGLE}
 """
+PULLEY = """
+parameters: {m: 1 kg, M: 2 kg, g: 9.81 m/s^2}
+bodies: {block: {particle: {mass: m}}, weight: {particle: {mass: M}}, pulley: {disk: {radius: 5 cm}}}
+connections: {rope: {rope: [block, pulley, weight]}AXLE}
+loads: {w: {gravity: g}}
+"""
 CAM = """
 parameters: {h: 8 mm, r: 60 mm}
 bodies:
@@ -139,6 +145,7 @@ def warned(text: str) -> list[tuple[str, str]]:
         (SLOPE.replace("ANGLE", "60 rad"), "many turns", "60 rad is 9.5 turns. If degrees are meant, write 60 deg"),
         (PENDULUM.replace("ANGLE", "30 rad"), "many turns", "write 30 deg"),
         (SLOPE.replace("ANGLE", "20 deg, mu: 0.1"), "unused", "mu is used nowhere in the model"),
+        (PULLEY.replace("AXLE", ""), "loose pulley", "hold it, e.g. axle: {pin: [ground.A, pulley]}"),
         (WALL.replace("PLACE", "0.45 m"), "inside a wall", "{contact: {between: [ball, wall]}}"),
         (LADDER.replace("WAY", "up"), "inside a wall", "ladder starts inside wall, which is solid on the right"),
         (CEILING.replace("WAY", "right"), "out of reach", "top never touches: the gap is 0.9 m at the start"),
@@ -180,6 +187,7 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
         SLOPE.replace("ANGLE", "0.5 rad"),
         PENDULUM.replace("ANGLE", "720 deg"),
         WALL.replace("PLACE", "0.3 m"),
+        PULLEY.replace("AXLE", ", axle: {pin: [ground.A, pulley]}"),
         LADDER.replace("WAY", "down"),
         CEILING.replace("WAY", "up"),
         CRANK.replace("GUIDE", SLOT),

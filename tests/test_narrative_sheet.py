@@ -15,8 +15,8 @@ from freebody.errors import InputError
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.mistakes import found_mistakes
+from freebody.narrative.sheets.in_numbers import rounded
 from freebody.narrative.sheets.sheet import load_systems, sheet
-from freebody.narrative.sheets.variants import rounded
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Block, Figure, Figures, Section, Step, equation_numbers
 from freebody.present.report.formats.terminal import terminal_text

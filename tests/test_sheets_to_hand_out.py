@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from freebody.language.parser import parse
 from freebody.language.raising import typeset
 from freebody.narrative.sheets.authored import authored
 from freebody.narrative.sheets.sheet import sheet
+from freebody.narrative.sheets.variants import _numbers, _shuffled, as_given, variant_of
 from freebody.present.report.blocks import Block, Choices, Formula, Room, Section, Step, Table, Unbroken
 from freebody.present.report.formats.html import html_page
 from freebody.present.report.formats.terminal import terminal_text
@@ -124,6 +126,33 @@ def test_options_in_numbers_follow_the_variant() -> None:
         assert len(set(shown.values())) == 4
         seen.add(" ".join(sorted(shown.values())))
     assert len(seen) == 3
+
+
+SEED_OF_EQUAL_MASSES = "42"
+EQUAL_MASSES_MAY_BE_DRAWN = """
+title: Two masses on a string
+parameters: {m1: 2 kg, m2: 3 kg, g: 9.81 m/s^2}
+bodies: {wheel: {disk: {radius: 0.1 m}}, left: {particle: {mass: m1}}, right: {particle: {mass: m2}}}
+connections: {axle: {pin: [ground.O, wheel]}, rope: {string: {from: left, over: [wheel], to: right}}}
+loads: {weight: {gravity: g}}
+measures: {x: {drop of left}}
+questions:
+  - {find: acceleration of x, options: {a: (m1 - m2)*g/(m1 + m2), b: (m1 - m2)*g/m2, c: (m2 - m1)*g/m1}}
+"""
+
+
+def test_no_variant_has_masses_so_alike_that_options_share_a_value() -> None:
+    """The seed is one of those that draw m1 = m2 first: then nothing moves, and every option is zero."""
+    system = System.from_text(EQUAL_MASSES_MAY_BE_DRAWN)
+    given = as_given(system)
+    rng = random.Random(SEED_OF_EQUAL_MASSES)
+    _shuffled(list(system.questions[0].options), rng)
+    drawn = _numbers(system, rng, 0.5)
+    assert drawn["m1"] == drawn["m2"]
+    made = variant_of(system, given.solution, SEED_OF_EQUAL_MASSES)
+    values = [made.system.parameters[name].value for name in ("m1", "m2")]
+    assert values[0] != values[1]
+    assert made.solution.answers[0].value != 0
 
 
 def test_there_is_room_under_questions_on_paper_unless_solutions_follow() -> None:

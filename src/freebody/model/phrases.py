@@ -325,7 +325,10 @@ def _angle(names: Names, found: Found, path: Path) -> Measure:
     another body. In space it is the angle of the one joint about whose axis the body turns, if that is not z."""
     body = names.body(cast("str", found["of"]), *path)
     if not body.turns:
-        names.problem(Message("{body} is a particle and has no angle", body=body.name), *path)
+        told = Message(
+            "{body} is a particle and has no angle; write angle of line from ground.O to {body}", body=body.name
+        )
+        names.problem(told, *path)
     clockwise = found["cw"] or found["cw1"]
     base = None if found["rel"] is None else names.body(found["rel"], *path).name
     if found["ref"] is None and (turned := _out_of_plane(names, body.name, base)) is not None:

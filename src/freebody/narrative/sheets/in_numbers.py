@@ -9,7 +9,6 @@ from freebody.errors import FreebodyError
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
 from freebody.language.parser import parse
 from freebody.language.raising import raised, typeset
-from freebody.narrative.sheets.variants import rounded
 from freebody.present.report.blocks import Text
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -33,3 +32,9 @@ def options_in_numbers(system: System, question: Question, answer: Answer) -> Ma
         if len(set(shown.values())) == len(question.options):
             return {text: (f"{number}{unit}",) for text, number in shown.items()}
     return {}
+
+
+def rounded(number: float, digits: int) -> str:
+    """A number with a few significant digits, without an exponent where it is not needed."""
+    short = float(f"{number:.{digits}g}")
+    return f"{short:g}" if 1e-4 <= abs(short) < 1e5 else f"{short:.{digits}g}"

@@ -2,7 +2,8 @@
 
 Every parameter that has a value gets another one, as a person would write it: two or three significant digits, angles
 in steps of 5 degrees where the model has such. A set of numbers is taken if the model can be assembled with it and
-every question keeps its formula, its conditions and its right option; else numbers closer to the file are tried.
+every question keeps its formula, its conditions and its right option, and no two options get the same value; else
+numbers closer to the file are tried.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import Any, cast
 from freebody.errors import FreebodyError
 from freebody.language.units import ACCELERATION
 from freebody.model.elements import Parameter
+from freebody.narrative.sheets.in_numbers import options_in_numbers, rounded
 from freebody.study.answering.answer import NOT_VALID, Answer
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
@@ -64,7 +66,22 @@ def _admissible(
     except FreebodyError:
         return None
     pairs = zip(original.answers, solution.answers, letters, strict=True)
-    return Variant(made, solution) if all(_is_alike(a, b, new) for a, b, new in pairs) else None
+    is_same = all(_is_alike(a, b, new) for a, b, new in pairs)
+    return Variant(made, solution) if is_same and not _is_degenerate(system, original, made, solution) else None
+
+
+def _is_degenerate(system: System, original: Solution, made: System, solution: Solution) -> bool:
+    """Whether a question has lost its point: two equal masses do not move, and options that differ give the same."""
+    both = zip(
+        zip(system.questions, original.answers, strict=True),
+        zip(made.questions, solution.answers, strict=True),
+        strict=True,
+    )
+    return any(
+        (options_in_numbers(system, *before) and not options_in_numbers(made, *after))
+        or (before[1].value == 0) != (after[1].value == 0)
+        for before, after in both
+    )
 
 
 def _is_alike(before: Answer, after: Answer, letters: Mapping[str, str]) -> bool:
@@ -123,12 +140,6 @@ def _significant(digits: str) -> int:
     """How many digits somebody has written."""
     mantissa = digits.lower().partition("e")[0].lstrip("+-").replace(".", "").lstrip("0")
     return len(mantissa if "." in digits else mantissa.rstrip("0"))
-
-
-def rounded(number: float, digits: int) -> str:
-    """A number with a few significant digits, without an exponent where it is not needed."""
-    short = float(f"{number:.{digits}g}")
-    return f"{short:g}" if 1e-4 <= abs(short) < 1e5 else f"{short:.{digits}g}"
 
 
 # -- letters ----------------------------------------------------------------------------------

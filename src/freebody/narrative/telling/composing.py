@@ -88,7 +88,7 @@ def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivati
         blocks.append(Remark(catalogue.tell(Sentence("report.no_derivation", {"reason": ready(d.reason)})), "warning"))
     if d.answer.evidence is not None:
         e = d.answer.evidence
-        args = {"n": e.draws, "route": ready(e.route), "worst": f"@{e.worst_relative_difference:.0e}"}
+        args = {"n": e.draws, "route": ready(e.route), "worst": f"@{e.worst_relative_difference:.1g}"}
         key = "report.evidence_again" if e.route in routes else "report.evidence"
         routes.add(e.route)
         blocks.append(Remark(catalogue.tell(Sentence(key, args)), "evidence"))

@@ -172,8 +172,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     if is_torque and (torques := strings.greatest_torques(names, belts, of)):
         yield [JOINT.join(torques)]
         return
-    if degree == "greatest" and clause.has("quantity", "power") and not clause.names:
-        yield [f"greatest power of {belt}" for belt in of_forces.having(names, "greatest power")]
+    belts = of_forces.having(names, "greatest power")
+    if degree == "greatest" and clause.has("quantity", "power", "transmitted power") and {*of} <= {*belts}:
+        yield [f"greatest power of {belt}" for belt in belts if belt in (of or [belt])]
     for group in _plain(names, clause):
         yield [f"{degree} {text}{whole}" for text in group if JOINT not in text]
 

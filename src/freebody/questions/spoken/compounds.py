@@ -18,6 +18,7 @@ from freebody.questions.spoken.lexicon import (
     quantity_words,
     said_of_quantity,
     silent_of_thing,
+    tells_apart,
     translated,
     umlauts,
 )
@@ -89,12 +90,18 @@ def _apart(word: str, language: str, taken: Container[str]) -> str:
         return thing
     for k in range(_SHORTEST, len(said) - _SHORTEST + 1):
         last = said[k:]
+        if word[0].islower() and said[:k] in silent_of_thing(language) and tells_apart(_plain(last), language):
+            return _noun(last, language, taken) or last  # the kurveninnere wheel is the inner one
         is_quantity = last in quantity_words(language) or _bare(last, language) in quantity_words(language)
         head = last if is_quantity else _noun(last, language, taken)
         first = _first(said[:k], language, taken, is_quantity=is_quantity) if head else None
         if first is not None:
             return f"{first} {head}".strip()
     return ""
+
+
+def _plain(word: str) -> str:
+    return word.replace("ß", "ss")
 
 
 def _first(part: str, language: str, taken: Container[str], *, is_quantity: bool) -> str | None:

@@ -243,7 +243,7 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 
 def _hits(names: Names, who: str, other: str) -> Groups:
     """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
-    if caught := [name for name in sorted(names.closing_later) if other in (name, *joining.ends_of(names, name))]:
+    if caught := [name for name in sorted(names.closing_later) if other in ("", name, *joining.ends_of(names, name))]:
         yield [f"{name} closes" for name in caught]
         return
     if other in names.loads:

@@ -37,7 +37,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "at start": rf"start|begin|once|initial|release|blow|time |until|change of|before|after |{_CHOICE}",
         "in steady motion": r"steady|grows|terminal|stationary|resonance|mean",
         "when t grows": r"grows|steady|end|terminal|stop|until|limit|when",
-        "at the end": r"grows|steady|end|terminal|stop|until|limit|when|=",
+        "at the end": r"grows|steady|end|terminal|stop|until|limit|when|=|equilibrium",
         "over the motion": r"over|until|greatest|least|work|period|^(?!.*\b(?:when|at start)\b)",
         "over a turn": r"turn|cycle|period|range|stroke|mean|greatest|least|ratio|pi\b|extremes",
         "at once": r"once|immediately|start",
@@ -111,6 +111,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "relative velocity": r"velocity|speed|rate",
         "slip speed": r"velocity|speed|rate|slip",
         "angular velocity": rf"velocity|speed|rate|{_CHOICE}|ratio|turns|[*]|time|steady|frequency|angular|does it",
+        "spin rate": r"velocity|rate",
         "angular acceleration": rf"acceleration|rate|{_CHOICE}",
         "angular deceleration": rf"acceleration|rate|{_CHOICE}",
         "deceleration": rf"acceler|decel|rate|{_CHOICE}",
@@ -123,6 +124,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "energy lost": r"lost|heat|work|loss",
         "kinetic energy lost": r"lost|kinetic|work",
         "power": rf"power|{_CHOICE}",
+        "transmitted power": r"force of .* [*] .*velocity|greatest power",
         "work": r"work|energy|lost",
         "work of friction": r"work|lost",
         "linear momentum": r"linear momentum",
@@ -200,7 +202,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "return": rf"return|back|{_EQUAL}|changed|rate\(|{_CHOICE}|period",
         "reach": rf"{_EQUAL}|reach|greatest|largest|{_CHOICE}|highest|when|until|hit|touch|at the|terminal|"
         r"grows|period|time|resonance|over|acceleration|equilibrium",
-        "start": rf"start|begin|at once|roll|slip|{_REST}|time|{_CHOICE}|leav|open|slack|tip|motion|acceler|lift|"
+        "start": rf"start|begin|at once|roll|slip|{_REST}|time|{_CHOICE}|leav|open|slack|tip|motion|lift|"
         r"unstable|grow|when|until|keeps|after",
         "from_rest": r"start|rest|stands|zero|initial|when|after|time|until|=",
         "begin_roll": r"roll|slip",
@@ -240,6 +242,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
 }
 _NTH = re.compile(r"(second|third|fourth|fifth)")
 _WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degree", "least")
+_FRICTION, _ROUGH = Word("quantity", "friction force"), Word("ask", "rough")
 _AXES = (Word("preposition", "along"), *(Word("updown", way) for way in ("up", "down")))
 _MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
 _BY_ITSELF = ("long",)  # asks for how long something is done
@@ -254,7 +257,7 @@ def _pattern(kind: str, what: str) -> re.Pattern[str]:
 
 def dropped(words: Sequence[Word], text: str) -> list[Word]:
     """The words that nothing in words of the grammar expresses."""
-    others = (_without_end, _of_other_end, _up_to_what_was_before, _without_axis)
+    others = (_without_end, _of_other_end, _up_to_what_was_before, _without_axis, _of_what_lasts)
     return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
 
 
@@ -293,6 +296,13 @@ def _up_to_what_was_before(words: Sequence[Word], text: str) -> list[Word]:
     is_event = any(word.kind == "verb" for word in clause)
     is_counted = any(word.kind in ("value", "turns", "relation") for word in words[k + 1 :])
     return [_AFTER] if is_event and not is_counted else []
+
+
+def _of_what_lasts(words: Sequence[Word], text: str) -> list[Word]:
+    """The friction force while something sticks is a force, and not how much friction that takes."""
+    is_force = words[0] == _FRICTION and Word("mark", "while") in words
+    is_limit = any(word.kind == "degree" or word == _ROUGH for word in words)
+    return [_FRICTION] if is_force and not is_limit and re.match("range|least|largest|value", text) else []
 
 
 def _without_axis(words: Sequence[Word], text: str) -> list[Word]:

@@ -124,8 +124,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
-    if main.has("verb", "accelerate") and main.has("verb", "start"):  # how fast does it start to accelerate
-        main = Clause([*main.without("verb", "start").words, Word("instant", "at start")])
+    speeds_up = main.has("verb", "accelerate") or main.has("quantity", "acceleration", "angular acceleration")
+    if speeds_up and main.has("verb", "start") and not main.has("instant"):  # with what acceleration does it set off
+        kept = main.without("verb", "start", "move").without("part", "initial")
+        main = Clause([*kept.words, Word("instant", "at start")])
     is_so_far = any(mark == "after" and clause.has("value") for mark, clause in others)
     if (
         others and main.has("quantity") and (is_so_far or not joining.strikes(names))
@@ -409,6 +411,8 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         who = next((name for _, name in main.names if name in lookup.moving(names)), None)
     if who is None and len(lookup.massive(names)) == 1:
         who = lookup.massive(names)[0]  # what leaves the dome
+    if main.has("ask", "high") and (touching := _of_what_touches(names, event)):
+        return Clause([Word("name", touching)]), found
     if main.has("ask", "where") and not main.has("quantity"):
         head = [Word("quantity", "position")]
         if set(verbs) & {"slack", "taut"}:  # what a string leads round is told by the angle, not by how long that is
@@ -418,6 +422,19 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         [angle, *_] = [*at_angle, *lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
         return (Clause([Word("name", angle)]), found) if angle else None
     return Clause([*head, *([Word("name", who)] if who else [])]), found
+
+
+def _of_what_touches(names: Names, event: Clause) -> str:
+    """The measure of how high the point of a body is that leaves something: the upper end that leaves the wall."""
+    named = [name for _, name in event.names]
+    who = [name for name in named if name in lookup.moving(names)]
+    joints = [name for name in named if name in names.connections]
+    if len(who) == 1 and not joints:
+        joints = joining.joints(names, who[0], next((name for name in named if name != who[0]), ""), "normal force")
+    points = [getattr(row.measure, "of", None) for row in names.constraint_rows if row.connection in joints]
+    heights = [name for name, sense in lookup.heights(names, "") if sense > 0]
+    found = [name for name in heights if getattr(names.measures[name], "of", None) in points]
+    return found[0] if event.has("verb", "leave") and len(joints) == len(found) == 1 else ""
 
 
 def _without_reference(words: list[Word]) -> list[Word]:

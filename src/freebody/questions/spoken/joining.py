@@ -202,6 +202,23 @@ def guides(names: Names, body: str) -> list[str]:
     return [along for along in (direction(names, name) for name in joints_) if along is not None]
 
 
+def guided_along(names: Names, body: str) -> list[str]:
+    """The axes of the ground along which connections guide a body: x of what slides to the right."""
+    if body not in names.bodies:
+        return []
+    ways = [tuple(names.numeric(part) for part in names.direction(along).components) for along in guides(names, body)]
+    if len(ways) != 1 or any(part is None for part in ways[0]):
+        return []
+    [way] = ways
+    level = [abs(part or 0.0) < _LEVEL for part in way]
+    return [axis for axis, others in zip("xyz", ((1, 2), (0, 2), (0, 1)), strict=True) if _is_along(level, others)]
+
+
+def _is_along(level: list[bool], others: tuple[int, int]) -> bool:
+    """Whether a direction has no part across an axis."""
+    return all(level[k] for k in others if k < len(level))
+
+
 def sloping(names: Names) -> str:
     """The only line of the ground that is neither level nor upright; else nothing."""
     rises = {name: names.numeric(names.direction(name).components[1]) for name in names.bodies[GROUND].lines}

@@ -354,7 +354,7 @@ def assumptions(language: str) -> dict[str, str]:
 
 @cache
 def contexts(language: str) -> dict[str, str]:
-    """Patterns for what stands before a question."""
+    """Patterns for what stands before a question, and for what says of an instant no more than itself: at_once."""
     return cast("dict[str, str]", _file(language)["contexts"])
 
 

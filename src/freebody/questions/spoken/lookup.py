@@ -55,7 +55,9 @@ def can_roll(names: Names) -> bool:
 
 
 def is_all_that_moves(names: Names, body: str) -> bool:
-    return massive(names) == [body]
+    """Whether nothing else has a mass or, where nothing has one, resists turning."""
+    turned = [name for name in moving(names) if names.bodies[name].inertia != ZERO]
+    return (massive(names) or turned) == [body]
 
 
 def mass_center_of(names: Names, body: str) -> str:

@@ -61,7 +61,8 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
     words = _stretched(names, _from_rest(names, words))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
-    said = rewording.in_turns(rewording.runs_slack(rewording.enough_to(rewording.how_deep(said))))
+    said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(said)))
+    said = rewording.in_turns(rewording.runs_slack(said))
     said = rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said)))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return

@@ -15,6 +15,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
+from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import joining, strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
@@ -39,6 +40,7 @@ _COMPONENT = re.compile(r"(\w+?)(_[xyhvXYHV])")
 _LONGEST = 4  # words of a name
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
+_OF_WHAT_IS_LIGHT = ("element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _RODS = ("rod", "bar", "strut", "link")
@@ -48,6 +50,8 @@ _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
 _PINION = "pinion"  # the smaller of two gears, which is called the wheel only where it is alone
 _BEFORE_VERBS = ("to", "will", "would", "can", "could", "must", "should", "may", "might")
+_ONESELF = "I"
+_ASKING = ("do", "does", "can", "could", "must", "should", "may", "have", "need", "would", "will", "shall", "want")
 _ARTICLES = ("the", "a", "an", "it")
 
 
@@ -65,12 +69,15 @@ def elements_of(names: Names) -> Elements:
     found.add(GROUND)
     free = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
     is_alone, is_still = len(free) == 1, not free
+    light = {name for name in free if _is_light(names, name)}
+    light = light if len(light) < len(free) else set()  # a truss of light members
     for name, body in names.bodies.items():
         if name != GROUND:
             is_shaft = joining.axle_of(names, name) == "center"
             found.pinned |= {name} if joining.axle_of(names, name) else set()
             kinds = _kinds(name, names.called.get(name, ()), is_shaft=is_shaft, is_alone=is_alone)
-            found.add(name, (*kinds, *(() if body.fixed and not is_still else _BODY_WORDS)))
+            general = _OF_WHAT_IS_LIGHT if name in light else _BODY_WORDS
+            found.add(name, (*kinds, *(() if body.fixed and not is_still else general)))
             found.bodies |= set() if body.fixed else {name}
             mass = names.numeric(body.mass)
             if mass is not None:
@@ -112,6 +119,9 @@ def elements_of(names: Names) -> Elements:
     for name in names.loads:
         said = (*names.called.get(name, ()), *_stems(name))
         found.add(name, (*said, *_alike(name, *said), *(_ROPES if {*_ROPES} & {*said, name.lower()} else ())))
+    for name in (name for name in names.loads if name.lower().startswith("brake")):  # of which a braking torque is one
+        kind = "torque" if names.loads[name] == TORQUE else "force"
+        found.add(name, said=f"braking {kind}", distance=ALIKE)
     for name in (*names.bodies[GROUND].lines, *names.bodies[GROUND].planes):
         found.add(name, (*_LINE_WORDS, *_alike(name)))
     for name in (*names.measures, *names.parameters):
@@ -123,6 +133,12 @@ def elements_of(names: Names) -> Elements:
         found.add(heavy[0], ("load", "object"))
     found.hanging = strings.hanging(names)
     return found
+
+
+def _is_light(names: Names, name: str) -> bool:
+    """Whether a body neither has a mass nor resists turning: a frame between two axes."""
+    body = names.bodies[name]
+    return all(own == ZERO for own in (body.mass, body.inertia, *body.tensor))
 
 
 def _kinds(name: str, words: Sequence[str], *, is_shaft: bool, is_alone: bool) -> Sequence[str]:
@@ -167,6 +183,10 @@ def _linked(elements: Elements, tokens: Sequence[str], k: int, so_far: Way) -> I
     if k >= len(tokens):
         yield so_far
         return
+    if tokens[k] == OPEN and CLOSE in tokens[k:]:  # a name that is marked already
+        end = tokens.index(CLOSE, k) + 1
+        yield from _linked(elements, tokens, end, Way(so_far.text + "".join(tokens[k:end]), so_far.distance))
+        return
     for shown, n, distance in _readings(elements, tokens, k):
         yield from _linked(elements, tokens, k + n, Way(so_far.text + shown, so_far.distance + distance))
 
@@ -180,6 +200,9 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
     around = tokens[k - 2].lower() if k > 1 else "", tokens[k + 2].lower() if k + 2 < len(tokens) else ""
     if around[0] in _BEFORE_VERBS and around[1] in _ARTICLES and is_verb(tokens[k].lower()):
         yield tokens[k], 1, WRITTEN  # the force to lower the load, where a pulley is called lower
+        return
+    if tokens[k] == _ONESELF and (around[0] in _ASKING or around[1] in _ASKING):
+        yield tokens[k], 1, WRITTEN  # which torque do I need, where I is a moment of inertia
         return
     seen: dict[str, int] = {}
     for n in range(_LONGEST, 0, -1):

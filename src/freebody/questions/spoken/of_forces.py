@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.language.notation import to_python
 from freebody.language.units import TORQUE
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import given, joining, lookup, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
@@ -83,6 +84,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         for row in names.constraint_rows
         if row.connection in joints and row.reaction.startswith(("driving ", "friction torque"))
     ]
+    if quantity == "driving torque" and (motors := _motors(names, rest)):
+        yield [f"torque of {name}" for name in motors]
+        return
     if quantity == "torque" and not joints and (own_loads := _torques_on(names, rest)):
         yield [f"torque of {name}" for name in own_loads]
         return
@@ -108,6 +112,18 @@ def _in_components(names: Names, rest: Clause) -> Groups:
         if all(name == joint or joining.touches(names, joint, name) for _, name in rest.names):
             own = dict.fromkeys(row.reaction for row in rows if row.connection == joint)
             yield [JOINT.join(f"{kind} of {joint}" for kind in own)]
+
+
+def _motors(names: Names, rest: Clause) -> list[str]:
+    """Motors that turn with a torque which their speed determines, where none says how something turns."""
+    called = {name: names.called.get(name, ()) for name, kind in names.loads.items() if kind == TORQUE}
+    motors = [name for name, said in called.items() if "motor" in said]
+    motors = [name for name in motors if called[name][0] == "motor"] or motors  # a torque may be that of a motor
+    of = [name for _, name in rest.names]
+    is_driven = any(row.reaction == "driving torque" for row in names.constraint_rows)
+    turned = {p.load: {*p.measure.bodies()} for p in names.applied_loads}
+    fitting = [name for name in motors if all(thing == name or thing in turned.get(name, ()) for thing in of)]
+    return fitting if rest.only("name", *SILENT) and not is_driven else []
 
 
 def _torques_on(names: Names, rest: Clause) -> list[str]:
@@ -386,7 +402,21 @@ def _of_runs(names: Names, quantity: str, rest: Clause) -> Groups:
     """A tension of a belt with pretension, which is named or the only one."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        yield [f"{quantity} of {name}" for name in of or having(names, quantity)]
+        yield _at_ends(names, quantity, of) or [f"{quantity} of {name}" for name in of or having(names, quantity)]
+
+
+def _at_ends(names: Names, quantity: str, of: list[str]) -> list[str]:
+    """The tension at an end of a string that is fastened to a point so called: the slack one, the tight one."""
+    called = {"slack tension": ("slack", "loose"), "tight tension": ("tight", "taut")}.get(quantity, ())
+    pulling = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "tension")
+    return [
+        f"tension of {string} at {body}.{point}"
+        for string in pulling
+        if string in (of or [string]) and quantity not in _transmits(names, string)
+        for body in names.connections[string].mentions(names)
+        for point in names.bodies[body].points
+        if point in called
+    ]
 
 
 def having(names: Names, quantity: str) -> list[str]:
@@ -397,6 +427,21 @@ def having(names: Names, quantity: str) -> list[str]:
 def _transmits(names: Names, connection: str) -> list[str]:
     with names.quietly():
         return [*names.connections[connection].transmitted(names)]
+
+
+@said_of("transmitted power")
+def _power_on(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What a belt, a chain or teeth hand on: their force times the speed of the rim of the first wheel."""
+    passing = [row for row in names.constraint_rows if row.reaction in ("belt force", "chain force", "tooth force")]
+    of = [name for _, name in rest.names]
+    if not rest.only("name", *SILENT) or len(of) > 1:
+        return
+    for row in passing:
+        wheels = [body for body in joining.joined_by(names, row.connection) if names.bodies[body].radius is not None]
+        if wheels and row.connection in (of or [row.connection]):
+            radius = to_python(names.bodies[wheels[0]].radius or ZERO).replace("**", "^")
+            size = radius if radius.isidentifier() else f"({radius})"
+            yield [f"|{row.reaction} of {row.connection} * {size} * angular velocity of {wheels[0]}|"]
 
 
 @said_of("pressure angle")

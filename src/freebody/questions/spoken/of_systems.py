@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
@@ -183,7 +184,11 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
     if not rest.only("name", *SILENT):
         return
     for first, second in [of] if len(of) == 2 else []:
-        yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
+        if {first, second} <= {*lookup.turning(names)} or not {first, second} <= {*lookup.moving(names)}:
+            yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
+            continue
+        for a, b in product(lookup.places(names, first), lookup.places(names, second)):
+            yield [f"ratio of velocity of {a} to velocity of {b}"]
     two = [name for name in lookup.turning(names) if joining.axle_of(names, name) or names.space] if not of else []
     if len(two) > 2:  # of a train: its first and its last wheel
         driving = ("tooth force", "belt force", "chain force")
@@ -243,6 +248,18 @@ def _orbit(names: Names, quantity: str, rest: Clause) -> Groups:
     if len(found) == 1:
         what = ["total energy"] if quantity == "escape velocity" else [f"acceleration of {name}" for name in outward]
         yield [f"value of {found[0]} for which {text} = 0 at start" for text in what]
+
+
+@said_of("spin rate")
+def _spin(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The rate of the last of the angles by which a body is turned, about its own axis; the only one in a plane."""
+    if not names.space:
+        yield from motion(names, "angular velocity", rest)
+        return
+    of = [name for _, name in rest.names]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        chains = [names.bodies[body].chain for body in (of or lookup.moving(names)) if body in names.bodies]
+        yield [f"velocity of {chain[-1].name}" for chain in chains if len(chain) > 1 and chain[0].axis == names.up]
 
 
 @said_of("precession rate", "nutation rate")

@@ -119,6 +119,14 @@ def how_deep(words: list[Word]) -> list[Word]:
     return [own for word in words for own in (meant if word == deep else [word])]
 
 
+def lasting_from_start(words: list[Word]) -> list[Word]:
+    """How long something lasts at the start is how long until it ends: `at first` says no more."""
+    start, long = Word("instant", "at start"), Word("ask", "long")
+    is_alone = not any(word.kind in ("mark", "quantity") for word in words)
+    lasts = long in words and is_alone and any(w.kind == "verb" and w.what in ("hold", "roll", "slide") for w in words)
+    return [word for word in words if word != start] if lasts else words
+
+
 def rates(words: list[Word]) -> list[Word]:
     """A rate is a velocity; of what turns, that of its angle."""
     turns = Word("verb", "turn") in words
@@ -135,8 +143,9 @@ def runs_slack(words: list[Word]) -> list[Word]:
 
 def spinning(names: Names, words: list[Word]) -> list[Word]:
     """Wheels that start to spin slip, where nothing moves yet."""
-    spin = [Word("verb", "start"), Word("quantity", "angular velocity")]
-    k = next((k for k in range(len(words)) if words[k : k + 2] == spin), None)
+    spin = Word("quantity", "angular velocity")
+    before = (Word("verb", "start"), Word("not", "not"))
+    k = next((k for k in range(len(words) - 1) if words[k] in before and words[k + 1] == spin), None)
     if k is None or not joining.is_still(names):
         return words
     return [*words[: k + 1], Word("verb", "slide"), *words[k + 2 :]]

@@ -212,6 +212,10 @@ def each_of(names: Names, elements: Elements, text: str) -> list[str]:
             rest = " ".join((told[: sides.start()] + told[sides.end() :]).split())
             return [f"{rest.rstrip('.?! ')} {end}" for end in _ends(names, rest)]
         if (found := several(language, "things").search(told)) is None:
+            every = several(language, "every").fullmatch(told.rstrip("?.! "))
+            things = _things(elements, every["thing"].lower(), language) if every is not None else []
+            if every is not None and len(things) > 1:
+                return [f"{told[: every.start('all')]}{thing}{told[every.end('all') :]}" for thing in things]
             continue
         n = counted_by(language).get((found["number"] or found["count"]).lower(), 0)
         things = _things(elements, found["thing"].lower(), language)

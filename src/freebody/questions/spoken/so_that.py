@@ -24,6 +24,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     who = next(iter(of), "")
     everything = all(lookup.is_all_that_moves(names, name) for name in of)
     plain = clause.only("verb", "name", "not", "quantity", "instant", *SILENT)
+    turns = {"turn"} if of and all(joining.axle_of(names, name) == "center" for name in of) else set[str]()
     if clause.has("degree") and not clause.has("value") and not clause.has("relation"):
         yield from _extremal(names, clause, whole)
         return
@@ -81,15 +82,15 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and all(joining.is_all_that_slips(names, name) for name in of)
     ):
         yield ["it does not slip"]
-    elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip"} and everything:
+    elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip", *turns} and everything:
         if verbs & {"slide"}:
             yield ["it does not slip"] if "tip" not in verbs else ["it stays at rest"]
-        elif "move" in verbs or ("fall" in verbs and lookup.rests(names)):
+        elif verbs & {"move", "turn"} or ("fall" in verbs and lookup.rests(names)):
             yield ["it stays at rest"]
     elif (
         not negated
         and "start" in verbs
-        and verbs & {"slide", "move"}
+        and (verbs & {"slide", "move"} or lookup.rests(names))
         and verbs <= {"slide", "move", "start"}
         and everything
     ):

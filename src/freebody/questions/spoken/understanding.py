@@ -21,7 +21,16 @@ from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import is_kept, loses_joint
 from freebody.questions.spoken.kinds import is_of_kind
-from freebody.questions.spoken.lexicon import MARKED, Word, languages, phrases_at, several, stands_for_all, translated
+from freebody.questions.spoken.lexicon import (
+    MARKED,
+    Word,
+    contexts,
+    languages,
+    phrases_at,
+    several,
+    stands_for_all,
+    translated,
+)
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
@@ -48,8 +57,6 @@ class Asked(Protocol):
 
 AskedT = TypeVar("AskedT", bound=Asked)
 
-# right at the start, and not at the right end
-_AT_ONCE = re.compile(r"(?<!the )(?<!along )\bright (?=(?:at|after|before|when|as)\b)")
 # along a direction at an instant, in the order of the grammar
 _TIMED_ALONG = re.compile(
     r"^(?P<of>.+?) (?P<at>(?:just )?(?:after|before) the impact|in the impact|at (?:the )?start) "
@@ -378,7 +385,8 @@ def _has_form(problem: Problem) -> bool:
 def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     """Ways to mean a text, the nearest to its words first. guess: a word that nothing knows is taken for a name."""
     text = _APOSTROPHE.sub("’", " ".join(text.split())).strip('"“”„ ')
-    text = _AT_ONCE.sub("", text)
+    for language in languages():
+        text = re.sub(contexts(language)["at_once"], "", text)
     elements = elements_of(names)
     text = without_unit(without_what_holds(names, text), elements.exact)
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)

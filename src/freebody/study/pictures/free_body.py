@@ -32,6 +32,7 @@ from freebody.present.picture.forces import Kind, ShownForce
 from freebody.present.picture.label import Label, Run, beside, formula, name
 from freebody.study.pictures.action import Action, cross
 from freebody.study.pictures.idle import idle_rows
+from freebody.study.pictures.line_of_centers import across_the_line
 from freebody.study.pictures.load_symbols import LONGEST, LoadSymbols, shorter, without_sign
 from freebody.study.pictures.points import own_measures
 from freebody.study.pictures.strings import Pull, pulls, rope_of
@@ -323,6 +324,10 @@ class FreeBody:
         factor = self._factor(of, body, size)
         if factor is not None:
             return beside(factor, label, "\u2009")
+        across = across_the_line(self.system, of, body, size, self.reference.number)
+        if across is not None:
+            arm = in_brackets(formula(shorter(across[0])))
+            return divided(beside(arm, label, "\u2009"), across[1])
         cosines = self._cosines(of, size)
         return scaled(label, size) if cosines is None else over(label, cosines)
 
@@ -359,7 +364,12 @@ def scaled(label: Label, size: float) -> Label:
 def over(label: Label, divisor: Expr) -> Label:
     """A label divided by what is positive: F_t/cos(alpha)."""
     below = formula(divisor)
-    shown = bracketed(below) if isinstance(divisor, ProductOf) else below
+    return divided(label, below, is_product=isinstance(divisor, ProductOf))
+
+
+def divided(label: Label, below: Label, *, is_product: bool = False) -> Label:
+    """A label over another one."""
+    shown = bracketed(below) if is_product else in_brackets(below)
     return Label((*label.runs, Run("/"), *shown.runs), rf"\frac{{{label.latex}}}{{{below.latex}}}")
 
 

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from freebody.errors import FreebodyError
 from freebody.language.expression import (
+    FLOAT_FUNCTIONS,
     Call,
     Expr,
     Number,
@@ -18,6 +19,8 @@ from freebody.language.expression import (
     Symbol,
     add,
     children,
+    divide,
+    evaluate,
     free_symbols,
     multiply,
     negate,
@@ -26,11 +29,14 @@ from freebody.language.expression import (
     substitute,
 )
 from freebody.language.notation import to_text
+from freebody.language.raising import typeset
 from freebody.language.units import DIMENSIONLESS
+from freebody.loads.gravity import Gravity
 from freebody.measures.combination import Composed
+from freebody.measures.geometry import GROUND
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow
 from freebody.model.states import as_told
-from freebody.present.picture.label import Label, formula, name
+from freebody.present.picture.label import Label, Run, beside, formula, name
 from freebody.symbolic.functions import element
 from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.tidy import tidy
@@ -59,8 +65,21 @@ class LoadSymbols:
             sign = getattr(self.system.loads.get(push.load), "drawn_sign", 1) * self.senses.get(push.name, 1)
         if given is not None:
             return name(given), sign
+        if law is not None and (number_told := self._in_units(push, law)) is not None:
+            return number_told, sign
         is_short = law is not None and len(to_text(law)) <= LONGEST
         return (formula(shorter(law)) if law is not None and is_short else self._named_after(push)), sign
+
+    def _in_units(self, push: AppliedLoad, law: Expr) -> Label | None:
+        """What is a number in the file, with its unit: 20 kg g, which is no weight of 20 grams, and 100 N."""
+        if not free_symbols(law):
+            unit = "N\u2009m" if push.measure.dimension == DIMENSIONLESS else "N"
+            return _measured(law, unit)
+        weighed = [self.system.bodies[body].mass for body in push.measure.bodies() if body != GROUND]
+        is_weight = isinstance(self.system.loads.get(push.load), Gravity) and len(weighed) == 1
+        if not is_weight or free_symbols(weighed[0]):
+            return None
+        return beside(_measured(weighed[0], "kg"), formula(divide(law, weighed[0])), "\u2009")
 
     def _named_after(self, push: AppliedLoad) -> Label:
         """F, or M of what turns, with the load as index, or with the connection that rubs."""
@@ -96,6 +115,12 @@ class LoadSymbols:
         if len(own) > 1:
             own = [row for row in own if row.component == component.removeprefix("slip of ")]
         return own[0] if len(own) == 1 else None
+
+
+def _measured(value: Expr, unit: str) -> Label:
+    told = typeset(f"{evaluate(value, {}, FLOAT_FUNCTIONS):.4g}")
+    units = unit.replace("\u2009", r"\,")
+    return Label((Run(f"{told}\u2009{unit}"),), rf"{told}\,\mathrm{{{units}}}")
 
 
 def shorter(law: Expr) -> Expr:
