@@ -319,7 +319,8 @@ class Cam(_Cam):
 class Chain(_Chain):
     """`chain: {first: crank, second: hub, pitch: 12.7 mm, teeth: [44, 16]}`: both sprockets turn the same way, with the
     ratio of their teeth; bearings keep the centres apart. The chain force is the tension of the tight run, as the other
-    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row)."""
+    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row), or negative
+    with `other_run: true`, where the other run is the tight one. It pulls at the bearings, too."""
 
     def __init__(
         self,
@@ -328,6 +329,7 @@ class Chain(_Chain):
         pitch: _Formula,
         teeth: _List,
         length: _Formula | None = ...,
+        other_run: bool = ...,
     ) -> None: ...
 
 class Clothoid(_Clothoid):

@@ -175,6 +175,16 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
         apart = Distance(names.body(self.first).center, names.body(self.second).center)
         return {f"pretension_of_{self.own_name(names)}": AppliedLoad("", apart, pull)}
 
+    def loads_bearings(self, names: Names) -> Mapping[str, str]:
+        """Without a pretension nobody knows how much both runs pull together."""
+        if self.pretension is not None:
+            return {}
+        told = Message(
+            "both runs of {belt} pull at it; give the belt its pretension, e.g. pretension: 300 N",
+            belt=self.own_name(names),
+        )
+        return {self.first: told, self.second: told}
+
     # -- what is asked of it ------------------------------------------------------------------
     def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
         way = Combination(((self._radii(names)[0], Angle(self.first)),), LENGTH)
