@@ -352,15 +352,16 @@ class Clothoid(_Clothoid):
 class Composite(_Composite):
     """`composite: {parts: {hub: {disk: {mass: M, radius: R}}, arm: {rod: {mass: m, length: L}, at: [R, 0]}}}`: every
     part is a shape whose reference point stands at `at` in the body's own frame, turned by `angle`, or, in space, by
-    `turned`. Points: `origin`, and the reference point of every part by its name.
+    `turned`. Points: `origin`, and the reference point of every part by its name. Parts in a list, `parts: [{disk:
+    ...}, {rod: ..., at: [R, 0]}]`, are called part1, part2 and so on.
 
     `holes` are written as parts and taken away, each with the mass of what was there: a plate of mass M with a hole
     where m has been cut out weighs M - m."""
 
     def __init__(
         self,
-        parts: _Mapping,
-        holes: _Mapping = ...,
+        parts: _List | _Mapping,
+        holes: _List | _Mapping = ...,
     ) -> None: ...
 
 class Cone(_Cone):
