@@ -197,6 +197,14 @@ def test_bearings_of_a_belt_without_pretension_carry_what_nobody_knows() -> None
         drive("").solve("reaction of A")
 
 
+@pytest.mark.parametrize("question", ["length of belt", "greatest power of belt", "speed of greatest power of belt"])
+def test_what_a_belt_can_do_is_the_same_whether_it_slips_or_not(question: str) -> None:
+    """No condition on the motor and no case of slip stands beside it."""
+    answer = drive(", pretension: T_0, friction: mu, mass_per_length: q", w=50).solve(question).answers[0]
+    assert answer.value is not None
+    assert not any("M" in str(condition) or "slip" in str(condition) for condition in answer.conditions)
+
+
 def test_a_chain_has_whole_teeth() -> None:
     with pytest.raises(fb.ModelError, match="a number of teeth is whole"):
         fb.System.from_text(CHAIN.replace("z_2: 16", "z_2: 16.5"))
