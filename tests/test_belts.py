@@ -205,6 +205,13 @@ def test_what_a_belt_can_do_is_the_same_whether_it_slips_or_not(question: str) -
     assert not any("M" in str(condition) or "slip" in str(condition) for condition in answer.conditions)
 
 
+def test_a_tightener_keeps_the_tight_run_and_the_slack_one_gives_way() -> None:
+    """T_1 is what the tightener keeps, T_2 = T_1 - F."""
+    system = drive(", largest_tension: 2*T_0, friction: mu")
+    assert value(system, "tight tension of belt") == pytest.approx(800)
+    assert value(system, "slack tension of belt") == pytest.approx(800 - FORCE)
+
+
 def test_a_chain_has_whole_teeth() -> None:
     with pytest.raises(fb.ModelError, match="a number of teeth is whole"):
         fb.System.from_text(CHAIN.replace("z_2: 16", "z_2: 16.5"))

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, ClassVar
 from freebody.connections.base import Connection
 from freebody.connections.belt_loop import BeltLoop, distance_of_centers
 from freebody.connections.circles import own_radius, touching
-from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, free_symbols, multiply, number
+from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, free_symbols, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, POWER, VELOCITY
 from freebody.measures.angle import Angle
@@ -195,6 +195,10 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
             pretension, half = names.positive(self, "pretension", FORCE), divide(ONE, number(2))
             found["tight tension"] = Transmitted(pretension, FORCE, "belt", half)
             found["slack tension"] = Transmitted(pretension, FORCE, "belt", -half)
+        if self.largest_tension is not None:
+            tight = names.positive(self, "largest_tension", FORCE)
+            found["tight tension"] = Transmitted(tight, FORCE)
+            found["slack tension"] = Transmitted(tight, FORCE, "belt", negate(ONE))
         limit = self._limit(names)
         if limit is None:
             return found
