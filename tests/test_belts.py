@@ -173,6 +173,45 @@ def test_the_links_of_a_chain_are_those_of_its_length() -> None:
     assert value(fb.System.from_text(CHAIN), "links of chain") == pytest.approx(links, rel=1e-4)
 
 
+@pytest.mark.parametrize(("torque", "more", "side"), [(30, "", 1), (-30, ", other_run: true", -1)])
+def test_the_tight_run_of_a_chain_pulls_at_the_bearings(torque: float, more: str, side: int) -> None:
+    """A tension F along the run, which is at gamma = asin((r_1 - r_2)/d) to the line of centres: F cos(gamma) towards
+    the other sprocket whichever run is tight, and across it F sin(gamma) to the side of that run."""
+    text = CHAIN.replace("M: 30 N m", f"M: {{value: {torque} N m, sign: any}}").replace("z_2]}", f"z_2]{more}}}")
+    system = fb.System.from_text(text)
+    force = abs(value(system, "chain force of chain"))
+    lift = math.asin(0.0127 * (44 - 16) / (2 * math.pi * 0.42))
+    along, across = force * math.cos(lift), side * force * math.sin(lift)
+    assert value(system, "reaction of A on crank") == pytest.approx((-along, across))
+    assert value(system, "reaction of B on hub") == pytest.approx((along, -across))
+
+
+def test_the_wrong_run_of_a_chain_is_told() -> None:
+    system = fb.System.from_text(CHAIN.replace("z_2]}", "z_2], other_run: true}"))
+    answer = system.solve("reaction of A").answers[0]
+    assert any("write other_run" in str(condition) for condition in answer.conditions)
+
+
+def test_bearings_of_a_belt_without_pretension_carry_what_nobody_knows() -> None:
+    with pytest.raises(fb.ModelError, match="the force in A is not known: both runs of belt pull at it"):
+        drive("").solve("reaction of A")
+
+
+@pytest.mark.parametrize("question", ["length of belt", "greatest power of belt", "speed of greatest power of belt"])
+def test_what_a_belt_can_do_is_the_same_whether_it_slips_or_not(question: str) -> None:
+    """No condition on the motor and no case of slip stands beside it."""
+    answer = drive(", pretension: T_0, friction: mu, mass_per_length: q", w=50).solve(question).answers[0]
+    assert answer.value is not None
+    assert not any("M" in str(condition) or "slip" in str(condition) for condition in answer.conditions)
+
+
+def test_a_tightener_keeps_the_tight_run_and_the_slack_one_gives_way() -> None:
+    """T_1 is what the tightener keeps, T_2 = T_1 - F."""
+    system = drive(", largest_tension: 2*T_0, friction: mu")
+    assert value(system, "tight tension of belt") == pytest.approx(800)
+    assert value(system, "slack tension of belt") == pytest.approx(800 - FORCE)
+
+
 def test_a_chain_has_whole_teeth() -> None:
     with pytest.raises(fb.ModelError, match="a number of teeth is whole"):
         fb.System.from_text(CHAIN.replace("z_2: 16", "z_2: 16.5"))

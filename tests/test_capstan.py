@@ -111,6 +111,28 @@ def test_the_string_pulls_at_the_drum_by_both_tensions() -> None:
     assert abs(by_name["brake.torque"]) == pytest.approx((20 * 9.81 - 150) * 0.2)
 
 
+def test_a_band_lies_over_the_drum_from_the_side_where_its_ends_are() -> None:
+    """A lever that the file puts by its start: its other point is at start + (2 R, 0), so that the band comes from the
+    left. The drum turns to the left and drags the band away from the lever, whose run is the tight one: with
+    S = F L/(2 R) there, R S (1 - e^(-mu pi)) brakes."""
+    text = """
+parameters: {J: 0.4 kg m^2, R: 0.15 m, mu: 0.35, F: 80 N, L: 0.9 m, w: 30 rad/s}
+ground: {points: {axle: [0, 0], hinge: [-R, -2*R]}}
+bodies:
+  drum: {body: {inertia: J, radius: R}}
+  lever: {rod: {length: L}, at: {start: [-R, -2*R]}, angle: 0, points: {band: [2*R - L/2, 0]}}
+connections:
+  axle: {pin: [ground.axle, drum]}
+  hinge: {pin: [ground.hinge, lever.start]}
+  band: {string: {from: ground.hinge, over: [drum], to: lever.band, friction: {drum: mu}, leads: [up, down]}}
+loads: {push: {force: {at: lever.end, along: down, magnitude: F}}}
+measures: {phi: {angle of drum}}
+start: {phi: 0, rate(phi): w}
+"""
+    expected = -80 * 0.9 / 2 * (1 - math.exp(-0.35 * math.pi)) / 0.4
+    assert asked(text, "acceleration of phi").answers[0].value == pytest.approx(expected)
+
+
 def test_both_ways_round_are_mirror_images() -> None:
     other = HALF_TURN.replace("from: hand, over: [drum], to: load", "from: load, over: [drum], to: hand")
     one, two = (asked(model, "range of F that keeps it at rest")["q1"].value for model in (HALF_TURN, other))

@@ -133,3 +133,35 @@ def test_what_has_no_axis_is_told_so() -> None:
 def test_a_hole_without_a_mass_is_refused() -> None:
     with pytest.raises(fb.ModelError, match="bore has none"):
         fb.System.from_text(PLATE.replace("mass: M*pi*r^2/(b*h), ", ""))
+
+
+def test_parts_in_a_list_are_the_same_body_as_parts_by_name() -> None:
+    listed = PLATE.replace(
+        "{sheet: {rectangle: {mass: M, width: b, height: h}}}", "[{rectangle: {mass: M, width: b, height: h}}]"
+    )
+    listed = listed.replace(
+        "{bore: {disk: {mass: M*pi*r^2/(b*h), radius: r}, at: [b/4, 0]}}",
+        "[{disk: {mass: M*pi*r^2/(b*h), radius: r}, at: [b/4, 0]}]",
+    )
+    questions = ("mass of plate", "moment of inertia of plate about A")
+    assert asked(listed, *questions) == asked(PLATE, *questions)
+    assert "part1" in fb.System.from_text(listed).bodies["plate"].points
+
+
+def test_a_mistake_in_a_listed_part_is_told_where_it_stands() -> None:
+    with pytest.raises(fb.ModelError, match=r"composite\.parts\.0\.dsk: a part has no dsk"):
+        fb.System.from_text(PLATE.replace("{sheet: {rectangle: {mass: M, width: b, height: h}}}", "[{dsk: {mass: M}}]"))
+
+
+def test_a_moment_of_inertia_holds_whether_the_wheel_touches_or_not() -> None:
+    """Nothing that a contact needs stands beside what follows from the body alone."""
+    text = """
+parameters: {m: 2 kg, R: 0.1 m, a: 20 deg, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: -a}}}
+bodies: {wheel: {disk: {mass: m, radius: R}}}
+connections: {track: {rolling: {body: wheel, on: slope}}}
+loads: {weight: {gravity: g}}
+"""
+    answer = fb.System.from_text(text).solve("moment of inertia of wheel").answers[0]
+    assert answer.value == pytest.approx(0.01)
+    assert answer.conditions == ("for all positive parameters",)

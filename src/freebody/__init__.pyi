@@ -319,8 +319,9 @@ class Cam(_Cam):
 class Chain(_Chain):
     """`chain: {first: crank, second: hub, pitch: 12.7 mm, teeth: [44, 16]}`: both sprockets turn the same way, with the
     ratio of their teeth; bearings keep the centres apart. The chain force is the tension of the tight run, as the other
-    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row). In
-    space it runs over sprockets with parallel axes whose bearings are on one body."""
+    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row), or negative
+    with `other_run: true`, where the other run is the tight one. It pulls at the bearings, too. In space it runs over
+    sprockets with parallel axes whose bearings are on one body."""
 
     def __init__(
         self,
@@ -329,6 +330,7 @@ class Chain(_Chain):
         pitch: _Formula,
         teeth: _List,
         length: _Formula | None = ...,
+        other_run: bool = ...,
     ) -> None: ...
 
 class Clothoid(_Clothoid):
@@ -351,15 +353,16 @@ class Clothoid(_Clothoid):
 class Composite(_Composite):
     """`composite: {parts: {hub: {disk: {mass: M, radius: R}}, arm: {rod: {mass: m, length: L}, at: [R, 0]}}}`: every
     part is a shape whose reference point stands at `at` in the body's own frame, turned by `angle`, or, in space, by
-    `turned`. Points: `origin`, and the reference point of every part by its name.
+    `turned`. Points: `origin`, and the reference point of every part by its name. Parts in a list, `parts: [{disk:
+    ...}, {rod: ..., at: [R, 0]}]`, are called part1, part2 and so on.
 
     `holes` are written as parts and taken away, each with the mass of what was there: a plate of mass M with a hole
     where m has been cut out weighs M - m."""
 
     def __init__(
         self,
-        parts: _Mapping,
-        holes: _Mapping = ...,
+        parts: _List | _Mapping,
+        holes: _List | _Mapping = ...,
     ) -> None: ...
 
 class Cone(_Cone):

@@ -163,9 +163,9 @@ class Connection(Spec):
         1 along a direction of the ground. None where gravity acts at the mass centre."""
         return None
 
-    def loads_bearings(self, names: Names) -> set[str]:
-        """The bodies whose bearings carry forces of it that it does not tell."""
-        return set()
+    def loads_bearings(self, names: Names) -> Mapping[str, str]:
+        """The bodies whose bearings carry forces of it that it does not tell, and why."""
+        return {}
 
     def valid_where(self, names: Names) -> list[Validity]:
         """What it takes for granted of where the bodies are."""

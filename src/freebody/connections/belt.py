@@ -24,7 +24,7 @@ from freebody.connections.belt_in_space import BeltInSpace, belt_in_space
 from freebody.connections.belt_loop import BeltLoop, distance_of_centers
 from freebody.connections.circles import own_radius, touching
 from freebody.connections.standing import moves_out_of_plane
-from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, free_symbols, multiply, number
+from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, free_symbols, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, POWER, VELOCITY
 from freebody.measures.angle import Angle
@@ -212,6 +212,16 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
         apart = Distance(names.body(self.first).center, names.body(self.second).center)
         return {f"pretension_of_{self.own_name(names)}": AppliedLoad("", apart, pull)}
 
+    def loads_bearings(self, names: Names) -> Mapping[str, str]:
+        """Without a pretension nobody knows how much both runs pull together."""
+        if self.pretension is not None:
+            return {}
+        told = Message(
+            "both runs of {belt} pull at it; give the belt its pretension, e.g. pretension: 300 N",
+            belt=self.own_name(names),
+        )
+        return {self.first: told, self.second: told}
+
     # -- what is asked of it ------------------------------------------------------------------
     def transmitted(self, names: Names) -> Mapping[str, Transmitted]:
         way = self._way(names)
@@ -222,6 +232,10 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
             pretension, half = names.positive(self, "pretension", FORCE), divide(ONE, number(2))
             found["tight tension"] = Transmitted(pretension, FORCE, "belt", half)
             found["slack tension"] = Transmitted(pretension, FORCE, "belt", -half)
+        if self.largest_tension is not None:
+            tight = names.positive(self, "largest_tension", FORCE)
+            found["tight tension"] = Transmitted(tight, FORCE)
+            found["slack tension"] = Transmitted(tight, FORCE, "belt", negate(ONE))
         limit = self._limit(names)
         if limit is None:
             return found

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import number_of, stands_at
-from freebody.language.expression import PI, ZERO, Call, Expr, add, negate
+from freebody.language.expression import ONE, PI, ZERO, Call, Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.measures.geometry import RIGHT, UP
 from freebody.model.elements import RigidBody
@@ -47,6 +47,14 @@ class BeltLoop:
     def _step(self) -> Expr:
         r1, r2 = self.radii
         return r1 + r2 if self.is_crossed else r1 - r2
+
+    @property
+    def lean(self) -> Expr | None:
+        """cos(gamma): the part of the tension of a run along the line of centres."""
+        lift, d = self._lift, self.distance
+        if lift is None or lift == ZERO:
+            return None if lift is None else ONE
+        return None if d is None else Call("sqrt", d * d - self._step * self._step) / d
 
     def wrap(self, names: Names) -> Expr | None:
         """The angle of the wheel that slips first."""

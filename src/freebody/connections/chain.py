@@ -2,7 +2,13 @@
 
 The teeth take the links one by one, so that in the mean the sprockets turn as z_2 : z_1, as a belt would turn pulleys
 of the radii p z/(2 pi). (The hinges of the links run on circles of the radius p/(2 sin(pi/z)); the unevenness within a
-tooth, some (pi/z)^2/2 of the speed, is left out.) Source: Shigley, Mechanical Engineering Design, sec. 17-5.
+tooth, some (pi/z)^2/2 of the speed, is left out.) The tight run is at the angle gamma to the line of centres,
+sin(gamma) = (r_1 - r_2)/d, and pulls the sprockets together by F cos(gamma): what is held is the way of that run,
+
+    r_1 theta_1 - r_2 theta_2 - (r_1 - r_2) a + s cos(gamma) d,        a the bearing of the second from the first,
+
+s the sign of F. As d is constant, the motion is that without the last term. Source: Shigley, Mechanical Engineering
+Design, sec. 17-5.
 """
 
 from __future__ import annotations
@@ -18,6 +24,7 @@ from freebody.connections.standing import moves_out_of_plane
 from freebody.language.expression import ONE, PI, Expr, divide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.combination import Combination
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -32,14 +39,16 @@ if TYPE_CHECKING:
 class Chain(Connection, kind="chain"):
     """`chain: {first: crank, second: hub, pitch: 12.7 mm, teeth: [44, 16]}`: both sprockets turn the same way, with the
     ratio of their teeth; bearings keep the centres apart. The chain force is the tension of the tight run, as the other
-    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row). In
-    space it runs over sprockets with parallel axes whose bearings are on one body."""
+    one is slack; it is positive when it resists a counter-clockwise turn of the first sprocket (1 row), or negative
+    with `other_run: true`, where the other run is the tight one. It pulls at the bearings, too. In space it runs over
+    sprockets with parallel axes whose bearings are on one body."""
 
     first: str
     second: str
     pitch: Formula
     teeth: list[Formula]
     length: Formula | None = None
+    other_run: bool = False
 
     in_plane = True
     follows_joints: ClassVar[bool] = True
@@ -65,8 +74,24 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
         if not self.is_in_plane(names):
             spatial = belt_in_space(names, (first, second), (r1, r2), crossed=False)
             return [] if spatial is None else [ConstraintRow("chain", "chain force", spatial.rolled, sign=-1)]
-        _distance, _total, rolled = touching(first.center, r1, second.center, r2, internal=True)
-        return [ConstraintRow("chain", "chain force", rolled, sign=-1)]
+        distance, _total, rolled = touching(first.center, r1, second.center, r2, internal=True)
+        lean = self._loop(names).lean
+        if lean is None:
+            return [ConstraintRow("chain", "chain force", rolled, sign=-1)]
+        side = -1 if self.other_run else 1
+        tight = Combination((*rolled.terms, (side * lean, distance)), LENGTH)
+        return [ConstraintRow("chain", "chain force", tight, sign=-1, flank=side, other_side="other_run")]
+
+    def loads_bearings(self, names: Names) -> Mapping[str, str]:
+        if self.is_in_plane(names) and self._loop(names).lean is not None:
+            return {}
+        told = Message(
+            "{chain} pulls at it as well, and the model does not say where its sprockets are"
+            if self.is_in_plane(names)
+            else "{chain} pulls at it as well, which is known in the plane alone",
+            chain=self.own_name(names),
+        )
+        return {self.first: told, self.second: told}
 
     def _radii(self, names: Names, *, look: bool = False) -> tuple[Expr, Expr]:
         pitch = names.positive(self, "pitch", LENGTH)

@@ -161,10 +161,18 @@ start: {x: 0.4 m, rate(x): 0}
         most = run.first_length(ZERO)
         return [Validity(run.way, ZERO, 1, hangs), Validity(run.way, most, -1, left)]
 
-    def loads_bearings(self, names: Names) -> set[str]:
+    def loads_bearings(self, names: Names) -> Mapping[str, str]:
         with names.quietly():
             run = self._run(names)
-        return set() if run is None else {place.body for place in run.places if place.turns_with}
+        wheels = [] if run is None else [place.body for place in run.places if place.turns_with]
+        return {
+            wheel: Message(
+                "a rope with mass runs over {wheel}, and its weight and the change of its momentum act on this bearing "
+                "as well",
+                wheel=wheel,
+            )
+            for wheel in wheels
+        }
 
     def tensions(self, names: Names) -> Mapping[str, CutTension]:
         """At a point that it runs over; of a wheel before and behind it."""

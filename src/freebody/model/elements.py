@@ -254,6 +254,7 @@ class ConstraintRow:
     instead: str = ""  # what to take where this is held by others as well, and may have been held by mistake
     closes: bool = False  # held from the start on, and not before: two parts meet and stay together
     flank: int = 0  # teeth: the sign of the reaction with which the row pushes as it does; on the other flank otherwise
+    other_side: str = "other_flank"  # the field that says that the reaction has the other sign
 
     @property
     def in_symbols(self) -> Expr | None:

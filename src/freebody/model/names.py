@@ -140,8 +140,8 @@ class Joining(Protocol):
         """Of a body whose weight does not act at one point: what it pushes, and the law for a field of strength 1."""
         ...
 
-    def loads_bearings(self, names: Names) -> set[str]:
-        """The bodies whose bearings carry forces of it that it does not tell."""
+    def loads_bearings(self, names: Names) -> Mapping[str, str]:
+        """The bodies whose bearings carry forces of it that it does not tell, and why."""
         ...
 
     def curve_place(self, names: Names) -> CurvePlace | None:

@@ -47,6 +47,11 @@ questions: {it: tight tension of drive}
         return self.means.dimension
 
     @property
+    def is_of_parameters(self) -> bool:
+        """The length, the greatest power and its speed: they do not depend on what the belt does."""
+        return self.means.of_force == ZERO and (self.means.way is None or self.means.of_square == ZERO)
+
+    @property
     def inner(self) -> tuple[Quantity, ...]:
         """The constant, and what is multiplied by the size of the force and by the square of the speed."""
         means, found = self.means, [OfParameters(self.means.constant, self.dimension)]

@@ -296,22 +296,16 @@ def acts_on(names: Names, name: str, on: str | None, path: Path) -> bool:
 
 
 def is_told(names: Names, name: str, path: Path) -> bool:
-    """Whether the force of a connection is known. A bearing of a wheel over which a heavy rope runs also carries the
-    weight of that and the turning of its momentum, which no row of it has."""
+    """Whether the force of a connection is known: no other one loads this bearing with what no row of it has."""
     own = names.connections[name]
     for other in names.connections.values():
         with names.quietly():
-            loaded = other.loads_bearings(names) if other is not own else set[str]()
+            loaded = other.loads_bearings(names) if other is not own else {}
             kept = [
                 b for b in sorted(loaded) if own.keeps_at(names, names.known(b).center, RIGHT, frozenset()) is not None
             ]
         if kept:
-            told = Message(
-                "the force in {connection} is not known: a rope with mass runs over {wheel}, and its weight and the "
-                "change of its momentum act on this bearing as well",
-                connection=name,
-                wheel=kept[0],
-            )
+            told = Message("the force in {connection} is not known: {why}", connection=name, why=loaded[kept[0]])
             names.problem(told, *path)
             return False
     return True

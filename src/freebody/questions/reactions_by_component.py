@@ -76,7 +76,7 @@ questions: {it: tension of rod}
 
     @property
     def is_tangential(self) -> bool:
-        return self.reaction == TOOTH_FORCE
+        return self.reaction in (TOOTH_FORCE, "chain force")
 
     @property
     def sign_is_conventional(self) -> bool:

@@ -249,7 +249,7 @@ class Setup:
         for row in self.system.constraint_rows:
             if row.flank:
                 with suppress(CannotAnswer):
-                    found += _open(row.flank * row.sign * state.multiplier(row), ">=", on_this_flank(row.connection))
+                    found += _open(row.flank * row.sign * state.multiplier(row), ">=", on_this_flank(row))
         return found
 
     def reserves(self, state: SymbolicState) -> list[Condition]:

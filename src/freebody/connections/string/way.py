@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
@@ -167,13 +168,23 @@ def hangs_straight(names: Names, body: RigidBody, point: Point) -> bool:
 
 
 def _place(names: Names, point: Point) -> tuple[float, float] | None:
-    """Where a point is at the start, if the model says so."""
-    body = names.known(point.body)
-    offset = [names.numeric(c) for c in point.offset[:2]]
-    base: list[float | None] = [0.0, 0.0]
-    if body.name != GROUND:
-        if body.start.at is None:
-            return None
-        base = [names.numeric(c) for c in body.start.at[1][:2]]
-    x, y = (None if a is None or b is None else a + b for a, b in zip(base, offset, strict=True))
+    """Where a point P is at the start, if the model says so: r_A + R(angle) (P - A), A the point that `at` names."""
+    body, start = names.known(point.body), names.known(point.body).start
+    if body.name == GROUND:
+        return _in_numbers(names, point.offset)
+    if start.at is None:
+        return None
+    named, place = start.at
+    if body.points[named] == point.offset:
+        return _in_numbers(names, place)
+    base, own, here = (_in_numbers(names, v) for v in (place, body.points[named], point.offset))
+    angle = 0.0 if start.angle is None else names.numeric(start.angle)
+    if start.turned or base is None or own is None or here is None or angle is None:
+        return None
+    x, y = here[0] - own[0], here[1] - own[1]
+    return base[0] + x * math.cos(angle) - y * math.sin(angle), base[1] + x * math.sin(angle) + y * math.cos(angle)
+
+
+def _in_numbers(names: Names, components: Sequence[Expr]) -> tuple[float, float] | None:
+    x, y = (names.numeric(c) for c in components[:2])
     return None if x is None or y is None else (x, y)

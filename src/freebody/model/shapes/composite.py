@@ -31,13 +31,14 @@ Placed = tuple[Build, Components, Columns]  # a part, its mass centre, its axes
 class Composite(Shape, kind="composite"):
     """`composite: {parts: {hub: {disk: {mass: M, radius: R}}, arm: {rod: {mass: m, length: L}, at: [R, 0]}}}`: every
     part is a shape whose reference point stands at `at` in the body's own frame, turned by `angle`, or, in space, by
-    `turned`. Points: `origin`, and the reference point of every part by its name.
+    `turned`. Points: `origin`, and the reference point of every part by its name. Parts in a list, `parts: [{disk:
+    ...}, {rod: ..., at: [R, 0]}]`, are called part1, part2 and so on.
 
     `holes` are written as parts and taken away, each with the mass of what was there: a plate of mass M with a hole
     where m has been cut out weighs M - m."""
 
-    parts: dict[str, Any]
-    holes: dict[str, Any] = Field(default_factory=dict[str, Any])
+    parts: dict[str, Any] | list[Any]
+    holes: dict[str, Any] | list[Any] = Field(default_factory=dict[str, Any])
 
     example = "{parts: {hub: {disk: {mass: 2 kg, radius: 0.2 m}}, tip: {particle: {mass: 1 kg}, at: [0.5 m, 0]}}}"
 
@@ -48,10 +49,8 @@ class Composite(Shape, kind="composite"):
         composed: list[BodyPart] = []
         points: dict[str, Components] = {"origin": names.origin}
         edges: list[Edge[Components]] = []
-        listed = [("parts", name, value) for name, value in self.parts.items()]
-        listed += [("holes", name, value) for name, value in self.holes.items()]
-        for field, name, value in listed:
-            with names.at(field, name):
+        for field, key, name, value in (*_listed("parts", self.parts), *_listed("holes", self.holes)):
+            with names.at(field, key):
                 found = _part(names, value)
                 if name in points:
                     names.problem(Message("{name} is there already; call it otherwise", name=name))
@@ -89,6 +88,14 @@ class Composite(Shape, kind="composite"):
         return Build(
             mass, inertia, middle, points, default_point="origin", tensor=tensor, edges=tuple(edges), parts=parts
         )
+
+
+def _listed(field: str, given: dict[str, Any] | list[Any]) -> Iterator[tuple[str, str | int, str, Any]]:
+    """(field, key in it, name, what is written) of each part: by its name, or by its number in a list."""
+    if isinstance(given, dict):
+        yield from ((field, name, name, value) for name, value in given.items())
+        return
+    yield from ((field, k, f"{field[:-1]}{k + 1}", value) for k, value in enumerate(given))
 
 
 def _edges(build: Build, at: Components, axes: Columns, *, is_hole: bool) -> Iterator[Edge[Components]]:

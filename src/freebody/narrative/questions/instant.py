@@ -112,6 +112,8 @@ def finish(
             elif found and unsolved != shown:
                 sides.append(unsolved)
             why, args = ("value.follows" if lines else "value.is"), dict[str, Argument](lines=lines)
+            if not lines and question.quantity.is_of_parameters and hasattr(question.quantity, "connection"):
+                why = "answer.by_law"
             if drawn_back is not None:
                 why, args = "value.counted", {"lines": lines, "force": tidy(f.variable(drawn_back))}
             last = script.line(*sides, shown, why=why, args=args, uses=lines)

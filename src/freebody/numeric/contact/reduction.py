@@ -20,6 +20,7 @@ from freebody.tolerances import LEAST, ROUND_OFF, ROUNDED
 
 RANK = ROUNDED  # of a matrix with unit diagonal
 _CONSISTENT = ROUND_OFF  # of the terms of an equation: what it may miss
+_SMALL = 1e-6  # of the diagonal of a row: what is left of it may be round-off, which is looked at
 _PIVOT = 1e-5  # pivots of a matrix with unit diagonal that is solved to six digits: its condition is 1e10 at most
 
 
@@ -98,6 +99,9 @@ def reduced(problem: ContactProblem) -> ReducedProblem:
         free, right, size = free + coupling @ Q, right + coupling @ p, size + np.abs(coupling) @ np.abs(p)
         # what is left of a row that pushes a light body which is held, a roller without mass, is far below its diagonal
         left = free.diagonal()
+        if (left <= _SMALL * diagonal[rows]).any():
+            free, right = _without_carried(free, right, size, A, p, Q, rows, held)
+            left = free.diagonal()
         D[rows] = 1.0 / np.sqrt(np.where(left > ROUNDED * diagonal[rows], left, D[rows] ** -2.0))
     scale = D[rows]
     scaled = scale[:, None] * (0.5 * (free + free.T)) * scale
@@ -145,6 +149,21 @@ def _held_forces(
         h = lengths[held, None]
         solved -= idle @ np.linalg.lstsq(h * idle, h * solved, rcond=ROUNDED)[0]
     return solved[:, 0], solved[:, 1:], is_consistent
+
+
+def _without_carried(
+    free: Array, right: Array, size: Array, A: Array, p: Array, Q: Array, rows: NDArray[np.intp], held: NDArray[np.intp]
+) -> tuple[Array, Array]:
+    """The Schur complement where a row is a combination of held ones, J_i = -Q_i J_B: a contact at a body that joints
+    keep where it is. Its force moves nothing and its acceleration is theirs, so that both entries are zero, and not
+    what is left of terms that cancel: those of A_ii + A_iB Q_i + Q_i (A_BB Q_i + A_Bi), which are as large as 1/m of
+    the mass that a body without any is lent, as those of b_i + A_iB p + Q_i A_BB p are."""
+    through = np.abs(Q.T) @ np.abs(A[np.ix_(held, held)])
+    terms = A.diagonal()[rows] + ((np.abs(A[np.ix_(rows, held)]) + through) * np.abs(Q.T)).sum(axis=1)
+    carried = free.diagonal() <= ROUNDED * terms
+    still = carried & (np.abs(right) <= ROUND_OFF * size + ROUNDED * (through @ np.abs(p)))
+    free = np.where(carried[:, None] | carried, 0.0, free)
+    return free, np.where(still, 0.0, right)
 
 
 def _is_regular(A: Array) -> bool:

@@ -34,7 +34,9 @@ def is_kinematic(setup: Setup, q: Quantity) -> bool:
 def at_instant(setup: Setup, question: Question, state: SymbolicState, *, with_contacts: bool) -> list[Condition]:
     """What the state needs in which something is asked for. with_contacts: whether it is judged here that contacts and
     strings hold."""
-    found = setup.holding(state, with_contacts=with_contacts) + setup.closing(state)
+    found = setup.closing(state)
+    if not question.quantity.is_of_parameters:  # which are the same whatever contacts and strings do
+        found = setup.holding(state, with_contacts=with_contacts) + found
     if any(q.is_reaction and not q.is_tangential for q in (question.quantity, *question.quantity.inner)):
         found += setup.flanks(state)
     if question.event is None and not is_kinematic(setup, question.quantity):

@@ -55,7 +55,7 @@ class Draw:
     def of(cls, system: System, values: dict[str, float]) -> Draw:
         """A system with these numbers. Raises CannotAnswer where it does not assemble."""
         reference = Reference(system, values)
-        return cls(values, reference, reference.assemble())
+        return cls(values, reference, _assembled(reference))
 
     def start(self) -> Snapshot:
         """The start, with its velocities."""
@@ -64,7 +64,7 @@ class Draw:
     def with_values(self, values: dict[str, float], system: System | None = None) -> Draw:
         """Another one near it. system: where it is not the same. Raises CannotAnswer where that does not assemble."""
         reference = Reference(self.reference.system if system is None else system, values)
-        return Draw(values, reference, reference.assemble(guess=self.guess_for(reference), n_starts=_NEARBY))
+        return Draw(values, reference, _assembled(reference, guess=self.guess_for(reference), n_starts=_NEARBY))
 
     def guess_for(self, reference: Reference) -> Array:
         """Its pose for other numbers of the parameters: bodies are turned as they are here, whatever principal axes
@@ -136,6 +136,16 @@ class Draw:
                 continue
             return reference.snapshot(q, v, t)
         return self.start()
+
+
+def _assembled(reference: Reference, **how: Any) -> Array:
+    """The pose at the start. Raises CannotAnswer where it does not assemble, or what keeps the value it has there has
+    none: a chain on sprockets that overlap."""
+    q = reference.assemble(**how)
+    for row in reference.system.constraint_rows:
+        if getattr(row.measure, "incremental", False):
+            reference.start_value(row.measure)
+    return q
 
 
 def draw_parameters(system: System, rng: random.Random, spread: float, *, lengths: bool = True) -> dict[str, float]:

@@ -250,7 +250,7 @@ class Phase:
             found.append(PhaseWatch("opens", name, -short) if acts else PhaseWatch("touches", name, short))
         for row in self.base.constraint_rows:
             if row.flank and not (pressed := row.flank * self.normal(row)).is_zero():
-                found.append(PhaseWatch("changes sign", on_this_flank(row.connection), pressed))
+                found.append(PhaseWatch("changes sign", on_this_flank(row), pressed))
         for name, state in states.items():
             rub = self.dry_friction[name]
             if state:

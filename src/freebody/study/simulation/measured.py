@@ -10,6 +10,7 @@ import numpy as np
 
 from freebody.errors import InputError
 from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.contact.admissible import admissible_reactions
 from freebody.numeric.contact.sudden import recorded
 from freebody.numeric.engine.course import BlowRecord, Collision
@@ -83,14 +84,14 @@ class MeasuredMotion(SimulatedMotion):
         }
 
     @property
-    def other_flanks(self) -> tuple[tuple[str, float], ...]:
+    def other_flanks(self) -> tuple[tuple[ConstraintRow, float], ...]:
         """The meshes whose teeth come to bear on another flank than the one that the model says, and when first [s]."""
-        found: list[tuple[str, float]] = []
+        found: list[tuple[ConstraintRow, float]] = []
         for k, row in enumerate(self.rows):
             pressed = row.flank * row.sign * self.course.multipliers[:, k]
             away = np.flatnonzero(pressed < -ROUND_OFF * np.abs(pressed).max(initial=0.0))
             if len(away):
-                found.append((row.connection, float(self.course.times[away[0]])))
+                found.append((row, float(self.course.times[away[0]])))
         return tuple(found)
 
     @property

@@ -67,9 +67,13 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
     if open_:
         told = Message("{names}: connections hold the same thing more than once", names=", ".join(open_))
         yield entry(Message("not unique"), told)
-    for mesh, time in result.other_flanks:
+    for row, time in result.other_flanks:
         told = Message(
-            "from {t:.4g} s {mesh} bears on its other flank: there its radial force is reversed", t=time, mesh=mesh
+            "from {t:.4g} s the other run of {mesh} is tight: there its pull at the bearings has the wrong sign"
+            if row.other_side == "other_run"
+            else "from {t:.4g} s {mesh} bears on its other flank: there its radial force is reversed",
+            t=time,
+            mesh=row.connection,
         )
         yield entry(Message("teeth"), told)
     for purpose, time in result.not_valid:
