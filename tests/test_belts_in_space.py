@@ -78,7 +78,8 @@ def test_a_belt_in_any_plane_turns_and_pulls_as_in_the_plane(band: str, shift: i
 
 def test_a_belt_carried_by_an_arm_that_slews_keeps_the_first_pulley_from_turning_by_the_ratio() -> None:
     """Both axes are upright on an arm that turns about z with w; the first pulley stands on the ground beside it, so
-    that on the arm it turns by -w t, and the second by -w t r_1/r_2: against the ground it turns with w (1 - r_1/r_2)."""
+    that on the arm it turns by -w t, and the second by -w t r_1/r_2: against the ground it turns with w (1 - r_1/r_2).
+    """
     text = """
 space: true
 parameters: {w: 2 rad/s}

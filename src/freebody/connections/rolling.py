@@ -163,8 +163,9 @@ connections:
     def attitude(self, names: Names) -> Attitude | None:
         with names.quietly():
             body, other = names.bodies.get(self.body), self._round_in_space(names)
-        is_line = body is not None and other is not None and body.solid == other.solid == CYLINDER
-        return parallel_cylinders(body, other) if is_line and body.name != other.name else None
+        if body is None or other is None or body.name == other.name or not body.solid == other.solid == CYLINDER:
+            return None
+        return parallel_cylinders(body, other)
 
     def valid_where(self, names: Names) -> list[Validity]:
         """On a cylinder it rolls between the ends."""

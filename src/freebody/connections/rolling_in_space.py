@@ -92,7 +92,8 @@ def rows_of_cylinders(names: Names, body: RigidBody, cylinder: RigidBody, *, ins
 def parallel_cylinders(body: RigidBody, cylinder: RigidBody) -> Attitude:
     """How a cylinder is turned from the one with which it shares a line: about its axis."""
     base, own = (perpendiculars(each.axis) for each in (cylinder, body))
-    turn = Turn(Direction(body.name, own[0]), *(Direction(cylinder.name, v) for v in base))
+    start, side = (Direction(cylinder.name, v) for v in base)
+    turn = Turn(Direction(body.name, own[0]), start, side)
     before, after = (*base, cylinder.axis), (*own, body.axis)
     return Attitude(cylinder.name, body.name, before, after, ((UNIT[2], "angle", turn),), ("line 1", "line 2"))
 

@@ -22,7 +22,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, ZERO, Components, Direction, Point
 from freebody.measures.turn import Alignment
-from freebody.model.elements import Attitude, ConstraintRow, RigidBody
+from freebody.model.elements import Attitude, ConstraintRow, NonholonomicForm, RigidBody
 from freebody.model.rotations import (
     UNIT,
     applied,
@@ -297,7 +297,8 @@ class StandingInSpace:
         driving = (row for row in rows if row.reaction.startswith("driving "))
         driven = ((row.measure, substitute(row.target or ZERO, {"t": ZERO})) for row in driving)
         named = ((names.measures.get(name), begun) for name, begun in names.placed_at_start.items())
-        return [(measure, begun) for measure, begun in (*named, *driven) if measure is not None]
+        begun = [*named, *driven]
+        return [(m, place) for m, place in begun if m is not None and not isinstance(m, NonholonomicForm)]
 
     def line_of(self, point: Point, normal: Direction) -> Direction | None:
         """The direction along which a point moves in the plane of a normal, seen from the body of that, where joints

@@ -118,12 +118,12 @@ class SwivelLeads(WaySeen):
         seen = self.still.on(frame, along)
         assert seen is not None
         between = self.still.distance_along(a.point, b.point, seen[0])
-        ends = self.where(k, frame), self.where(k + 1, frame)
+        here, there = self.where(k, frame), self.where(k + 1, frame)
         if between is not None:
             ahead = number_of(self.names, between)
-        elif ends[0] is not None and ends[1] is not None:
+        elif here is not None and there is not None:
             e = [number_of(self.names, c) for c in seen[0].components]
-            ahead = dot_product([q - p for p, q in zip(*ends, strict=True)], e)
+            ahead = dot_product([q - p for p, q in zip(here, there, strict=True)], e)
         else:
             ahead = 0.0
         if abs(ahead) > ROUND_OFF:

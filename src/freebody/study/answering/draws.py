@@ -20,6 +20,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, Direction
+from freebody.model.elements import NonholonomicForm
 from freebody.model.rotations import UNIT
 from freebody.model.spins import spin
 from freebody.numeric.jets import Array
@@ -143,7 +144,7 @@ def _assembled(reference: Reference, **how: Any) -> Array:
     none: a chain on sprockets that overlap."""
     q = reference.assemble(**how)
     for row in reference.system.constraint_rows:
-        if getattr(row.measure, "incremental", False):
+        if not isinstance(row.measure, NonholonomicForm) and row.measure.incremental:
             reference.start_value(row.measure)
     return q
 

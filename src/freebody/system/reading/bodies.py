@@ -196,8 +196,8 @@ class BodySections:
         for key, value in entry.items():
             if key not in kinds and key not in options and key not in inside:
                 known = [*Shape.kinds, *options]
-                inside = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
-                hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=inside)
+                fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+                hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=fields)
                 if key in SPATIAL_OPTIONS:
                     hint = Message(" It is for models in space: write space: true.")
                 if key == "massless":
