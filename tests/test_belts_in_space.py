@@ -61,8 +61,8 @@ start: {{phi: 0, rate(phi): 0}}
 @pytest.mark.parametrize(
     "band",
     [
-        "{belt: [motor, drum]}",
-        "{belt: {first: motor, second: drum, crossed: true}}",
+        "{belt: {first: motor, second: drum, pretension: 300 N}}",
+        "{belt: {first: motor, second: drum, crossed: true, pretension: 300 N}}",
         "{chain: {first: motor, second: drum, pitch: 0.02, teeth: [31, 63]}}",
     ],
 )

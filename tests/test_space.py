@@ -165,7 +165,9 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
                 points[point] = [0, 0, 0]
         return f"lab.{value}" if value in ground.get("lines", {}) else value.replace("ground.", "lab.")
 
-    def measure(text: str) -> str:
+    def measure(text: Any) -> Any:
+        if isinstance(text, dict):  # along a line of a body
+            return text
         if text.startswith("angle of line"):
             return re.sub(r" from (\w+)$", r" from lab.\1", text)
         if text.startswith("angle of") and "relative to" not in text:
@@ -703,7 +705,7 @@ MISTAKES = {
     "a pin on a body that is free in space": (
         ONE_BOX + "connections:\n  j: {pin: [ground.A, b]}\n",
         5,
-        "hold b there by a planar joint, or use a joint of space",
+        "pin is a connection of the plane: in space a hinge is revolute",
     ),
     "a torque without an axis": (
         ONE_BOX + "loads:\n  t: {torque: {on: b, magnitude: 1 N m}}\n",

@@ -25,6 +25,7 @@ from freebody.language.expression import ONE, PI, Expr, divide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.combination import Combination
+from freebody.measures.distance import Distance
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -71,10 +72,12 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
             return []
         r1, r2 = self._radii(names, look=True)
         self._loop(names).look(names, names.optional(self, "length", LENGTH))
-        if not self.is_in_plane(names):
-            spatial = belt_in_space(names, (first, second), (r1, r2), crossed=False)
-            return [] if spatial is None else [ConstraintRow("chain", "chain force", spatial.rolled, sign=-1)]
-        distance, _total, rolled = touching(first.center, r1, second.center, r2, internal=True)
+        if self.is_in_plane(names):
+            distance, _total, rolled = touching(first.center, r1, second.center, r2, internal=True)
+        elif (spatial := belt_in_space(names, (first, second), (r1, r2), crossed=False)) is not None:
+            distance, rolled = Distance(first.center, second.center), spatial.rolled
+        else:
+            return []
         lean = self._loop(names).lean
         if lean is None:
             return [ConstraintRow("chain", "chain force", rolled, sign=-1)]
@@ -83,12 +86,10 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
         return [ConstraintRow("chain", "chain force", tight, sign=-1, flank=side, other_side="other_run")]
 
     def loads_bearings(self, names: Names) -> Mapping[str, str]:
-        if self.is_in_plane(names) and self._loop(names).lean is not None:
+        if self._loop(names).lean is not None:
             return {}
         told = Message(
-            "{chain} pulls at it as well, and the model does not say where its sprockets are"
-            if self.is_in_plane(names)
-            else "{chain} pulls at it as well, which is known in the plane alone",
+            "{chain} pulls at it as well, and the model does not say where its sprockets are",
             chain=self.own_name(names),
         )
         return {self.first: told, self.second: told}

@@ -40,7 +40,8 @@ class NumericSystem:
         """values: by parameter name, in SI; a parameter left out keeps the value of the model. Raises
         CannotAnswer naming the parameters without a value."""
         self.system = system
-        self._known_numbers: dict[int, tuple[Expr, float]] = {}  # at t = 0, with the tree whose number it is
+        # at t = 0, with the tree whose number it is and the values of the parameters
+        self._known_numbers: dict[int, tuple[Expr, Mapping[str, float], float]] = {}
         numbers = _numbers(system, values or {})
         columns: dict[str, tuple[int, ...]] = {}
         n_places, n_turns = (3, 3) if system.space else (2, 1)
@@ -218,7 +219,8 @@ class NumericSystem:
         """What measures see at a pose without velocities; that of the start was looked at already."""
         if self._remembered is not None:
             g, branches = self._remembered
-            if t == 0.0 and branches is self.branches and np.array_equal(g.q, q):
+            is_same = g.frame is self.frame and branches is self.branches
+            if t == 0.0 and is_same and np.array_equal(g.q, q):
                 return g
         return self.geometry(q, np.zeros_like(q), t)
 
@@ -272,16 +274,17 @@ class NumericSystem:
     # -- numbers and names --------------------------------------------------------------------
     def number(self, expr: Expr, t: float = 0.0) -> float:
         """Value of an expression in the parameters and time."""
-        known = self._known_numbers.get(id(expr)) if t == 0.0 else None
-        if known is None:  # the same trees are asked for many times
-            known = expr, self._number(expr, t)
-            if t == 0.0:
-                self._known_numbers[id(expr)] = known
-        return known[1]
-
-    def _number(self, expr: Expr, t: float) -> float:
         if isinstance(expr, Number):
             return float(expr.value)
+        values = self.frame.values
+        known = self._known_numbers.get(id(expr)) if t == 0.0 else None  # the same trees are asked for many times
+        if known is None or known[1] is not values:
+            known = expr, values, self._number(expr, t)
+            if t == 0.0:
+                self._known_numbers[id(expr)] = known
+        return known[2]
+
+    def _number(self, expr: Expr, t: float) -> float:
         with named("a number of the model"):
             return finite(evaluate(expr, {**self.frame.values, TIME: t}))
 

@@ -156,7 +156,7 @@ def hangs_straight(names: Names, body: RigidBody, point: Point) -> bool:
     if not body.turns:
         return True
     if names.space:
-        aside = [c for c, up in zip(point.offset, names.up, strict=True) if up == ZERO]
+        aside = [c for c, up in zip(point.offset, names.up, strict=False) if up == ZERO]
         turned = body.start.turned or ()
         return all(is_zero(names, c) for c in (point.offset if turned else aside))
     x, y = point.offset
