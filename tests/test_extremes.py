@@ -296,3 +296,8 @@ def test_two_bodies_on_a_spring_come_as_near_as_the_stretch_at_the_start_leaves(
 def test_whether_the_least_is_of_the_first_or_of_the_difference_has_to_be_said() -> None:
     with pytest.raises(fb.errors.ModelError, match="what does '-' belong to"):
         System.from_text(PAIR).question("least x2 - x1")
+
+
+def test_what_follows_from_the_parameters_has_no_extreme_in_a_motion() -> None:
+    with pytest.raises(fb.ModelError, match="follows from the parameters alone and is the same throughout the motion"):
+        System.from_text(ROTOR).solve("greatest mass of rotor")

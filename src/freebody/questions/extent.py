@@ -183,6 +183,10 @@ def extreme(names: Names, found: Found, path: Path) -> Quantity | None:
         return None if measure is None else Extent(measure, of, end)
     if of not in names.measures and not any(phrase.pattern.match(of) for phrase in PHRASES):
         quantity = read_quantity(names, of, path)
+        if quantity is not None and quantity.is_of_parameters:
+            told = Message("{of} follows from the parameters alone and is the same throughout the motion", of=of)
+            names.problem(told, *path)
+            return None
         if quantity is None or quantity.scope == "instant":
             return None if quantity is None else ExtremeOfMotion(quantity.sized(space=names.space), end)
         names.problem(Message("'{text}' is no property of one instant", text=of), *path)
