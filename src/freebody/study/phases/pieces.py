@@ -165,7 +165,11 @@ def _at_transition(
             if meant is not None:
                 branch = branch_at(tree, question, way, meant, edge.conditions, edge.sets)
                 if asked.rests and any(0 in node.sets and _slides(node, meant) for node in edge.nodes):
-                    branch.notes.append(Message("it is at rest there for an instant only, and slides on from there"))
+                    branch.notes.append(
+                        Message(
+                            "with the given numbers it is at rest there for an instant only, and slides on from there"
+                        )
+                    )
                 yield branch
                 continue
             for node in edge.nodes:
