@@ -122,6 +122,10 @@ MISTAKES = {
         "block.x is no named measure or rate of one. Say what it is, e.g. measures: {x_block: x of block}, start: "
         "{x_block: ...}",
     ),
+    "the angle of a hinge": (
+        f"{ROD}connections: {{hinge: {{pin: [ground, rod.start]}}}}\nmeasures: {{phi: angle of hinge}}",
+        "there is no body hinge. hinge is the connection of rod: name a body.",
+    ),
     "a place by the body": (f"{BLOCK}measures: {{s: block.x}}", "write x of block for block.x"),
     "a rate as a measure": (
         f"{BLOCK}measures: {{s: x of block, v: rate(s)}}",

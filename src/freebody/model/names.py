@@ -14,7 +14,8 @@ from freebody.language.expression import (
     Expr,
     number,
 )
-from freebody.language.sentences import Message
+from freebody.language.natural import natural
+from freebody.language.sentences import Message, listed
 from freebody.language.units import (
     DIMENSIONLESS,
     Dimension,
@@ -245,6 +246,9 @@ class Names(Formulas):
             hint = did_you_mean(name, self.bodies)
             if GROUND in self.bodies and name in self.bodies[GROUND].points:
                 hint = Message(" Did you mean {x}?", x=f"{GROUND}.{name}")
+            elif name in self.connections:
+                joined = sorted(self.connections[name].mentions(self) - {GROUND}, key=natural)
+                hint = Message(" {name} is the connection of {names}: name a body.", name=name, names=listed(joined))
             self.unknown(name, Message("there is no body {name}.{hint}", name=name, hint=hint), *path)
             return placeholder(name)
         return found
