@@ -122,6 +122,23 @@ MISTAKES = {
         "block.x is no named measure or rate of one. Say what it is, e.g. measures: {x_block: x of block}, start: "
         "{x_block: ...}",
     ),
+    "friction beside a pin": (
+        f"{ROD}connections: {{p: {{pin: [ground, rod.start], friction: 0.1}}}}",
+        "what belongs to pin stands inside of it, not beside it: friction, so pin: {first: ground, second: rod.start, "
+        "friction: 0.1}",
+    ),
+    "a force by its components": (
+        f"{BLOCK}loads: {{F: {{force: {{at: block, components: [3 N, 4 N], along: up, magnitude: 1 N}}}}}}",
+        "force has no components: it has a direction and a magnitude: {along: [3, 4], magnitude: 5 N}",
+    ),
+    "the ends of a rope": (
+        f"{BLOCK}connections: {{r: {{rope: {{ends: [ground.A, block]}}}}}}",
+        "string has no ends: its way is from one end over pulleys to the other: {from: a, over: [pulley], to: b}",
+    ),
+    "units written together": (
+        "parameters: {m: 1 kg, c: 5 Ns/m}\nbodies: {block: {particle: {mass: m}}}\nloads: {w: {gravity: c*1 m/(s^2)}}",
+        "the unit 'Ns' is not known: write N, or N s for N times seconds",
+    ),
     "the angle of a hinge": (
         f"{ROD}connections: {{hinge: {{pin: [ground, rod.start]}}}}\nmeasures: {{phi: angle of hinge}}",
         "there is no body hinge. hinge is the connection of rod: name a body.",

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, ClassVar
 
+from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH
 from freebody.loads.base import Load
 from freebody.loads.law import law, limited
@@ -41,6 +42,10 @@ class Force(Load, kind="force"):
     magnitude: Formula
     at_most: Formula | None = None
 
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("x", "y", "z", "components", "vector"),
+        Message("it has a direction and a magnitude: {{along: [3, 4], magnitude: 5 N}}"),
+    )
     example = """
 bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}

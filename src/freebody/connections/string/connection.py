@@ -75,7 +75,11 @@ class String(Connection, kind="string"):
     called: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "wire", "line")
     also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread")
     elsewhere: ClassVar[Mapping[str, str]] = {
-        "length": Message("it is as long as where its ends and the bodies on its way are put (at) makes it")
+        "length": Message("it is as long as where its ends and the bodies on its way are put (at) makes it"),
+        **dict.fromkeys(
+            ("bodies", "between", "ends", "pulley", "pulleys", "around"),
+            Message("its way is from one end over pulleys to the other: {{from: a, over: [pulley], to: b}}"),
+        ),
     }
 
     start: str | None = Field(default=None, alias="from")

@@ -65,8 +65,8 @@ def _of_others(name: str, value: Any, others: Collection[str]) -> Message | None
     given = cast("dict[str, Any]", value).get("value") if isinstance(value, dict) else value
     if not isinstance(given, str) or _is_read(parse_unit, given) or _is_read(parse_quantity, given):
         return None
-    used = free_symbols(parse(given)) & set(others) if _is_read(parse, given) else set[str]()
-    if not used:
+    used = free_symbols(parse(given)) if _is_read(parse, given) else set[str]()
+    if not used or not used <= set(others):  # else it is a unit that is not known: 5 Ns/m
         return None
     return Message(
         "{name} is a formula of {others}, and a parameter is a number or a symbol: write ({formula}) where {name} "

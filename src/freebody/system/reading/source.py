@@ -335,8 +335,8 @@ class Source:
         if inside:
             own: Any = entry[word]
             example = _example_of(kind)
-            if isinstance(own, dict | None) and not any(key in kind.elsewhere for key in inside):
-                whole = {**cast("dict[str, Any]", own or {}), **{key: entry[key] for key in inside}}
+            if not any(key in kind.elsewhere for key in inside):
+                whole = {**kind.from_plain(own), **{key: entry[key] for key in inside}}
                 example = Message(", so {entry}", entry=flow_text({word: whole})[1:-1])
             told = Message(
                 "what belongs to {kind} stands inside of it, not beside it: {keys}{example}",
