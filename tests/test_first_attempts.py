@@ -110,7 +110,7 @@ MISTAKES = {
     ),
     "teeth of a body": (
         "bodies: {a: {gear: {teeth: 20}}}",
-        "disk has no teeth: they belong to the mesh: gear_mesh: {first: sun, second: planet, module: m, "
+        "disk has no teeth: teeth and module belong to the mesh: gear_mesh: {first: sun, second: planet, module: m, "
         "teeth: [z1, z2]}",
     ),
     "a section by another name": (

@@ -63,3 +63,16 @@ def test_a_beam_on_two_hoists_is_that_of_the_equations_by_hand(agrees: Agree) ->
         "loads: {weight: {gravity: g}}"
     )
     agrees(system.solve(["tension of left at start"]), "q1", "2*M*m*g/(m + 2*M)")
+
+
+@pytest.mark.parametrize(("along", "n"), [("right", 1), ("down", 0)])
+def test_what_is_pushed_aside_where_it_hangs_straight_is_warned_of(along: str, n: int) -> None:
+    """No string holds a bob against F = 5 N sideways, but one that pulls it down it does."""
+    system = fb.System.from_text(
+        "parameters: {m: 2 kg, F: 5 N, L: 1 m, g: 9.81 m/s^2}\nground: {points: {A: [0, L]}}\n"
+        "bodies: {bob: {particle: {mass: m}}}\nconnections: {rope: {string: {from: ground.A, to: bob}}}\n"
+        f"loads: {{weight: {{gravity: g}}, push: {{force: {{at: bob, along: {along}, magnitude: F}}}}}}"
+    )
+    said = [w.text() for w in system.warnings() if w.kind == "held aside"]
+    assert len(said) == n
+    assert all("5 N sideways" in text for text in said)

@@ -58,7 +58,9 @@ class Disk(Shape, kind="disk"):
     called: ClassVar[tuple[str, ...]] = ("disc", "wheel", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("teeth", "module"),
-        Message("they belong to the mesh: gear_mesh: {{first: sun, second: planet, module: m, teeth: [z1, z2]}}"),
+        Message(
+            "teeth and module belong to the mesh: gear_mesh: {{first: sun, second: planet, module: m, teeth: [z1, z2]}}"
+        ),
     )
     also: ClassVar[tuple[str, ...]] = ("disc", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
 
