@@ -73,6 +73,6 @@ def test_what_is_pushed_aside_where_it_hangs_straight_is_warned_of(along: str, n
         "bodies: {bob: {particle: {mass: m}}}\nconnections: {rope: {string: {from: ground.A, to: bob}}}\n"
         f"loads: {{weight: {{gravity: g}}, push: {{force: {{at: bob, along: {along}, magnitude: F}}}}}}"
     )
-    said = [w.text() for w in system.warnings() if w.kind == "held aside"]
+    said = [w.text() for w in system.warnings if w.kind == "held aside"]
     assert len(said) == n
     assert all("5 N sideways" in text for text in said)
