@@ -205,6 +205,8 @@ class Quantity:
     # whether the conditions are the answer: a verdict, and the key of the sentence that gives it
     is_verdict: ClassVar[bool] = False
     verdict: ClassVar[str] = "steady.verdict"
+    # whether it is told of a connection by the law of that alone
+    is_by_law: ClassVar[bool] = False
     # whether it is asked which of two is greater: the sign of the value is the answer
     compares: ClassVar[bool] = False
     # whether the equilibrium that is meant is a stable one, where there are several

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import ZERO
 from freebody.language.sentences import Message, Sentence, listed
@@ -26,6 +26,8 @@ _KEYS = {word: word.replace(" ", "_") for word in _WORDS.split("|")}
 @dataclass(frozen=True)
 class OfBelt(Joined, kind="of a belt"):
     """A tension of a belt, the greatest force or power that it carries without slip, or its length."""
+
+    is_by_law: ClassVar[bool] = True
 
     connection: str
     what: str

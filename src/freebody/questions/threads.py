@@ -9,7 +9,7 @@ sec. 8-2 and 13-17.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import ONE, Expr, divide
 from freebody.language.sentences import Message, Sentence
@@ -33,6 +33,8 @@ RANK = 77
 @dataclass(frozen=True)
 class OfThread(Quantity):
     """A number that the thread of a connection alone gives."""
+
+    is_by_law: ClassVar[bool] = True
 
     connection: str
     formula: Expr

@@ -112,7 +112,7 @@ def finish(
             elif found and unsolved != shown:
                 sides.append(unsolved)
             why, args = ("value.follows" if lines else "value.is"), dict[str, Argument](lines=lines)
-            if not lines and question.quantity.is_of_parameters and hasattr(question.quantity, "connection"):
+            if not lines and question.quantity.is_of_parameters and question.quantity.is_by_law:
                 why = "answer.by_law"
             if drawn_back is not None:
                 why, args = "value.counted", {"lines": lines, "force": tidy(f.variable(drawn_back))}
