@@ -20,10 +20,9 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.belt_in_space import BeltInSpace, belt_in_space
+from freebody.connections.belt_in_space import BeltInSpace, belt_in_space, lies_flat, own_plane
 from freebody.connections.belt_loop import BeltLoop, distance_of_centers
 from freebody.connections.circles import own_radius, touching
-from freebody.connections.standing import moves_out_of_plane
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, free_symbols, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, POWER, VELOCITY
@@ -88,9 +87,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
 """
 
     def is_in_plane(self, names: Names) -> bool:
-        """In space round pulleys of which one is not in the plane of x and y it finds its own plane."""
-        known = [name for name in (self.first, self.second) if name in names.bodies]
-        return not names.space or not moves_out_of_plane(names, known)
+        return lies_flat(names, (self.first, self.second))
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         row = self._row(names)
@@ -131,12 +128,8 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
         return own_radius(names, self, "first"), own_radius(names, self, "second")
 
     def _in_space(self, names: Names) -> BeltInSpace | None:
-        """Where it runs in a plane of its own."""
-        if self.is_in_plane(names) or self.first == self.second:
-            return None
         with names.quietly():
-            wheels = names.body(self.first), names.body(self.second)
-            return belt_in_space(names, wheels, self._radii(names), crossed=self.crossed)
+            return own_plane(names, (self.first, self.second), self._radii(names), crossed=self.crossed)
 
     def _way(self, names: Names) -> Combination:
         """How far it has run over the first pulley."""

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.connections.standing import is_zero, number_of
+from freebody.connections.standing import is_zero, moves_out_of_plane, number_of
 from freebody.connections.standing_in_space import StandingInSpace
 from freebody.connections.string.in_space import wheel_plane
 from freebody.connections.string.node import WheelPlane
@@ -74,6 +74,20 @@ class BeltInSpace:
             for wheel, arm, plane in zip(self.wheels, arms, self.planes, strict=True)
         ]
         yield glyphs.Rope((*ends, *ends), tuple(glyphs.Lead(None) for _ in range(3)))
+
+
+def lies_flat(names: Names, wheels: tuple[str, str]) -> bool:
+    """Whether it runs in the plane of x and y; in space between wheels of which one does not it finds its own."""
+    return not names.space or not moves_out_of_plane(names, [name for name in wheels if name in names.bodies])
+
+
+def own_plane(
+    names: Names, wheels: tuple[str, str], radii: tuple[Expr, Expr], *, crossed: bool = False
+) -> BeltInSpace | None:
+    """The belt of two pulleys in a plane of its own; None where it lies in that of x and y."""
+    if wheels[0] == wheels[1] or lies_flat(names, wheels):
+        return None
+    return belt_in_space(names, (names.body(wheels[0]), names.body(wheels[1])), radii, crossed=crossed)
 
 
 def belt_in_space(

@@ -17,10 +17,9 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.belt_in_space import BeltInSpace, belt_in_space
+from freebody.connections.belt_in_space import BeltInSpace, belt_in_space, lies_flat, own_plane
 from freebody.connections.belt_loop import BeltLoop, distance_of_centers
 from freebody.connections.circles import touching
-from freebody.connections.standing import moves_out_of_plane
 from freebody.language.expression import ONE, PI, Expr, divide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -61,9 +60,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
 """
 
     def is_in_plane(self, names: Names) -> bool:
-        """In space between sprockets of which one is not in the plane of x and y it finds its own plane."""
-        known = [name for name in (self.first, self.second) if name in names.bodies]
-        return not names.space or not moves_out_of_plane(names, known)
+        return lies_flat(names, (self.first, self.second))
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.body(self.first, "first"), names.body(self.second, "second")
@@ -108,12 +105,8 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
         return r1, r2
 
     def _in_space(self, names: Names) -> BeltInSpace | None:
-        """Where it runs in a plane of its own."""
-        if self.is_in_plane(names) or self.first == self.second:
-            return None
         with names.quietly():
-            wheels = names.body(self.first), names.body(self.second)
-            return belt_in_space(names, wheels, self._radii(names), crossed=False)
+            return own_plane(names, (self.first, self.second), self._radii(names))
 
     def _loop(self, names: Names) -> BeltLoop:
         first, second = names.known(self.first), names.known(self.second)
