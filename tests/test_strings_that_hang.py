@@ -65,14 +65,31 @@ def test_a_beam_on_two_hoists_is_that_of_the_equations_by_hand(agrees: Agree) ->
     agrees(system.solve(["tension of left at start"]), "q1", "2*M*m*g/(m + 2*M)")
 
 
-@pytest.mark.parametrize(("along", "n"), [("right", 1), ("down", 0)])
-def test_what_is_pushed_aside_where_it_hangs_straight_is_warned_of(along: str, n: int) -> None:
-    """No string holds a bob against F = 5 N sideways, but one that pulls it down it does."""
-    system = fb.System.from_text(
-        "parameters: {m: 2 kg, F: 5 N, L: 1 m, g: 9.81 m/s^2}\nground: {points: {A: [0, L]}}\n"
-        "bodies: {bob: {particle: {mass: m}}}\nconnections: {rope: {string: {from: ground.A, to: bob}}}\n"
-        f"loads: {{weight: {{gravity: g}}, push: {{force: {{at: bob, along: {along}, magnitude: F}}}}}}"
-    )
+_BOB = (
+    "parameters: {m: 2 kg, F: 5 N, L: 1 m, k: 20 N/m, g: 9.81 m/s^2}\nground: {points: {A: [0, L], B: [L, 0]}}\n"
+    "bodies: {bob: {particle: {mass: m}}}\nconnections: {rope: {string: {from: ground.A, to: bob}}}\n"
+    "measures: {x: displacement of bob along right}\n"
+)
+
+
+def test_a_bob_pushed_sideways_swings(agrees: Agree) -> None:
+    """x" = F/m from the lowest point; with the energy m v^2/2 = F L sin - m g L (1 - cos) the tension after the turn
+    theta is S = m g cos + F sin + m v^2/L."""
+    push = "loads: {weight: {gravity: g}, push: {force: {at: bob, along: right, magnitude: F}}}"
+    system = fb.System.from_text(_BOB + push)
+    answers = system.solve(["acceleration of x at start", "tension of rope when x = L/10"])
+    agrees(answers, "q1", "F/m")
+    agrees(answers, "q2", "3*(m*g*sqrt(0.99) + F/10) - 2*m*g")
+
+
+@pytest.mark.parametrize(
+    ("load", "n"),
+    [("{at: bob, along: right, magnitude: F}", 0), ("{first: ground.B, second: bob, stiffness: k, length: L/2}", 1)],
+)
+def test_what_is_held_aside_is_warned_of(load: str, n: int) -> None:
+    """Where the file does not put the bob, nothing tells the direction of a spring to it: k L/2 = 10 N."""
+    kind = "force" if "along" in load else "spring"
+    system = fb.System.from_text(_BOB + f"loads: {{weight: {{gravity: g}}, push: {{{kind}: {load}}}}}")
     said = [w.text() for w in system.warnings if w.kind == "held aside"]
     assert len(said) == n
-    assert all("5 N sideways" in text for text in said)
+    assert all("10 N sideways" in text for text in said)

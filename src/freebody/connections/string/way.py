@@ -7,13 +7,17 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from freebody.connections.standing import begins_at, ground_guide_of, ground_line_under, is_zero
+from freebody.connections.standing import begins_at, ground_guide_of, ground_line_under, is_parallel, is_zero
 from freebody.connections.string.node import StringNode
 from freebody.language.expression import Call, Expr, add, multiply, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
-from freebody.measures.geometry import GROUND, ZERO, Point
-from freebody.model.elements import RigidBody
+from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import GROUND, ZERO, Direction, Point
+from freebody.model.elements import NonholonomicForm, RigidBody
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -73,7 +77,7 @@ def _read_node(
     # what nothing else holds hangs; what a guide leads is led by it
     is_given = body.start.at is not None
     is_free = not (is_held(names, body.name) or body.fixed or swings or body.name == GROUND)
-    is_free = is_free and hangs_straight(names, body, point)
+    is_free = is_free and hangs_straight(names, body, point) and not _is_pushed_aside(names, body.name)
     guide = ground_guide_of(names, body.name, turning=False)
     line = guide or ground_line_under(names, body.name)
     is_started = line is not None and begins_at(names, point, line) is not None
@@ -135,9 +139,7 @@ def _point(
 def is_held(names: Names, body: str) -> bool:
     """Whether anything but strings, and a floor on which it may land, holds a body, or one that it is welded to: what
     is welded to it, or a particle in its middle, and free otherwise hangs on the string with it."""
-    unit, joints = {body}, [c.mentions(names) for c in names.connections.values() if c.keeps_as_one(names)]
-    while any(joined & unit and joined - unit for joined in joints):
-        unit = unit.union(*(joined for joined in joints if joined & unit))
+    unit = _one_with(names, body)
     for other in names.connections.values():
         if other.is_floor_below(names, body):
             continue
@@ -146,6 +148,34 @@ def is_held(names: Names, body: str) -> bool:
             return True
     others = [names.known(name) for name in sorted(unit - {body})]
     return any(b.fixed or b.name == GROUND or b.start.at is not None for b in others)
+
+
+def _one_with(names: Names, body: str) -> set[str]:
+    """A body and all that is welded to it."""
+    unit, joints = {body}, [c.mentions(names) for c in names.connections.values() if c.keeps_as_one(names)]
+    while any(joined & unit and joined - unit for joined in joints):
+        unit = unit.union(*(joined for joined in joints if joined & unit))
+    return unit
+
+
+def _is_pushed_aside(names: Names, body: str) -> bool:
+    """Whether a load pushes a body, or one that it is welded to, in a direction which is not straight up or down. No
+    string holds it against that, so it swings."""
+    unit = _one_with(names, body)
+    return any(set(load.measure.bodies()) & unit and _is_askew(names, load.measure) for load in names.applied_loads)
+
+
+def _is_askew(names: Names, pushed: Measure | NonholonomicForm) -> bool:
+    """Whether the force of a load has a part along the level: by its direction, or in the plane by where the ends of
+    its line are put."""
+    if isinstance(pushed, Displacement):
+        return not is_parallel(names, pushed.along, Direction(GROUND, names.up, "up"))
+    if not isinstance(pushed, Distance) or names.space:
+        return False
+    start, end = _place(names, pushed.start), _place(names, pushed.end)
+    if start is None or end is None:
+        return False
+    return abs(end[0] - start[0]) > ROUND_OFF * math.dist(start, end)
 
 
 def hangs_straight(names: Names, body: RigidBody, point: Point) -> bool:
