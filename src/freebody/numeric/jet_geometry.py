@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
 
@@ -16,6 +16,7 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import NO_DIRECTION, Direction, Point, Pose, SpatialPose, Vector
 from freebody.model.elements import Component, NonholonomicForm
 from freebody.numeric import spatial
+from freebody.numeric.jet_poses import TurningPose, TurningSpatialPose
 from freebody.numeric.jets import (
     JET_FUNCTIONS,
     LARGE,
@@ -119,45 +120,6 @@ class Frame:
         """The measures in whose statements these angles stand."""
         numbers = {number for number, _k in branches}
         return [cast("Measure", measure) for measure, number in self._numbers.items() if number in numbers]
-
-
-class _TurningPose(Pose[Jet]):
-    """The pose of a body that moves and turns, whose rows are arrays: x, y and the angle are three coordinates after
-    each other."""
-
-    def place(self, v: Vector[Jet]) -> Vector[Jet]:
-        """What the sum of the pose and the turned vector comes to, for one that is fixed in the body: its gradient has
-        a single entry more than that of the mass centre, the turned vector a quarter turn on."""
-        if not (v.x.is_constant and v.y.is_constant):
-            return super().place(v)
-        a, b, cos, sin = v.x.value, v.y.value, self.cos, self.sin
-        along, left = a * cos.value - b * sin.value, a * sin.value + b * cos.value
-        turning = int(self.angle.gradient.argmax())
-        x, y = self.x.gradient.copy(), self.y.gradient.copy()
-        x[turning], y[turning] = -left, along
-        return Vector(
-            Jet(
-                self.x.value + along,
-                x,
-                self.x.rate + (a * cos.rate - b * sin.rate),
-                self.x.bias + (a * cos.bias - b * sin.bias),
-            ),
-            Jet(
-                self.y.value + left,
-                y,
-                self.y.rate + (a * sin.rate + b * cos.rate),
-                self.y.bias + (a * sin.bias + b * cos.bias),
-            ),
-        )
-
-
-def entries_of(columns: Sequence[int], values: Array, n: int) -> Gradient:
-    """A gradient of n entries with those of some coordinates."""
-    if n > LARGE:
-        return GradientEntries(dict(zip(columns, values.tolist(), strict=True)))
-    row = np.zeros(n)
-    row[list(columns)] = values
-    return row
 
 
 class JetGeometry:
@@ -274,21 +236,7 @@ class JetGeometry:
             return SpatialPose(center, (x, y, z))
         omega = np.array([self._v[k] for k in own])
         axes = spatial.axis_jets(matrix(self.q[own]), principal, self.frame.turned(body, principal), omega)
-        value, slopes, rate, bias = axes
-        values, rates, biases, rows = value.tolist(), rate.tolist(), bias.tolist(), self._rows_of(own, slopes)
-        x, y, z = (
-            Vector(*(Jet(values[j][i], rows[j][i], rates[j][i], biases[j][i]) for i in range(3))) for j in range(3)
-        )
-        return SpatialPose(center, (x, y, z))
-
-    def _rows_of(self, columns: Sequence[int], values: Array) -> list[list[Gradient]]:
-        """Gradients, by vector and component, with those entries of some coordinates (3, 3, n_columns)."""
-        n = len(self._q)
-        if n > LARGE:
-            return [[entries_of(columns, row, n) for row in own] for own in values]
-        rows = np.zeros((3, 3, n))
-        rows[:, :, columns] = values
-        return [list(own) for own in rows]
+        return TurningSpatialPose(center, own, len(self._q), axes)
 
     def _pose(self, body: str) -> Pose[Jet]:
         columns = self.frame.columns.get(body)
@@ -300,7 +248,7 @@ class JetGeometry:
             return Pose(x, y, Jet(0.0), Jet(1.0), Jet(0.0))
         theta = turning[0]
         c, s = math.cos(theta.value), math.sin(theta.value)
-        pose = Pose if self._unit_rows is None else _TurningPose
+        pose = Pose if self._unit_rows is None else TurningPose
         return pose(x, y, theta, theta.chain(c, -s, -c), theta.chain(s, c, -s))
 
     def tangent(self, v: Vector[Jet], offset: Jet) -> tuple[Jet, Jet]:

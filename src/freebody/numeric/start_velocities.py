@@ -11,7 +11,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import RigidBody
 from freebody.model.state import rate_not_given
-from freebody.numeric.jet_geometry import JetGeometry, entries_of
+from freebody.numeric.jet_geometry import JetGeometry
+from freebody.numeric.jet_poses import entries_of
 from freebody.numeric.jets import LARGE, Array, Gradient, Jet
 from freebody.numeric.rotation import matrix
 from freebody.numeric.sparse import SparseRows
