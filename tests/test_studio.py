@@ -10,6 +10,7 @@ import json
 import math
 import os
 import re
+import signal
 import socket
 import subprocess
 import sys
@@ -19,7 +20,8 @@ from email.message import Message
 from http.client import HTTPConnection
 from importlib.resources import files
 from pathlib import Path
-from time import process_time
+from threading import Thread
+from time import process_time, sleep
 from typing import Any
 
 import pytest
@@ -45,6 +47,7 @@ from freebody.studio.wire.studies import ShareRequest
 from freebody.studio.wire.texts import AddRequest, EditRequest, ReadAnswer, ReadRequest, SuggestRequest
 from freebody.studio.work import Lane
 from freebody.studio.work import done as done_by_worker
+from freebody.studio.worker import stand_aside
 from freebody.system.system import System
 
 ROOT = Path(__file__).parents[1]
@@ -729,6 +732,52 @@ def test_the_latest_of_a_topic_is_done_and_a_dead_worker_is_a_message() -> None:
         await worker.end()
 
     asyncio.run(run())
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGUSR1"), reason="Windows has no such signal")
+def test_a_study_stands_aside_while_something_is_moved_by_hand_and_goes_on_by_itself() -> None:
+    """The processor is then there for the picture; a worker that cannot pause yet is not ended by being told to."""
+    child = (
+        "import signal, time; from freebody.studio import worker\n"
+        "worker.ASIDE = 1.5; worker.deaf_to_standing_aside(); signal.raise_signal(signal.SIGUSR1)\n"
+        "signal.signal(signal.SIGUSR1, worker._StandingAside()); n, end = 0, time.monotonic() + 20\n"
+        "while time.monotonic() < end: n += 1; print(n, flush=True)"
+    )
+    with subprocess.Popen([sys.executable, "-c", child], stdout=subprocess.PIPE) as study:
+        assert study.stdout is not None
+        assert study.stdout.readline() == b"1\n"
+        for _ in range(3):  # told again while it stands aside
+            stand_aside(study.pid)
+            sleep(0.1)
+        drain = Thread(target=lambda: counts.extend(study.stdout or []), daemon=True)
+        counts: list[bytes] = []
+        drain.start()  # what it had written before
+        sleep(0.1)
+        n_aside = len(counts)
+        sleep(0.1)
+        assert len(counts) == n_aside
+        while len(counts) == n_aside and study.poll() is None:
+            sleep(0.02)
+        study.kill()
+    assert len(counts) > n_aside
+
+
+def test_a_hand_that_moves_something_lets_all_others_stand_aside(monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[str] = []
+    monkeypatch.setattr(Worker, "stand_aside", lambda worker: told.append(worker.lane.name))
+
+    async def moved() -> None:
+        lanes = Lanes()
+        try:
+            await lanes.ask(Call(kind="motion", topic="a", request={"text": "", "until": 1, "is_passing": True}))
+            assert set(told) == set(lanes.workers)
+            told.clear()
+            await lanes.ask(Call(kind="read", topic="b", request={"text": ""}))
+            assert not told
+        finally:
+            await lanes.end()
+
+    asyncio.run(moved())
 
 
 def test_what_the_page_will_ask_first_is_found_before_it_asks(tmp_path: Path) -> None:

@@ -332,6 +332,17 @@ def over_the_motion(visitor: Visitor) -> None:
     visitor.look("a force that lights up")
 
 
+def marked_sliders(visitor: Visitor) -> None:
+    """A mark is below its slider; two that are near to each other are one."""
+    page = visitor.page
+    visitor.write((ROOT / "examples" / "block_tips_or_slides.yaml").read_text(encoding="utf-8"))
+    page.wait_for_function(f"() => {TEXT}.includes('tips')")
+    visitor.pane("scene")
+    page.wait_for_selector(".sliders .marks button", timeout=WAIT)
+    page.wait_for_timeout(3000)  # those found by motions come later
+    visitor.look("marks of sliders")
+
+
 VIEWS: list[Callable[[Visitor], None]] = [
     panels,
     dialogs,
@@ -341,6 +352,7 @@ VIEWS: list[Callable[[Visitor], None]] = [
     judging,
     in_space,
     over_the_motion,
+    marked_sliders,
 ]
 MAIN = pytest.param(panes_and_menus, marks=pytest.mark.essential, id=panes_and_menus.__name__)
 

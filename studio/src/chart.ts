@@ -19,6 +19,8 @@ function look(): Look {
   return { ink: of("--muted"), grid: of("--faint"), lines: Array.from({ length: 7 }, (_, k) => of(`--body-${k}`)), now: of("--accent"), warning: of("--warning") };
 }
 
+/** A symbol as it is printed, and its name for those who hear it. */
+export const typeset = (math: string, name: string) => `<span aria-hidden="true"><math>${math}</math></span><span class="unseen">${name}</span>`;
 /** A name with its unit, where it has one. */
 export const called = (name: string, unit: string) => (unit && unit !== "1" ? `${name} [${unitPrinted(unit)}]` : name);
 
@@ -40,7 +42,7 @@ export function chart(into: HTMLElement, { x, lines, unit, language, size, heigh
   const colors = look(), font = "11px system-ui", least = () => untrack(() => leastSpan(unit, size()));
   const written = (_plot: uPlot, at: number[]) => at.map((value) => local(String(round(value)), language));
   const axis = { stroke: colors.ink, grid: { stroke: colors.grid, width: 1 }, ticks: { stroke: colors.grid, width: 1 }, font, labelSize: 16, labelFont: font, values: written };
-  return new uPlot(
+  const plot = new uPlot(
     {
       width: into.clientWidth, height,
       cursor: { ...(sync ? { sync: { key: sync } } : {}), drag: { x: false, y: false } },
@@ -53,6 +55,11 @@ export function chart(into: HTMLElement, { x, lines, unit, language, size, heigh
     },
     dataOf(x, lines), into,
   );
+  const labels = plot.root.querySelectorAll(".u-legend .u-series .u-label");
+  lines.forEach(({ math }, k) => {
+    if (math && labels[k + 1]) labels[k + 1]!.innerHTML = typeset(math, lines[k]!.name);
+  });
+  return plot;
 }
 
 export function dataOf(x: number[], lines: Line[]): uPlot.AlignedData {

@@ -5,6 +5,11 @@ export class Latest {
   private next: (() => Promise<void>) | null = null;
   private isRunning = false;
 
+  /** Whether a next one has come while one runs. */
+  get isWaiting(): boolean {
+    return this.next !== null;
+  }
+
   run(work: () => Promise<void>): void {
     this.next = work;
     if (!this.isRunning) void this.loop();

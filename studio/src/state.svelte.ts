@@ -35,6 +35,8 @@ export interface Writer {
 export const SHARES = { model: 24, results: 32 };
 /** How long a slider stays where it is before all else follows [ms]: longer than a hand that moves it slowly pauses. */
 const AT_REST = 200;
+/** How often curves follow a motion that gives way to the next [ms]: they are asked for in between, so that pictures stay quick. */
+const CURVES_EVERY = 150;
 const NARROWEST = 12, LEAST_SCENE = 20;
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -105,6 +107,7 @@ export class Studio {
   private reading = new Latest();
   private moving = new Latest();
   private curving = new Latest();
+  private curvedAt = -Infinity; // [ms] when curves were asked for last
   private counting = new Latest();
   private learning: Promise<void> | null = null;
   /** Of what the reader takes. */
@@ -237,6 +240,8 @@ export class Studio {
   /** What is measured along the motion that is shown: its picture does not wait for that. */
   private curve(text: string, shown: Told<"motion">, frames?: number): void {
     if (!shown.answer) this.curves = null;
+    else if (this.moving.isWaiting && performance.now() - this.curvedAt < CURVES_EVERY) return;
+    this.curvedAt = performance.now();
     this.curving.run(async () => {
       if (shown.answer !== this.motion || !shown.answer) return; // the next one is shown
       const told = await this.asked("curves", this.motionOf(text, frames));

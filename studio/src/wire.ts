@@ -217,10 +217,11 @@ export interface LearnRequest {
   language?: "en" | "de";
 }
 
-/** One curve, over the times of a motion or the cases of a sweep. */
+/** One curve, over the times of a motion or the cases of a sweep. math: its symbol in MathML, where it has one */
 export interface Line {
   name: string;
   label: string;
+  math: string;
   unit: string;
   values: (number | null)[];
 }

@@ -16,7 +16,7 @@ test.each(["1", "kg", "N", "J", "mol", "s"])("%s has neither a length nor an ang
 });
 
 test("in SI nothing changes, and gaps stay", () => {
-  const line = { name: "x", label: "x", unit: "m", values: [1, null] };
+  const line = { name: "x", label: "x", math: "", unit: "m", values: [1, null] };
   expect(linesIn([line], SI)[0]).toBe(line);
   expect(linesIn([line], FINE)[0]).toEqual({ ...line, unit: "mm", values: [1000, null] });
 });

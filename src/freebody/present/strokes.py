@@ -6,7 +6,7 @@ A `Path` moves with a body, a `Stretch` runs between two places, a `Strand` is a
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -86,12 +86,16 @@ def stroke_points(stroke: Stroke, pose: Array, every: Array) -> Array:
 
 
 def paths_corners(strokes: Sequence[Path], poses: Array) -> Array:
-    """(n, 2) [m] the corners of boxes round each of some strokes at all of many instants."""
+    """(n, 2) [m] the corners of boxes round some strokes at all of many instants."""
     every = with_ground(poses)
     cos, sin = np.cos(every[..., 2]), np.sin(every[..., 2])  # of each body, once
-    corners: list[tuple[float, float]] = []
+    alike: dict[tuple[int, int, tuple[float, float]], list[Path]] = {}  # which move as one
     for stroke in strokes:
-        x, y = _path_points(stroke, every, cos, sin)
+        alike.setdefault((stroke.place.body, stroke.turn, stroke.place.xy), []).append(stroke)
+    corners: list[tuple[float, float]] = []
+    for paths in alike.values():
+        whole = replace(paths[0], points=np.concatenate([path.points for path in paths]))
+        x, y = _path_points(whole, every, cos, sin)
         corners += [(float(x.min()), float(y.min())), (float(x.max()), float(y.max()))]
     return np.array(corners).reshape(-1, 2)
 

@@ -7,9 +7,10 @@ import signal
 
 gc.disable()  # what is imported stays: looking through it for what may go takes a tenth of the time
 
-from freebody.studio.worker import keep_to_one_core  # noqa: E402
+from freebody.studio.worker import deaf_to_standing_aside, keep_to_one_core  # noqa: E402
 
 signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server is told by the terminal, and this ends with it
+deaf_to_standing_aside()
 keep_to_one_core()
 
 from freebody.studio.work import MOVING, READING, done, prepare  # noqa: E402  (what it imports reads the environment)

@@ -19,7 +19,7 @@ from pathlib import Path
 from freebody.studio import nursery
 from freebody.studio.wire.around import Call, Reply
 from freebody.studio.work import MOVING, READING, WORK, Lane
-from freebody.studio.worker import work
+from freebody.studio.worker import stand_aside, work
 
 _PATIENCE = 0.5  # [s]
 _LONGEST = 256 << 20  # [bytes] of an answer
@@ -165,6 +165,12 @@ class Worker:
         its.close()
         self.running = Running(process, *await asyncio.open_connection(sock=own, limit=_LONGEST))
 
+    def stand_aside(self) -> None:
+        """Pauses what is done with courtesy, for a moment."""
+        if self.lane.courtesy and self.current is not None and self.running is not None:
+            assert self.running.process.pid is not None
+            stand_aside(self.running.process.pid)
+
     async def end(self) -> None:
         """Ends what is being done, and the process."""
         for piece in [*self.waiting, *([self.current] if self.current else [])]:
@@ -212,6 +218,9 @@ class Lanes:
                 if reply.startswith(_DONE):
                     return reply
         worker = self._worker(call)
+        if call.kind == "drag" or call.request.get("is_passing"):  # a hand that moves something waits for its picture
+            for other in self.workers.values():
+                other.stand_aside()
         if worker.lane not in (READING, MOVING):  # the page goes on to what comes after its first picture
             for other in self.workers.values():
                 other.begin()

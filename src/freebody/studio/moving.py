@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from freebody.language.expression import Call, Symbol
+from freebody.language.notation import to_mathml
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
 from freebody.present.plots import curves
@@ -75,13 +77,32 @@ def motion_of(found: Simulation, request: MotionRequest) -> MotionAnswer:
 def curves_of(found: Simulation, language: str) -> CurvesAnswer:
     """What is measured along it."""
     recording = found.recording
-    shown = curves(recording, _shown(found))
+    shown, symbols = curves(recording, _shown(found)), _symbols(found.system)
     return CurvesAnswer(
         times=rounded(recording.times),
-        lines=[Line(name=c.name, label=told(c.label, language), unit=c.unit, values=rounded(c.values)) for c in shown],
+        lines=[
+            Line(
+                name=c.name,
+                label=told(c.label, language),
+                math=symbols.get(c.name, ""),
+                unit=c.unit,
+                values=rounded(c.values),
+            )
+            for c in shown
+        ],
         recordable=[name for name in series_units(found.system) if name in recording.over_time],
         energy_error=_finite(found.summary().get("energy_error_relative")),
     )
+
+
+def _symbols(system: System) -> dict[str, str]:
+    """Of named measures and their rates, in MathML, by the names of their curves."""
+    found: dict[str, str] = {}
+    for name in filter(str.isidentifier, system.measures):
+        rate = Call("rate", Symbol(name))
+        found[name], found[f"{name}_rate"] = to_mathml(Symbol(name)), to_mathml(rate)
+        found[f"{name}_acceleration"] = to_mathml(Call("rate", rate))
+    return found
 
 
 def _shown(found: Simulation) -> list[str]:

@@ -6,15 +6,20 @@ memory is limited, so that a model that is too large ends the worker and nothing
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import signal
 import socket
 import threading
+import time
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 MEMORY = 4 << 30  # [bytes] of addresses
 _PAUSE = 0.25  # [s] between two looks at what is done
+ASIDE = 0.4  # [s] for which a worker stands aside that is told to
+_TOLD_TO_STAND_ASIDE = getattr(signal, "SIGUSR1", None)  # Windows has none
 
 
 def keep_to_one_core() -> None:
@@ -31,10 +36,13 @@ def work(calls: socket.socket, lane: str, courtesy: int, folders: Sequence[str])
     _limit_memory()
     if hasattr(os, "nice"):  # Windows has none
         os.nice(courtesy)
+    if courtesy and _TOLD_TO_STAND_ASIDE is not None:
+        signal.signal(_TOLD_TO_STAND_ASIDE, _StandingAside())
     from freebody.studio.reading import look_in
     from freebody.studio.work import done, prepare
 
     prepare(lane)
+    gc.freeze()  # what is imported stays
     look_in(folders)
     lines = calls.makefile("rw", encoding="utf-8", newline="\n")
     lock = threading.Lock()
@@ -47,7 +55,43 @@ def work(calls: socket.socket, lane: str, courtesy: int, folders: Sequence[str])
     threading.Thread(target=_tell_progress, args=(say,), daemon=True).start()
     while line := lines.readline():
         call = json.loads(line)
+        is_awaited = bool(call["request"].get("is_passing"))  # by a hand that moves something
+        if is_awaited:
+            gc.disable()
         say(done(call["kind"], call["request"]).model_dump_json())
+        if is_awaited:
+            gc.enable()
+            gc.collect(1)
+
+
+class _StandingAside:
+    """What the signal does: the worker pauses where it is, and goes on by itself when it was not told for a while."""
+
+    def __init__(self) -> None:
+        self.until = 0.0
+        self.is_paused = False
+
+    def __call__(self, _signal: int, _frame: object) -> None:
+        self.until = time.monotonic() + ASIDE
+        if self.is_paused:  # told again meanwhile
+            return
+        self.is_paused = True
+        while (left := self.until - time.monotonic()) > 0.0:
+            time.sleep(left)
+        self.is_paused = False
+
+
+def deaf_to_standing_aside() -> None:
+    """Until a worker can pause: the signal would end it."""
+    if _TOLD_TO_STAND_ASIDE is not None:
+        signal.signal(_TOLD_TO_STAND_ASIDE, signal.SIG_IGN)
+
+
+def stand_aside(process: int) -> None:
+    """Tells a worker to pause for `ASIDE`, so that the processor is there for what a hand waits for."""
+    if _TOLD_TO_STAND_ASIDE is not None:
+        with suppress(ProcessLookupError):  # it has just ended
+            os.kill(process, _TOLD_TO_STAND_ASIDE)
 
 
 def _limit_memory() -> None:
@@ -61,8 +105,6 @@ def _limit_memory() -> None:
 
 def _tell_progress(say: Callable[[str], None]) -> None:
     """What the worker is busy with, whenever that changes."""
-    from time import sleep
-
     from freebody.progress import now
 
     told = ""
@@ -70,4 +112,4 @@ def _tell_progress(say: Callable[[str], None]) -> None:
         if (busy := now()) != told:
             told = busy
             say(json.dumps({"busy": busy}))
-        sleep(_PAUSE)
+        time.sleep(_PAUSE)

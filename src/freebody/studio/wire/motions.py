@@ -64,10 +64,11 @@ class Happening(Said):
 
 
 class Line(Said):
-    """One curve, over the times of a motion or the cases of a sweep."""
+    """One curve, over the times of a motion or the cases of a sweep. math: its symbol in MathML, where it has one"""
 
     name: str
     label: str
+    math: str = ""
     unit: str
     values: list[float | None]
 

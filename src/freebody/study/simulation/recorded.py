@@ -33,6 +33,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -58,10 +59,19 @@ _SPACE = "right-handed axes; SI units, angles in rad; quaternions (w, x, y, z) t
 _FIXED_NAMES = ("position", "angle", "velocity", "angular_velocity", "acceleration", "angular_acceleration")
 
 
-def recorded(result: MeasuredMotion) -> Recording:
-    """All series of a simulation."""
+@cache
+def _made_by() -> str:
+    """With the version, for which the files of the installation are searched."""
     from importlib.metadata import PackageNotFoundError, version
 
+    try:
+        return f"freebody {version('freebody')}"
+    except PackageNotFoundError:
+        return "freebody"
+
+
+def recorded(result: MeasuredMotion) -> Recording:
+    """All series of a simulation."""
     course, system = result.course, result.system
     bodies = [b.name for b in system.moving]
     own = [k for k, b in enumerate(system.all_moving) if b.name in system.material]
@@ -95,16 +105,12 @@ def recorded(result: MeasuredMotion) -> Recording:
     ):
         data[name] = ("time", values, _named("J", what))
     data |= _blows(result)
-    try:
-        made_by = f"freebody {version('freebody')}"
-    except PackageNotFoundError:
-        made_by = "freebody"
     summary = result.summary()
     attributes = {key: summary[key] for key in ("title", "status", "message", "method", "tolerance", "energy_error")}
     attributes |= {
         "measures": list(system.measures),
         "events": json.dumps(summary["events"]),
-        "source": made_by,
+        "source": _made_by(),
         "convention": _SPACE if system.space else "x right, y up, angles counter-clockwise; SI units, angles in rad",
     }
     labels = {"body": bodies, "axis": ["x", "y", "z"] if system.space else ["x", "y"]}
