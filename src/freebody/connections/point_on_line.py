@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 class PointOnLine(Connection, kind="point_on_line"):
     """`point_on_line: {point: shaft.B, through: ground.A, along: x}`: a point stays on the line through a point of
-    another body, along a direction of that body; a bearing that holds across its axis alone (2 rows). `friction: mu`: the
-    force that resists along it is mu times the normal force, the resultant of both."""
+    another body, along a direction of that body; a bearing that holds across its axis alone (2 rows).
+    `friction: mu`: the force that resists along it is mu times the normal force, the resultant of both."""
 
     space_only = True
     in_plane_take = "slot"

@@ -166,12 +166,13 @@ class NumericMode:
     def _resultants(self, seen: Sequence[Snapshot]) -> Array:
         """The loads where some are resultants: N_i = |a_i + s B_i N| by Newton's method, from s = 0, where friction
         changes nothing, to s = 1. What has a bound of its own is pressed on one side, N_i = a_i + s B_i N."""
-        parts = [np.array([self._parts(rub, s) for s in seen]) for rub in self.loads.values()]  # (1 + n, components)
-        N, n = np.array([self._whole(rub, p[0])[0] for rub, p in zip(self.loads.values(), parts, strict=True)]), len(parts)
+        rubs, n = list(self.loads.values()), len(self.loads)
+        parts = [np.array([self._parts(rub, s) for s in seen]) for rub in rubs]  # (1 + n, components) each
+        N = np.array([self._whole(rub, p[0])[0] for rub, p in zip(rubs, parts, strict=True)])
         for s in np.linspace(1.0 / _STAGES, 1.0, _STAGES):
             for _ in range(_NEWTON):
                 F, slopes = N.copy(), np.eye(n)
-                for i, (rub, p) in enumerate(zip(self.loads.values(), parts, strict=True)):
+                for i, (rub, p) in enumerate(zip(rubs, parts, strict=True)):
                     B = s * (p[1:] - p[0])
                     size, along = self._whole(rub, p[0] + N @ B)
                     F[i] -= size

@@ -113,14 +113,12 @@ def _resultants(
             continue
         column = next(k for k, other in columns.items() if other == name)
         slopes = [f.partial(x, column) for _row, x in parts]
-        rests = [
-            f.lowest_terms(x - slope * f.variable(column)) for (_row, x), slope in zip(parts, slopes, strict=True)
-        ]
+        rests = [f.lowest_terms(x - slope * f.variable(column)) for (_row, x), slope in zip(parts, slopes, strict=True)]
         if any(f.ingredients(x) & columns.keys() for x in (*slopes, *rests)):
             raise CannotAnswer(
                 Message(
-                    "the friction of {contact} is proportional to a resultant of two components, sqrt(x^2 + y^2), which "
-                    "the friction of another place changes; simulate the motion for numbers",
+                    "the friction of {contact} is proportional to a resultant of two components, "
+                    "sqrt(x^2 + y^2), which the friction of another place changes; simulate the motion for numbers",
                     contact=loads[name].row.connection,
                 )
             )
