@@ -776,6 +776,25 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "equation": "(mu - 2*a*x)*(g + 2*a*rate(x)**2)/(1 + 4*a**2*x**2)",
         "friction": "mu*m*(g + 2*a*rate(x)**2)/sqrt(1 + 4*a**2*x**2)",
     },
+    # the arc over the level wheel falls by R, so that rho g (x + R) draws rho L and two wheels of M/2
+    "heavy_cable_round_a_corner": {
+        "acceleration": "rho*g*(x + R)/(rho*L + M)",
+        "behind": "rho*x*(g - rho*g*(x + R)/(rho*L + M))",
+        "before": "rho*(L - x - b - pi*R)*rho*g*(x + R)/(rho*L + M)",
+        "speed": "sqrt(rho*g*(3*x_0**2 + 2*R*x_0)/(rho*L + M))",
+    },
+    # of the weight m g sin(a) = 2/3 m g acts along a rod of direction (1, 2, -2)/3, sqrt(5)/3 m g across it
+    "collar_on_a_skew_rod": {
+        "rough": "2/sqrt(5)",
+        "equation": "g*(2 - mu*sqrt(5))/3",
+        "friction": "-mu*m*g*sqrt(5)/3",
+        "speed": "sqrt(2*l*g*(2 - mu*sqrt(5))/3)",
+    },
+    # across: m g upwards, and 2 m omega r' of Coriolis
+    "bead_on_a_rough_turning_rod": {
+        "equation": "omega**2*r - mu*sqrt(g**2 + 4*omega**2*rate(r)**2)",
+        "friction": "-mu*m*sqrt(g**2 + 4*omega**2*rate(r)**2)",
+    },
     # the arc 4 R sin(s) from the bottom swings harmonically; N = m g cos(s) + m v^2/rho with rho = 4 R cos(s)
     "cycloid_pendulum": {
         "equation": "tan(s)*(rate(s)**2 - g/(4*R))",

@@ -115,3 +115,52 @@ start: {x: 0.4 m, rate(x): 0}
     assert "validity" in motion.to_text()
     assert system.simulate(1.0).not_valid == ()
     assert np.isfinite(motion.dataset["x"].to_numpy()).all()
+
+
+# -- in space ---------------------------------------------------------------------------------
+IN_SPACE = """
+space: {{up: z}}
+parameters: {{m_1: 3 kg, m_2: 4 kg, rho: 0.5 kg/m, L: 6 m, M: 2 kg, R: 0.2 m, g: 9.81 m/s^2}}
+bodies:
+  pulley: {{cylinder: {{mass: M, radius: R, length: 0.1 m}}}}
+  rope: {{rope: {{mass_per_length: rho, length: L}}}}
+  left: {{particle: {{mass: m_1}}}}
+  right: {{particle: {{mass: m_2}}}}
+connections:
+  axle: {{revolute: {{first: ground.axle, second: pulley.center, about: {axis}, second_axis: z}}}}
+  hoist: {{heavy_rope: {{rope: rope, over: [pulley], leads: [{leads}], from: left, to: right}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{y: drop of rope}}
+start: {{y: 2 m, rate(y): 0}}
+questions: {{it: {asked}}}
+"""
+
+
+@pytest.mark.parametrize("axis", ["x", "[3, 4, 0]"])
+@pytest.mark.parametrize("asked", ["acceleration of y", "tension in hoist before pulley"])
+def test_a_heavy_rope_over_a_pulley_of_space_runs_as_in_the_plane(asked: str, axis: str) -> None:
+    in_plane = fb.System.from_text(PULLEY.format(asked=asked)).solve()["it"].value
+    in_space = fb.System.from_text(IN_SPACE.format(asked=asked, axis=axis, leads="z, -z")).solve()["it"].value
+    assert in_space == pytest.approx(in_plane, rel=1e-12)
+
+
+def test_a_lead_that_runs_off_its_wheel_is_refused_with_the_angle() -> None:
+    text = IN_SPACE.format(asked="acceleration of y", axis="x", leads="z, [0.6, 0, -0.8]")
+    with pytest.raises(ModelError, match=r"leaves its plane by 36\.87 deg"):
+        fb.System.from_text(text)
+
+
+def test_a_chain_on_a_rough_table_of_space_is_held_back_by_its_weight_on_it() -> None:
+    """rho L x'' = rho g x - mu rho g (L - x), whichever way it lies on the table."""
+    system = fb.System.from_text("""
+space: {up: z}
+parameters: {m: 4 kg, L: 2 m, mu: 0.2, g: 9.81 m/s^2}
+ground: {points: {edge: [0.3 m, 0.2 m, 1 m]}}
+bodies: {chain: {rope: {mass: m, length: L}}}
+connections: {table: {heavy_rope: {rope: chain, over: [ground.edge], leads: [[3, 4, 0], -z], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: drop of chain from ground.edge}
+start: {x: 0.7 m, rate(x): 0}
+""")
+    a = 9.81 / 2.0 * (0.7 - 0.2 * 1.3)
+    assert system.solve("acceleration of x at start")["q1"].value == pytest.approx(a, rel=1e-12)

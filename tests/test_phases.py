@@ -310,24 +310,6 @@ start: {rate(theta): omega0}
     agrees_text(shown(solved(text, "time when wheel stops")), "R**2*omega0/(2*mu*g*a)")
 
 
-def test_friction_by_a_resultant_of_two_components_is_refused_with_the_reason() -> None:
-    text = """
-freebody: 1
-title: pendulum on a dry pin
-parameters: {m: 1 kg, L: 1 m, a: 0.02 m, mu: 0.3, g: 9.81 m/s^2}
-ground: {points: {A: [0, 0]}}
-bodies: {rod: {rod: {mass: m, length: L}}}
-connections: {axle: {pin: {first: ground.A, second: rod.start, friction: mu, radius: a}}}
-loads: {weight: {gravity: g}}
-measures: {theta: {angle of rod}}
-start: {theta: 0, rate(theta): -1 rad/s}
-questions: [acceleration of theta at start]
-"""
-    (answer,) = fb.solve(fb.System.from_text(text)).answers
-    assert answer.expression is None
-    assert "resultant of two components" in answer.reason
-
-
 def test_block_on_a_spring_swings_half_a_period_at_a_time(agrees_text: Agree) -> None:
     text = """
 freebody: 1

@@ -705,7 +705,8 @@ class HeavyRope(_HeavyRope):
     without these the ends are free. `wound_on: drum` in place of a free first lead: it unwinds from a drum, on the
     `side` of it, and there are as many leads as places. `friction: mu` is that of what its first lead lies on.
     Gravity drives every part along its own lead. Ask for the tension at a body, or in the rope at a place.
-    `counterclockwise: true` where it comes back over a wheel from the right."""
+    `counterclockwise: true` where it comes back over a wheel from the right. In space leads run any way over points,
+    and perpendicular to the axis over a wheel; `counterclockwise` is as seen against that axis."""
 
     def __init__(
         self,
@@ -896,13 +897,15 @@ class Planar(_Planar):
 
 class PointOnLine(_PointOnLine):
     """`point_on_line: {point: shaft.B, through: ground.A, along: x}`: a point stays on the line through a point of
-    another body, along a direction of that body; a bearing that holds across its axis alone (2 rows)."""
+    another body, along a direction of that body; a bearing that holds across its axis alone (2 rows).
+    `friction: mu`: the force that resists along it is mu times the normal force, the resultant of both."""
 
     def __init__(
         self,
         point: _Text,
         through: _Text,
         along: _Along,
+        friction: _Formula | _Mapping = ...,
     ) -> None: ...
 
 class PointOnPlane(_PointOnPlane):
@@ -947,7 +950,8 @@ class Polygon(_Polygon):
 
 class Prismatic(_Prismatic):
     """`prismatic: {first: ground.A, second: block, along: x}`: the second point stays on the line through the first,
-    and the bodies keep their attitude to each other (5 rows)."""
+    and the bodies keep their attitude to each other (5 rows). `friction: mu`: the force that resists is mu times the
+    resultant of the forces across the axis; what the moments that it transmits press on its ends is not counted."""
 
     def __init__(
         self,
@@ -955,6 +959,7 @@ class Prismatic(_Prismatic):
         second: _Text,
         along: _Along,
         second_axis: _Along | None = ...,
+        friction: _Formula | _Mapping = ...,
     ) -> None: ...
 
 class RackAndPinion(_RackAndPinion):

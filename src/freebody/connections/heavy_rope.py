@@ -14,25 +14,27 @@ Source: Timoshenko & Young, Advanced Dynamics, 1948, art. 20; Beer & Johnston, D
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Literal
 
 from pydantic import ConfigDict, Field
 
 from freebody.connections.base import Connection
-from freebody.connections.rope_run import RopePlace, RopeRun, place_on_way, sense_of_drum
-from freebody.connections.standing import number_of
-from freebody.language.expression import ONE, ZERO, Expr, Symbol, add, multiply, negate
+from freebody.connections.rope_run import RopePlace, RopeRun, aside_of_leads, place_on_way, sense_of_drum
+from freebody.connections.standing import is_zero, moves_out_of_plane, number_of
+from freebody.connections.standing_in_space import StandingInSpace
+from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, add, multiply, negate
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
-from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import VALUE, ConstraintRow, DryFriction, UnilateralConstraint, Validity
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
+from freebody.model.rotations import dot, perpendiculars
 from freebody.model.solids import ROPE
 from freebody.model.spec import Formula, Heading
 from freebody.model.transmitted import CutTension
@@ -51,7 +53,8 @@ class HeavyRope(Connection, kind="heavy_rope"):
     without these the ends are free. `wound_on: drum` in place of a free first lead: it unwinds from a drum, on the
     `side` of it, and there are as many leads as places. `friction: mu` is that of what its first lead lies on.
     Gravity drives every part along its own lead. Ask for the tension at a body, or in the rope at a place.
-    `counterclockwise: true` where it comes back over a wheel from the right."""
+    `counterclockwise: true` where it comes back over a wheel from the right. In space leads run any way over points,
+    and perpendicular to the axis over a wheel; `counterclockwise` is as seen against that axis."""
 
     rope: str
     over: list[str] = Field(default_factory=list[str])
@@ -78,16 +81,21 @@ start: {x: 0.4 m, rate(x): 0}
         run = self._run(names)
         if run is None:
             return []
-        last = run.places[-1]
-        across = Displacement(run.rope.center, last.center, last.out.normal())
-        found = [ConstraintRow("way", "sideways force", across, negate(last.arm), ends=(run.rope.name,))]
+        last, in_space = run.places[-1], not self.is_in_plane(names)
+        found = [
+            ConstraintRow(
+                name, "sideways force", Displacement(run.rope.center, last.center, across), far, ends=(run.rope.name,)
+            )
+            for name, (across, far) in zip(("way", "way across"), last.aside(last.out, in_space=in_space), strict=False)
+        ]
         return [*found, *self._grips(run), *self._tied(names, run)]
 
     def _grips(self, run: RopeRun) -> Iterable[ConstraintRow]:
         """What turns with it: a drum holds it back by its tension, a wheel is turned by the friction on it."""
         for k, place in enumerate(run.places):
             if place.turns_with:
-                terms = ((ONE, run.way), (negate(place.arm), Angle(place.body)))
+                wound = ((negate(multiply(place.arm, share)), angle) for share, angle in place.turned)
+                terms = ((ONE, run.way), *wound)
                 is_drum = k == 0 and self.wound_on is not None
                 yield ConstraintRow(
                     f"{'wound on' if is_drum else 'grip on'} {place.body}",
@@ -105,20 +113,20 @@ start: {x: 0.4 m, rate(x): 0}
             point = names.point(self.start, "from")
             led = Combination(((ONE, Displacement(point, first.center, first.into)), (negate(ONE), run.way)), LENGTH)
             yield ConstraintRow("first end", "tension", led, ends=(point.body,), unilateral=True)
-            yield from self._kept_aside(names, point, first.center, first.into, first.arm)
+            yield from self._kept_aside(names, point, first, first.into)
         if self.to is not None:
             point = names.point(self.to, "to")
             met = Displacement(point, run.rope.center, last.out)
             yield ConstraintRow("last end", "tension", met, sign=-1, ends=(point.body,), unilateral=True)
-            yield from self._kept_aside(names, point, last.center, last.out, last.arm)
+            yield from self._kept_aside(names, point, last, last.out)
 
-    def _kept_aside(
-        self, names: Names, point: Point, center: Point, along: Direction, arm: Expr
-    ) -> Iterable[ConstraintRow]:
+    def _kept_aside(self, names: Names, point: Point, place: RopePlace, along: Direction) -> Iterable[ConstraintRow]:
         others = (c for c in names.connections.values() if c is not self and not c.keeps_flat(names))
         if not any(point.body in other.mentions(names) for other in others):
-            across = Displacement(point, center, along.normal())
-            yield ConstraintRow(f"{point.body} hangs", "sideways force", across, negate(arm), ends=(point.body,))
+            sides = place.aside(along, in_space=not self.is_in_plane(names))
+            for name, (across, far) in zip(("hangs", "hangs across"), sides, strict=False):
+                held = Displacement(point, place.center, across)
+                yield ConstraintRow(f"{point.body} {name}", "sideways force", held, far, ends=(point.body,))
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)
@@ -130,15 +138,25 @@ start: {x: 0.4 m, rate(x): 0}
         if into is None or self.start is not None:
             names.problem(Message("friction is that of a free first lead, which lies on a table"), "friction")
             return [], []
-        normal, pressed = into.normal(), ZERO
-        for along, strength in sorted(names.fields, key=repr):
-            pressed = add(pressed, multiply(strength, _dot(along, normal)))
-        if number_of(names, pressed) < 0:
-            pressed = negate(pressed)
+        pressed = self._pressed(names, into)
         weight = multiply(run.density, pressed, run.first_length(Symbol(_WAY)))
         row = ConstraintRow("friction", "friction force", run.way, connection=connection)
         static, kinetic = (multiply(mu, weight) for mu in (friction.static, friction.kinetic))
         return [], [DryFriction(row, static, kinetic, measures=((_WAY, run.way),))]
+
+    def _pressed(self, names: Names, lead: Direction) -> Expr:
+        """What the fields press a unit of mass with, across a lead: on what bears it, which in space lies below it."""
+        fields = sorted(names.fields, key=repr)
+        if self.is_in_plane(names):
+            normal = lead.normal()
+            pressed = add(ZERO, *(multiply(strength, _dot(along, normal)) for along, strength in fields))
+            return negate(pressed) if number_of(names, pressed) < 0 else pressed
+        across = perpendiculars(lead.components)
+        parts = [add(ZERO, *(multiply(s, dot(g.components, v)) for g, s in fields)) for v in across]
+        known = [part for part in parts if not is_zero(names, part)]
+        if len(known) == 1:
+            return negate(known[0]) if number_of(names, known[0]) < 0 else known[0]
+        return Call("sqrt", add(ZERO, *(multiply(part, part) for part in known)))
 
     def weighs(self, names: Names, body: str, along: Direction) -> tuple[Measure, Expr] | None:
         if body != self.rope:
@@ -202,7 +220,10 @@ start: {x: 0.4 m, rate(x): 0}
         if not rope.is_placeholder and rope.solid != ROPE:
             told = Message("{body} is no rope: give it the shape rope: {{mass: m, length: L}}", body=rope.name)
             names.problem(told, "rope")
+        in_space = not self.is_in_plane(names)
         headings = [names.direction(heading, "leads", k) for k, heading in enumerate(self.leads)]
+        if in_space:
+            headings = [replace(along, components=(*along.components, ZERO)[:3]) for along in headings]
         n_places = len(self.over) + (self.wound_on is not None)
         needed = n_places if self.wound_on is not None else n_places + 1
         if n_places == 0:
@@ -215,19 +236,36 @@ start: {x: 0.4 m, rate(x): 0}
             names.problem(Message("the first end is wound on a drum, so nothing else is tied to it"), "from")
         if len(names.problems) > n_before:
             return None
-        places = self._places(names, headings)
-        return RopeRun(rope, tuple(places)) if len(names.problems) == n_before else None
+        run = RopeRun(rope, tuple(self._places(names, headings, StandingInSpace(names) if in_space else None)))
+        if in_space and len(names.problems) == n_before:
+            for here, there, far in aside_of_leads(names, run):
+                told = Message(
+                    "{there} is {far:.6g} m aside of the lead from {here}: put it on that, or name another direction",
+                    there=there, far=far, here=here)  # fmt: skip
+                names.problem(told, "leads")
+        return run if len(names.problems) == n_before else None
 
-    def _places(self, names: Names, headings: list[Direction]) -> list[RopePlace]:
+    def is_in_plane(self, names: Names) -> bool:
+        with names.quietly():
+            bodies = self.mentions(names) - {GROUND}
+        return not names.space or not moves_out_of_plane(names, bodies)
+
+    def _places(self, names: Names, headings: list[Direction], still: StandingInSpace | None) -> list[RopePlace]:
         found: list[RopePlace] = []
         if self.wound_on is not None:
-            sense = sense_of_drum(names, headings[0], self.side)
-            place = place_on_way(names, self.wound_on, ("wound_on",), None, headings[0], sense)
+            sense = sense_of_drum(names, self.wound_on.partition(".")[0], headings[0], self.side, still)
+            if sense == 0:
+                told = Message(
+                    "its first lead does not come off {drum} at its {side}: name another side", drum=self.wound_on,
+                    side=self.side)  # fmt: skip
+                names.problem(told, "side")
+                return found
+            place = place_on_way(names, self.wound_on, ("wound_on",), None, headings[0], sense, still)
             found += [] if place is None else [place]
         start = 0 if self.wound_on is not None else -1
         usual = 1 if self.counterclockwise else -1
         for k, text in enumerate(self.over, start + 1):
-            place = place_on_way(names, text, ("over", k - start - 1), headings[k], headings[k + 1], usual)
+            place = place_on_way(names, text, ("over", k - start - 1), headings[k], headings[k + 1], usual, still)
             found += [] if place is None else [place]
         return found
 
@@ -246,7 +284,14 @@ start: {x: 0.4 m, rate(x): 0}
         if run is None:
             return
         nodes: list[glyphs.Node[Point, Direction, Expr]] = [
-            glyphs.Node(p.center, p.arm, k == 0 and self.wound_on is not None) for k, p in enumerate(run.places)
+            glyphs.Node(
+                p.center,
+                p.arm,
+                k == 0 and self.wound_on is not None,
+                None if p.plane is None else p.plane.normal,
+                None if p.plane is None else p.plane.carrier,
+            )
+            for k, p in enumerate(run.places)
         ]
         leads: list[glyphs.Lead[Direction]] = [glyphs.Lead(p.out) for p in run.places]
         nodes.append(glyphs.Node(run.rope.center if self.to is None else names.point(self.to), ZERO))

@@ -12,18 +12,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.measures.turn import Alignment, Turn
-from freebody.model.elements import Attitude, ConstraintRow
+from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import UNIT, perpendiculars
-from freebody.model.spec import Heading, Spec
+from freebody.model.spec import Formula, Heading, Spec
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -141,6 +143,19 @@ def read_joint(
     b, c = (Direction(one.body, v) for v in perpendiculars(axis.components))
     b2, c2 = (Direction(other.body, v) for v in perpendiculars(axis2.components))
     return Joint(one, other, axis, b, c, axis2, b2, c2)
+
+
+def rubbing_along(
+    names: Names, friction: Formula | dict[str, Any], travel: Measure, across: Iterable[ConstraintRow], connection: str
+) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
+    """What a straight guide resists along itself: mu times the resultant N of its forces across it, whichever side of
+    the guide that presses on, T = -mu N sign(v)."""
+    mu = read_friction(names, friction, DIMENSIONLESS)
+    if mu.is_none:
+        return [], []
+    row = ConstraintRow("friction", "friction force", travel, connection=connection)
+    load = tuple(f"{connection}.{held.component}" for held in across)
+    return [], [DryFriction(row, mu.static, mu.kinetic, load)]
 
 
 def own_direction(names: Names, value: Heading, body: str, *path: str | int) -> Direction:

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.joints import across_names
+from freebody.connections.joints import across_names, rubbing_along
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.glyphs import Glyph
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import perpendiculars
-from freebody.model.spec import Heading
+from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 
 class PointOnLine(Connection, kind="point_on_line"):
     """`point_on_line: {point: shaft.B, through: ground.A, along: x}`: a point stays on the line through a point of
-    another body, along a direction of that body; a bearing that holds across its axis alone (2 rows)."""
+    another body, along a direction of that body; a bearing that holds across its axis alone (2 rows).
+    `friction: mu`: the force that resists along it is mu times the normal force, the resultant of both."""
 
     space_only = True
     in_plane_take = "slot"
@@ -34,6 +35,7 @@ class PointOnLine(Connection, kind="point_on_line"):
     point: str
     through: str
     along: Heading
+    friction: Formula | dict[str, Any] = 0
 
     example = """
 space: true
@@ -61,6 +63,12 @@ connections: {it: {point_on_line: {point: rod.left, through: ground.A, along: x}
             ConstraintRow(name, "force", Displacement(point, through, direction))
             for name, direction in zip(across_names(along), across, strict=True)
         ]
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
+        with names.quietly():
+            line = self._line(names)
+            rows = self.rows(names)
+        return ([], []) if line is None else rubbing_along(names, self.friction, Displacement(*line), rows, connection)
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         line = self._line(names)

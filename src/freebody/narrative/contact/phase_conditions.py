@@ -16,6 +16,7 @@ from freebody.study.phases.result import relations
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import require
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.friction import pressing
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.tidy import tidy
 
@@ -54,7 +55,7 @@ def tell_sticking(script: Script, way: PhaseSequence, leg: PhaseSegment) -> list
     ]
     for rub in sticking:
         shared = leg.phase.shared.get(rub.name, [])
-        if shared or len(rub.load) > 1:
+        if shared:
             script.say("condition.shared", connection=label(rub.name))
             continue
         found.append(_tell_limit(script, way, leg, rub))
@@ -68,18 +69,20 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
     with script.stage("stage.supposed", "hint.supposed", connection=connection):
         script.say("condition.supposed", connection=connection)
     with on_the_way(script, leg.glossary):
-        unknowns = [newton.acting.generator(n) for n in (*(row.name for row in rub.rows), *rub.load)]
+        pressed = [row.name for row, _x in pressing(leg.phase.model, rub, leg.phase.rows)] or list(rub.load[:1])
+        unknowns = [newton.acting.generator(n) for n in (*(row.name for row in rub.rows), *pressed)]
         values = newton.write(script, newton.plan(unknowns), unknowns)
     frictions = [values[unknown][0] for unknown in unknowns[: len(rub.rows)]]
-    pressing = values[unknowns[-1]][0] if rub.load else f.one
+    squares = [power(Symbol(names[name].name), number(2)) for name in pressed]
+    size: Expr = Symbol(names[pressed[0]].name) if len(pressed) == 1 else Call("sqrt", add(*squares))
+    load = values[unknowns[-1]][0] if len(pressed) == 1 else leg.phase.load(rub)
     lines = tuple(line for _v, line in values.values())
     here = leg.phase.start_instant.here
 
     def strongest(direction: int) -> tuple[Expr, Ratio]:
         """What it can carry against slip in a direction, by what presses it and at the start of the phase."""
         c = f.lowest_terms(leg.phase.coefficient(rub, direction, at_rest=True))
-        written: Expr = tidy(c) * Symbol(names[rub.load[0]].name) if rub.load else tidy(c)
-        return written, way.home(leg, f.lowest_terms(here(c * pressing)))
+        return tidy(c) * size if pressed else tidy(c), way.home(leg, f.lowest_terms(here(c * load)))
 
     def carried(direction: int) -> tuple[Expr, Expr]:
         written, most = strongest(direction)

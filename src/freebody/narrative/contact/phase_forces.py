@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
-from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
@@ -25,6 +23,7 @@ from freebody.narrative.space.spatial_rates import SpatialRates
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import value_in_mode
 from freebody.study.senses import drawn_symbols
+from freebody.symbolic.phases.friction import pressing
 from freebody.system.symbols import ReactionSymbol
 
 
@@ -70,11 +69,16 @@ def _laws(phase: Phase, symbols: Mapping[str, ReactionSymbol]) -> list[FrictionL
         if sense:
             rub = phase.dry_friction[name]
             sign = symbols[name].sign
-            factor = -sense * sign * phase.coefficient(rub, sense, at_rest=False)
-            load, is_back = _load(phase, rub, symbols)
+            share = -sense * sign * phase.coefficient(rub, sense, at_rest=False)
             way = "forward" if sense * sign > 0 else "backward"
-            key = f"friction.slides_{way}"
-            found.append(FrictionLaw(rub, -factor if is_back else factor, load, key, rub.row.connection))
+            key, place = f"friction.slides_{way}", rub.row.connection
+            if len(pressed := pressing(phase.model, rub, phase.rows)) > 1:
+                whole = phase.model.field.lowest_terms(share * phase.load(rub))
+                both = tuple(row.name for row, _x in pressed)
+                found.append(FrictionLaw(rub, whole, "", key, place, resultant=both, share=share))
+                continue
+            load, is_back = _load(phase, rub, symbols)
+            found.append(FrictionLaw(rub, -share if is_back else share, load, key, place))
     return found
 
 
@@ -83,13 +87,6 @@ def _load(phase: Phase, rub: DryFriction, symbols: Mapping[str, ReactionSymbol])
     if not rub.load:
         return "", False
     model = phase.model
-    pressing = [name for name in rub.load if not model.reactions.multiplier(phase.rows[name]).is_zero()]
-    if len(pressing) > 1:
-        raise CannotAnswer(
-            Message(
-                "the friction of {contact} is proportional to a resultant of two components", contact=rub.row.connection
-            )
-        )
-    name = (pressing or list(rub.load))[0]
+    name = next((row.name for row, _x in pressing(model, rub, phase.rows)), rub.load[0])
     row = phase.rows[name]
     return name, not row.unilateral and model.samples.is_negative(symbols[name].sign * model.reactions.multiplier(row))

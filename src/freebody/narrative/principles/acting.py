@@ -26,7 +26,8 @@ Slot = tuple[str, str]  # body and slot
 @dataclass(frozen=True)
 class FrictionLaw:
     """F = factor * R of a friction that slides or is at its limit: R the reaction of the row `load`; without one
-    F = factor. why: the sentence that says so, with the place that it names; drum: round which a string rubs."""
+    F = factor. why: the sentence that says so, with the place that it names; drum: round which a string rubs.
+    resultant: rows that press with their resultant, F = share * sqrt(N_1^2 + N_2^2), which is the factor then."""
 
     rub: DryFriction
     factor: Ratio
@@ -34,6 +35,8 @@ class FrictionLaw:
     why: str
     place: str
     drum: str = ""
+    resultant: tuple[str, ...] = ()
+    share: Ratio | None = None
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import RoutesDisagree
-from freebody.language.expression import Expr, add, multiply, negate
+from freebody.language.expression import Call, Expr, add, multiply, negate, power
+from freebody.language.expression import number as number_of
 from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import Argument, Diagram, Script, Sentence
@@ -88,6 +89,8 @@ class Newton:
         self.words = words or (IN_SPACE_WORDS if in_space else IN_PLANE_WORDS)
         self._value_of, self._numbers = value_of, numbers
         self._named: set[str] = set()
+        self._pressed: Solved = {}  # what presses with a resultant where something rubs
+        self._withheld = False  # that is being found, and what rubs there is not known yet
         self.solved: Solved = {}  # all unknowns of the last solution
         self.is_drawn = True  # diagrams show the start: not what touches only later
 
@@ -113,14 +116,21 @@ class Newton:
     def planner(self) -> Planner:
         return self._planner()
 
-    def _planner(self, *, counts_loads: bool = False) -> Planner:
-        numbers = self._numbers or list(self.glossary.worlds("always"))[-1].numbers
-        return Planner(self.table, numbers, self.preferences, self.symmetry.merged, counts_loads=counts_loads)
+    @cached_property
+    def _before_friction(self) -> Planner:
+        """A friction that a resultant presses is not known before that."""
+        return self._planner(knows_resultants=False)
 
-    def plan(self, unknowns: Sequence[int], known: Container[int] = ()) -> Plan:
+    def _planner(self, *, counts_loads: bool = False, knows_resultants: bool = True) -> Planner:
+        numbers = self._numbers or list(self.glossary.worlds("always"))[-1].numbers
+        same = self.symmetry.merged
+        how = {"counts_loads": counts_loads, "knows_resultants": knows_resultants}
+        return Planner(self.table, numbers, self.preferences, same, **how)
+
+    def plan(self, unknowns: Sequence[int], known: Container[int] = (), planner: Planner | None = None) -> Plan:
         """Principles that determine some unknowns; a friction that slides is known with its normal force. known:
         unknowns that have been found before."""
-        planner = self.planner
+        planner = planner or self.planner
         found = [k for k, a in enumerate(self.model.accelerations) if a in known]
         found += [planner.column(row) for row in self.acting.rows if self.acting.generator(row) in known]
         targets = [self._target(unknown) for unknown in unknowns]
@@ -154,13 +164,41 @@ class Newton:
     ) -> Solved:
         """Free-body diagrams, principles, what is known of the forces, and the solution; the values of the unknowns and
         their lines. known_values: of unknowns that have been found before."""
+        before = dict(known_values or {})
+        if pressing := self._pressing(script, plan, asked, before):
+            before |= pressing
+            plan = self.plan(asked, before)
         written, known = self.equations(script, plan, asked)
         with script.stage("stage.solution", "hint.solution", n=len(written) + len(known)):
             rows = [self.in_coordinates(script, w) for w in written]
             solver = self.solver(script)
-            found = solver.solve([*rows, *known], list(asked), known_values or {})
+            found = solver.solve([*rows, *known], list(asked), before)
             self.solved = solver.values
             return found
+
+    def _pressing(self, script: Script, plan: Plan, asked: Sequence[int], before: Solved) -> Solved:
+        """What presses with its resultant where something rubs that acts in a plan, found first. Raises CannotAnswer
+        where that friction changes it."""
+        found: Solved = {}
+        if self._withheld:
+            return found
+        for name, law in self.acting.known.laws.items():
+            if not law.resultant or not self._acts(name, plan, asked):
+                continue
+            unknowns = [g for g in map(self.acting.generator, law.resultant) if g not in before | found]
+            first = self.plan(unknowns, before | found, self._before_friction) if unknowns else None
+            if first is not None:
+                self._withheld = True
+                found |= self.write(script, first, unknowns, before | found)
+                self._withheld = False
+            self._pressed |= {g: (before | found)[g] for g in map(self.acting.generator, law.resultant)}
+        return found
+
+    def _acts(self, name: str, plan: Plan, asked: Sequence[int]) -> bool:
+        """Whether a friction that slides stands in the equations of a plan, or is asked for."""
+        slopes = self.acting.directions[name]
+        arms = [self.acting.arm(p.weights, slopes) for p in plan.principles]
+        return self.acting.generator(name) in asked or not all(map(self.model.samples.vanishes, arms))
 
     def equations(
         self, script: Script, plan: Plan, asked: Sequence[int]
@@ -295,8 +333,9 @@ class Newton:
         """What is known of the reactions that stand in the equations or are asked for."""
         wanted = standing | {row for row in self.acting.rows if self.acting.generator(row) in asked}
         known = self.acting.known
+        laws = {n: law for n, law in known.laws.items() if n in wanted and not (law.resultant and self._withheld)}
         found = [self._absent(script, name, why) for name, why in known.absent.items() if name in wanted]
-        return [*found, *(self._law(script, name, law) for name, law in known.laws.items() if name in wanted)]
+        return [*found, *(self._law(script, name, law) for name, law in laws.items())]
 
     def _absent(self, script: Script, name: str, why: str) -> EliminationRow:
         """What opens transmits nothing."""
@@ -311,6 +350,13 @@ class Newton:
         self._name(script, [name, *([law.load] if law.load else [])])
         symbol, factor = acting.symbol(name), f.lowest_terms(law.factor)
         args: dict[str, Argument] = {"connection": law.place, "force": symbol}
+        if law.resultant and law.share is not None:
+            size = Call("sqrt", add(*(power(acting.symbol(row), number_of(2)) for row in law.resultant)))
+            first = script.line(symbol, scaled(f.lowest_terms(law.share), size), why=law.why, args=args)
+            lines = tuple(self._pressed[acting.generator(row)][1] for row in law.resultant)
+            put_in = {"lines": lines, "line": first}
+            number = script.line(symbol, tidy(factor), why="condition.put_in", args=put_in, uses=(first, *lines))
+            return EliminationRow({acting.generator(name): f.one}, factor, number)
         if not law.load:
             number = script.line(symbol, tidy(factor), why=law.why, args=args)
             return EliminationRow({acting.generator(name): f.one}, factor, number)

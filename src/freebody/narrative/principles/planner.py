@@ -108,9 +108,10 @@ class Planner:
         merged: Mapping[str, str] | None = None,
         *,
         counts_loads: bool = False,
+        knows_resultants: bool = True,
     ) -> None:
         """merged: reactions that symmetry makes equal, by row; counts_loads: the loads are a column, since a condition
-        on the parameters is wanted."""
+        on the parameters is wanted; knows_resultants: what presses with a resultant is known where that rubs."""
         self.table, self.acting, self.model = table, table.acting, table.model
         self.numbers, self.preferences = numbers, preferences
         self.merged = dict(merged or {})
@@ -119,6 +120,8 @@ class Planner:
         self.loads = self.n_accelerations + len(self.columns)  # their column
         self.n = self.loads + 1
         self._counts_loads = counts_loads
+        laws = self.acting.known.laws
+        self._laws = {name: law for name, law in laws.items() if knows_resultants or not law.resultant}
         self._known: dict[frozenset[str] | None, list[Entry]] = {}
         self._slopes = {row: self._numbers(slopes) for row, slopes in self.acting.directions.items()}
         self._factors = {name: self._number(law.factor) for name, law in self.acting.known.laws.items()}
@@ -170,7 +173,7 @@ class Planner:
         known = self.acting.known
         for name in known.absent:
             row[self.column(name)] = 0.0
-        for name, law in known.laws.items():
+        for name, law in self._laws.items():
             column = self.column(name)
             if law.load:
                 row[self.column(law.load)] += self._factors[name] * row[column]

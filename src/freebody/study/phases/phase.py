@@ -273,7 +273,8 @@ class Phase:
     def pressed(self) -> dict[str, Ratio]:
         """The loads of the frictions that may be pressed either way, by name: positive while they are on this side."""
         names = [name for name in self.mode.states if name not in self.dropped]
-        loads = {n: self.load(rub) for n in names if acts_either_way(rub := self.dry_friction[n], self.rows)}
+        rubs = {name: self.dry_friction[name] for name in names}
+        loads = {n: self.load(rub) for n, rub in rubs.items() if acts_either_way(self.model, rub, self.rows)}
         return {name: x for name, x in loads.items() if not x.is_zero()}
 
     @cached_property

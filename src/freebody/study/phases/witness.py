@@ -39,6 +39,7 @@ from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
 _STILL = 1e-9  # [SI] of what is watched: rounding and the steps before leave this of a zero
+_STAGES, _NEWTON = 4, 50  # of the way from no friction to all of it, and steps in each
 _STRAIGHT = 1e-7  # of a slip: what it may have aside of its direction
 _PLACES = (
     "touches",
@@ -128,6 +129,8 @@ class NumericMode:
         if not self.loads:
             return {}
         seen = self._seen(q, v, t)
+        if any(len(rub.load) > 1 for rub in self.loads.values()):
+            return dict(zip(self.loads, self._resultants(seen).tolist(), strict=True))
         n = len(self.loads)
         table = np.array([[self._size(rub, s) for s in seen] for rub in self.loads.values()])
         is_guide = np.array([not rub.of for rub in self.loads.values()])
@@ -160,9 +163,41 @@ class NumericMode:
         N = self.solved(q, v, t)
         return found[0] + sum(value * (one - found[0]) for value, one in zip(N.values(), found[1:], strict=True))
 
+    def _resultants(self, seen: Sequence[Snapshot]) -> Array:
+        """The loads where some are resultants: N_i = |a_i + s B_i N| by Newton's method, from s = 0, where friction
+        changes nothing, to s = 1. What has a bound of its own is pressed on one side, N_i = a_i + s B_i N."""
+        rubs, n = list(self.loads.values()), len(self.loads)
+        parts = [np.array([self._parts(rub, s) for s in seen]) for rub in rubs]  # (1 + n, components) each
+        N = np.array([self._whole(rub, p[0])[0] for rub, p in zip(rubs, parts, strict=True)])
+        for s in np.linspace(1.0 / _STAGES, 1.0, _STAGES):
+            for _ in range(_NEWTON):
+                F, slopes = N.copy(), np.eye(n)
+                for i, (rub, p) in enumerate(zip(rubs, parts, strict=True)):
+                    B = s * (p[1:] - p[0])
+                    size, along = self._whole(rub, p[0] + N @ B)
+                    F[i] -= size
+                    slopes[i] -= B @ along
+                step = np.linalg.solve(slopes, F)
+                N = N - step
+                if float(np.abs(step).max()) <= ROUND_OFF * max(1.0, float(np.abs(N).max())):
+                    break
+            else:
+                raise CannotAnswer(Message("no friction force is consistent with the motion"))
+        return N
+
+    @staticmethod
+    def _whole(rub: DryFriction, parts: Array) -> tuple[float, Array]:
+        """What presses a friction, by its components, and its slopes by these."""
+        if rub.of:
+            return float(parts[0]), np.ones(1)
+        size = float(np.linalg.norm(parts))
+        return size, parts / size if size > 0.0 else np.zeros(len(parts))
+
+    def _parts(self, rub: DryFriction, s: Snapshot) -> list[float]:
+        return [self.rows[name].sign * s.multiplier(self.rows[name]) for name in rub.load]
+
     def _size(self, rub: DryFriction, s: Snapshot) -> float:
-        (name,) = [n for n in rub.load if abs(s.multiplier(self.rows[n])) > 0.0] or rub.load[:1]
-        return self.rows[name].sign * s.multiplier(self.rows[name])
+        return self._parts(rub, s)[0]
 
     def accelerations(self, q: Array, v: Array, t: float) -> Array:
         N = self.solved(q, v, t)

@@ -6,7 +6,10 @@ linear in all N_j,
     N_i = a_i + sum_j B_ij N_j,        (1 - B) N = a,
 
 so they are rational in what the system is made of. Where 1 - B is singular or a solution is negative there is no such
-motion (Painleve).
+motion (Painleve). The size of the resultant of two multipliers a + b N, c + d N, which its own friction may change, is
+
+    N = sqrt(a^2 + c^2)                         where it does not (b = d = 0), as on a straight guide that stands still,
+    (1 - b^2 - d^2) N^2 - 2 (a b + c d) N - a^2 - c^2 = 0       else, whose one positive root exists for b^2 + d^2 < 1.
 """
 
 from __future__ import annotations
@@ -44,34 +47,30 @@ def resultant(
     model: SymbolicModel, rub: DryFriction, rows: Mapping[str, ConstraintRow], is_negative: IsNegative
 ) -> Ratio:
     """The load of a friction: the size of the multipliers that it names. A bound's is its own, since it cannot pull."""
-    row, x = _pressed(model, rub, rows)
-    return x if row is None or row.unilateral or not is_negative(x) else -x
+    parts = pressing(model, rub, rows)
+    if len(parts) > 1:
+        square = model.field.lowest_terms(sum((x * x for _row, x in parts), model.field.zero))
+        return model.field.sqrt(square, is_negative)
+    if not parts:
+        return model.field.zero
+    ((row, x),) = parts
+    return x if row.unilateral or not is_negative(x) else -x
 
 
-def acts_either_way(rub: DryFriction, rows: Mapping[str, ConstraintRow]) -> bool:
-    """Whether what presses a friction may have either sign, as the load of a thread: its size is a case distinction."""
-    return any(name in rows and not rows[name].unilateral for name in rub.load)
+def acts_either_way(model: SymbolicModel, rub: DryFriction, rows: Mapping[str, ConstraintRow]) -> bool:
+    """Whether what presses a friction may have either sign, as the load of a thread: its size is a case distinction.
+    The size of a resultant is a root."""
+    parts = pressing(model, rub, rows)
+    return len(parts) == 1 and not parts[0][0].unilateral
 
 
-def _pressed(
+def pressing(
     model: SymbolicModel, rub: DryFriction, rows: Mapping[str, ConstraintRow]
-) -> tuple[ConstraintRow | None, Ratio]:
-    """The multiplier whose size is the load of a friction, with its row; none where nothing is transmitted."""
+) -> list[tuple[ConstraintRow, Ratio]]:
+    """The multipliers whose resultant is the load of a friction, with their rows, as far as they do not vanish."""
     # a row that is open transmits nothing: the friction of a string that hangs slack
     parts = [(rows[name], model.reactions.multiplier(rows[name])) for name in rub.load if name in rows]
-    parts = [(row, x) for row, x in parts if not x.is_zero()]
-    if not parts:
-        return None, model.field.zero
-    if len(parts) > 1:
-        raise CannotAnswer(
-            Message(
-                "the friction of {contact} is proportional to a resultant of two components, "
-                "sqrt(x^2 + y^2), with which the equations are not rational; simulate the motion for numbers",
-                contact=rub.row.connection,
-            )
-        )
-    ((row, x),) = parts
-    return row, row.sign * x
+    return [(row, row.sign * x) for row, x in parts if not x.is_zero()]
 
 
 def solve_loads(
@@ -80,18 +79,59 @@ def solve_loads(
     """The loads of all sliding frictions. Of what presses either way the sign is such that at the first sample its
     load comes out positive, and is what it grows to with the friction, from none. Raises CannotAnswer where they are
     not unique or not rational."""
-    pressed = {name: _pressed(model, rub, rows) for name, rub in loads.items()}
-    either = [name for name, (row, _x) in pressed.items() if row is not None and not row.unilateral]
+    pressed = {name: pressing(model, rub, rows) for name, rub in loads.items()}
+    whole, exists = _resultants(model, loads, pressed, is_negative)
+    plain = {name: parts[0] if parts else (None, model.field.zero) for name, parts in pressed.items() if len(parts) < 2}
+    own = {name: rub for name, rub in loads.items() if name in plain}
+    either = [name for name, (row, _x) in plain.items() if row is not None and not row.unilateral]
+    known = {model.field.index(model.parameters[name]): value for name, value in whole.items()}
     first: FrictionLoads | None = None
     for signs in itertools.islice(itertools.product((1, -1), repeat=len(either)), MOST_SIGNS):
         sign = dict(zip(either, signs, strict=True))
-        sizes = {name: sign.get(name, 1) * x for name, (_row, x) in pressed.items()}
-        found = _solved(model, loads, sizes)
+        sizes = {name: sign.get(name, 1) * model.field.follow(x, known) for name, (_row, x) in plain.items()}
+        solved = _solved(model, own, sizes)
+        found = FrictionLoads({**whole, **solved.values}, model.field.lowest_terms(exists * solved.determinant))
         if not any(map(is_negative, [found.determinant, *(found.values[name] for name in either)])):
             return found
         first = first or found
     assert first is not None  # the signs of none are one choice
     return first
+
+
+def _resultants(
+    model: SymbolicModel,
+    loads: Mapping[str, DryFriction],
+    pressed: Mapping[str, list[tuple[ConstraintRow, Ratio]]],
+    is_negative: IsNegative,
+) -> tuple[dict[str, Ratio], Ratio]:
+    """The loads that are resultants of two multipliers, and what must be positive for them to exist. Raises
+    CannotAnswer where they depend on other frictions that slide, or on two such resultants."""
+    f, found, exists = model.field, dict[str, Ratio](), model.field.one
+    columns = {f.index(model.parameters[name]): name for name in loads}
+    for name, parts in pressed.items():
+        if len(parts) < 2:
+            continue
+        column = next(k for k, other in columns.items() if other == name)
+        slopes = [f.partial(x, column) for _row, x in parts]
+        rests = [f.lowest_terms(x - slope * f.variable(column)) for (_row, x), slope in zip(parts, slopes, strict=True)]
+        if any(f.ingredients(x) & columns.keys() for x in (*slopes, *rests)):
+            raise CannotAnswer(
+                Message(
+                    "the friction of {contact} is proportional to a resultant of two components, "
+                    "sqrt(x^2 + y^2), which the friction of another place changes; simulate the motion for numbers",
+                    contact=loads[name].row.connection,
+                )
+            )
+        left = f.lowest_terms(f.one - sum((b * b for b in slopes), f.zero))
+        half = f.lowest_terms(sum((a * b for a, b in zip(rests, slopes, strict=True)), f.zero))
+        square = f.lowest_terms(sum((a * a for a in rests), f.zero))
+        root = f.sqrt(f.lowest_terms(half * half + left * square), is_negative)
+        found[name], exists = f.lowest_terms((half + root) / left), exists * left
+    if not exists.is_constant() and len(found) > 1:
+        raise CannotAnswer(
+            Message("the friction forces {names} change each other's resultants", names=", ".join(sorted(found)))
+        )
+    return found, exists
 
 
 def _solved(model: SymbolicModel, loads: Mapping[str, DryFriction], sizes: Mapping[str, Ratio]) -> FrictionLoads:
