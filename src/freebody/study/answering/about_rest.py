@@ -96,8 +96,8 @@ def _in_order(found: FreeOscillations, place: int) -> list[Condition]:
 
 
 def _swinging_with(found: FreeOscillations, measure: Measure, name: str) -> tuple[int, ...]:
-    """The modes in which a measure oscillates to first order. Raises CannotAnswer where it does not, or may move by what
-    nothing drives back."""
+    """The modes in which a measure oscillates to first order. Raises CannotAnswer where it does not, or may move by
+    what nothing drives back."""
     slopes = found.slopes(measure)
     if all(slope.is_zero() for slope in slopes):
         raise CannotAnswer(Message("to first order {x} does not move in small oscillations", x=name))

@@ -33,7 +33,7 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
             found = by_laws(course, watches, sets, indices)
         case EnergyMotion() as course:
             road = EnergyRoad(course, sets, indices)
-            found = road.events(watches)
+            found = road.events(watches, len(extra))
             found.too_near = road.too_near
         case _:
             found = PossibleEnds(unsure=[() for _watch in watches])
