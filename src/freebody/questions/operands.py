@@ -33,6 +33,7 @@ _OPERATORS = re.compile(
     rf"(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?(?:the )?\|[^|]*\||rate\(\s*\w+\s*\)|\[[^\]]*\]|\*\*|[-+*/^()|]"
 )
 _END = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) ")
+_OF_BLOW = re.compile(r"\b(?:energy lost|loss of (?:kinetic )?energy) in\b|\bimpuls(?:e|ive reaction)\b")
 _OF_WHOLE = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?\([^()]*\)")  # least (x2 - x1)
 
 
@@ -69,6 +70,8 @@ def ratio_as_quotient(names: Names, phrase: str) -> str:
         return phrase
     top, bottom = found["top"], found["bottom"]
     is_timed = _START.search(top) is not None or any(word in top for word in _EVENTS)
+    if _OF_BLOW.search(top) or _END.match(top):  # no state has it: what is said of an instant is said of the other
+        is_timed = is_timed or _START.search(bottom) is not None or any(word in bottom for word in _EVENTS)
     is_calculated = any(not _is_quantity(names, event_at_end(names, part)[0]) for part in (top, without_start(bottom)))
     return f"({top})/({bottom})" if is_timed or is_calculated else phrase
 

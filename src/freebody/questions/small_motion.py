@@ -68,9 +68,8 @@ questions: {it: period of small oscillations}
             return Sentence(f"what.{self.what}_of_mode", {"k": self.number})
         if self.measure is None:
             return Sentence(f"what.{self.what}")
-        return Sentence(
-            "what.small_period_of", {"of": Symbol(self.name) if self.name in system.measures else self.name}
-        )
+        of = Symbol(self.name) if self.name in system.measures else self.name
+        return Sentence("what.small_period_of" if self.what == "period" else "what.small_frequency_of", {"of": of})
 
 
 @dataclass(frozen=True)
@@ -231,8 +230,8 @@ ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 # -- words ------------------------------------------------------------------------------------
 @asked(
-    "natural frequencies | period of small oscillations",
-    r"natural (?P<f>frequency|frequencies)",
+    "natural frequencies | natural frequency [of MEASURE] | period of small oscillations",
+    r"natural (?P<f>frequency|frequencies)|natural frequency of (?P<of>(?!mode \d|.* about ).+)",
     rank=70,
     example="""
 bodies: {bob: {particle: {mass: 1 kg}}}
@@ -242,7 +241,10 @@ questions: {it: natural frequency}
 """,
 )
 def _frequencies(names: Names, found: Found, path: Path) -> Quantity | None:
-    return SmallOscillations("frequency" if found["f"] == "frequency" else "frequencies")
+    if found["of"] is None:
+        return SmallOscillations("frequency" if found["f"] == "frequency" else "frequencies")
+    measure = measure_of(names, found["of"], *path)
+    return None if measure is None else SmallOscillations("frequency", measure, str(found["of"]))
 
 
 @asked(

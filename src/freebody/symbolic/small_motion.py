@@ -31,6 +31,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.symbolic.equilibrium import GYROSCOPIC, ClosedFormRest, find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
@@ -171,6 +172,27 @@ class FreeOscillations:
             if not self.linear.vanishes(sum((a * b for a, b in zip(slopes, parts, strict=True)), mode.square)):
                 return False
         return True
+
+    def slopes(self, measure: Measure) -> list[Ratio]:
+        """Of a measure along the coordinates, at rest."""
+        f, value = self.model.field, self.model.value_of(measure)
+        at = self.linear.still | self.linear.at
+        return [f.follow(f.derivative(value, c.index), at) for c in self.model.coordinates]
+
+    def swinging_with(self, slopes: Sequence[Ratio]) -> tuple[int, ...]:
+        """The places of the modes that oscillate in which a sum of the coordinates moves; of all that oscillate, where
+        several have one frequency. slopes: of that sum."""
+        try:
+            shapes = {k: self.shape(self.modes[k]) for k in self.swinging}
+        except CannotAnswer:
+            return self.swinging
+        found: list[int] = []
+        for k, shape in shapes.items():
+            mode = self.modes[k]
+            parts = [mode.residues.at(x, mode.square) for x in shape]
+            if not self.linear.vanishes(sum((a * b for a, b in zip(slopes, parts, strict=True)), 0 * mode.square)):
+                found.append(k)
+        return tuple(found)
 
     # -- shapes -------------------------------------------------------------------------------
     def shape(self, mode: Mode) -> list[Coefficients]:

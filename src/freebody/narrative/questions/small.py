@@ -129,7 +129,10 @@ def _frequencies(q: SmallOscillations, telling: SmallTelling) -> None:
     symbols, roots = telling.beside()
     script = telling.script
     expression = _expression(telling)
-    k = next(iter(telling.free.swinging), 0)
+    swinging = telling.free.swinging
+    if q.measure is not None:
+        swinging = telling.free.swinging_with(telling.free.slopes(q.measure))
+    k = next(iter(swinging), 0)
     if q.number is not None:
         k = place_of_mode(len(telling.free.squares), q.number)
     if q.what != "frequencies":  # the one that is not zero

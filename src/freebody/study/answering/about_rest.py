@@ -40,12 +40,18 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
     f = model.field
     resting = needs_of_rest(setup, found.rest, ">")
     squares, notes = [found.squares[k] for k in found.swinging], list(found.notes)
-    meant = found.swinging if q.number is None else [place_of_mode(len(found.squares), q.number)]
-    wanted = [x for k in meant if not found.squares[k].is_zero() for x in found.positive(found.modes[k])]
+    meant = found.swinging if q.number is None else (place_of_mode(len(found.squares), q.number),)
+    if q.measure is not None:
+        meant = _swinging_with(found, q.measure, q.name)
+        squares = [found.squares[k] for k in meant]
+    wanted = [
+        x
+        for k in (found.swinging if q.measure else meant)
+        if not found.squares[k].is_zero()
+        for x in found.positive(found.modes[k])
+    ]
     unstable = CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
     swings = insisted((Condition(x, ">", Message("oscillates")) for x in dict.fromkeys(wanted)), unstable)
-    if q.measure is not None:
-        _insist_that_it_swings(found, q.measure, q.name)
     if q.what == "frequencies":
         squares = list(found.squares)
     elif q.number is not None:
@@ -60,7 +66,7 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
     else:
         if len(squares) > 1:
             notes.append(Message("{n} motions that are independent of one another have it", n=len(squares)))
-        if len(squares) < len(found.squares):
+        if len(found.swinging) < len(found.squares):
             notes.append(Message("beside it there is a motion that nothing drives back to first order"))
         del squares[1:]
     if any(not x.is_zero() for row in found.linear.damping for x in row):
@@ -89,11 +95,10 @@ def _in_order(found: FreeOscillations, place: int) -> list[Condition]:
     return [c for c in needs if c is not None]
 
 
-def _insist_that_it_swings(found: FreeOscillations, measure: Measure, name: str) -> None:
-    """Raises CannotAnswer unless a measure oscillates to first order, and by nothing but what has the one period."""
-    f, linear = found.model.field, found.linear
-    value = found.model.value_of(measure)
-    slopes = [f.follow(f.derivative(value, c.index), linear.still | linear.at) for c in found.model.coordinates]
+def _swinging_with(found: FreeOscillations, measure: Measure, name: str) -> tuple[int, ...]:
+    """The modes in which a measure oscillates to first order. Raises CannotAnswer where it does not, or may move by
+    what nothing drives back."""
+    slopes = found.slopes(measure)
     if all(slope.is_zero() for slope in slopes):
         raise CannotAnswer(Message("to first order {x} does not move in small oscillations", x=name))
     if len(found.swinging) < len(found.squares) and not found.is_without_neutral(slopes):
@@ -104,6 +109,7 @@ def _insist_that_it_swings(found: FreeOscillations, measure: Measure, name: str)
                 x=name,
             )
         )
+    return found.swinging_with(slopes)
 
 
 def _turning(premises: Sequence[Condition]) -> Callable[[Ratio], bool | None]:

@@ -56,6 +56,9 @@ def small_oscillations(
             found = np.sort(found)[[place_of_mode(len(found), quantity.number)]]
         elif quantity.what != "frequencies":
             found = found[found > 0.0]  # beside what nothing drives back
+        if quantity.measure is not None and len(found):  # one of those, in which it moves
+            own = 2 * np.pi / exact if quantity.what == "period" else exact
+            found = found[[int(np.argmin(abs(found - w))) for w in own]]
         numeric = 2 * np.pi / found if quantity.what == "period" else np.sort(found)
         if len(exact) == 1:
             exact = np.repeat(exact, len(numeric))  # one period of several motions

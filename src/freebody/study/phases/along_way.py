@@ -37,6 +37,12 @@ _HERE = 1e-7  # a place that is the one of the start
 _CLOSE = 1e-5  # a place that round-off may put on either side of the start
 N_ALONG = 24  # places on the way at which a speed must be real
 _FAR = 1e4  # how far a way without an end is looked along, by its own size
+_STEPS = 1e-3 * 1.1 ** np.arange(180)  # at which a turn without a formula is looked for
+_HALVINGS = 50
+
+
+class TurnsSomewhere(CannotAnswer):
+    """It turns back at a place that has no closed form."""
 
 
 class EnergyRoad:
@@ -103,8 +109,11 @@ class EnergyRoad:
             found = np.where(np.isfinite(d), np.fmin(found, d), found)
         return found
 
-    def events(self, watches: Sequence[PhaseWatch]) -> PossibleEnds:
+    def events(self, watches: Sequence[PhaseWatch], n_asked: int = 0) -> PossibleEnds:
+        """n_asked: so many of the watches, the first ones, are asked for: what comes before a turn is told also where the
+        turn itself has no formula."""
         found = PossibleEnds()
+        turn: TurnsSomewhere | None = None
         for watch in watches:
             try:
                 places = self._variants(self.course.places(watch.element), self.course.as_function(watch.element))
@@ -113,11 +122,43 @@ class EnergyRoad:
             for place, at in places:
                 found.candidates += self._reached(watch, place, at)
             if not watch.within:
-                self._require_known(watch, [c for c in found.candidates if c.watch is watch])
+                try:
+                    self._require_known(watch, [c for c in found.candidates if c.watch is watch])
+                except TurnsSomewhere as error:
+                    if not n_asked:
+                        raise
+                    turn = error
             if watch.within or (not places and sign_of(self.course.as_function(watch.element)) not in NOT_NEGATIVE):
                 found.unsure.append(())
+        if turn is not None:
+            before = self._turn_in_numbers()
+            for c in found.candidates:
+                c.reached = np.where(c.reached < before, c.reached, np.inf)
+            asked = [c for c in found.candidates if c.watch in watches[:n_asked]]
+            if not any(np.isfinite(c.reached[self.mine]).any() for c in asked):
+                raise turn
         found.tests = self._tests(found.candidates)
         return found
+
+    def _turn_in_numbers(self) -> Array:
+        """The distance ahead at which the speed first vanishes, by its sign along the way; inf where it never does."""
+
+        def is_real(d: Array) -> Mask:
+            with np.errstate(invalid="ignore"):
+                return self.sets.evaluate(self.model, self.course.square, {self.c.index: self.q0 + self.way * d}) >= 0
+
+        size = np.maximum(np.abs(self.q0), 1.0)
+        near, far = np.zeros(self.sets.n), np.full(self.sets.n, np.inf)
+        for step in _STEPS:
+            d = step * size
+            real = is_real(d)
+            near = np.where(real & np.isinf(far), d, near)
+            far = np.where(~real & np.isinf(far), d, far)
+        for _ in range(_HALVINGS):
+            middle = np.where(np.isfinite(far), (near + far) / 2, near)
+            real = is_real(middle)
+            near, far = np.where(real, middle, near), np.where(real, far, np.minimum(far, middle))
+        return far
 
     def _reached(self, watch: PhaseWatch, place: Ratio, at: Array) -> list[PossibleEnd]:
         """The place on the way out, and on the way back behind the start."""
@@ -189,7 +230,7 @@ class EnergyRoad:
                     break  # its sign turns with the speed: on the way back it has ended
         counts = self.mine & ~self.too_near & (self.way != 0)
         if (turned & counts).any():
-            raise CannotAnswer(Message("where {coordinate} turns back has no closed form", coordinate=self.c.name))
+            raise TurnsSomewhere(Message("where {coordinate} turns back has no closed form", coordinate=self.c.name))
         if (missed & counts).any():
             raise CannotAnswer(
                 Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))

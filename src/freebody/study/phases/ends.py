@@ -30,6 +30,9 @@ class FirstEvent:
     watch: PhaseWatch
     zero: CourseZero
     together: tuple[PhaseWatch, ...] = ()  # what else happens at the same instant
+    proved: tuple[
+        PhaseWatch, ...
+    ] = ()  # of this, what does so by its formula: by symmetry, whatever the parameters are
 
     @property
     def watches(self) -> tuple[PhaseWatch, ...]:

@@ -14,7 +14,7 @@ from freebody.language.sentences import Message
 from freebody.study.phases.along_time import by_laws, in_time
 from freebody.study.phases.along_way import EnergyRoad
 from freebody.study.phases.decide import NOTHING, Cell, cells
-from freebody.study.phases.ends import FirstEvent, PhaseOutcome, PossibleEnds
+from freebody.study.phases.ends import FirstEvent, PhaseOutcome, PossibleEnd, PossibleEnds
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.symbolic.phases.course import MotionInTime, UniformMotion
@@ -33,7 +33,7 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
             found = by_laws(course, watches, sets, indices)
         case EnergyMotion() as course:
             road = EnergyRoad(course, sets, indices)
-            found = road.events(watches)
+            found = road.events(watches, len(extra))
             found.too_near = road.too_near
         case _:
             found = PossibleEnds(unsure=[() for _watch in watches])
@@ -57,9 +57,26 @@ def _outcome(cell: Cell, found: PossibleEnds) -> PhaseOutcome:
     chosen = found.candidates[cell.label]
     with np.errstate(invalid="ignore"):
         others = [c for c in found.candidates if c.watch is not chosen.watch]
-        same = [c.watch for c in others if np.allclose(c.reached[cell.sets], chosen.reached[cell.sets], ROUND_OFF, 0.0)]
+        same = [c for c in others if np.allclose(c.reached[cell.sets], chosen.reached[cell.sets], ROUND_OFF, 0.0)]
     needs = tuple((x, ">", Message("it happens")) for x in chosen.exists)
     cuts = tuple(cut for cut in cell.cuts if not any(cut[0] == x for x, _r, _p in needs))
     return PhaseOutcome(
-        FirstEvent(chosen.watch, chosen.zero, tuple(same)), cell.sets, (*needs, *cuts), cell.is_exact, unsure
+        FirstEvent(
+            chosen.watch,
+            chosen.zero,
+            tuple(c.watch for c in same),
+            tuple(c.watch for c in same if _is_alike(c, chosen)),
+        ),
+        cell.sets,
+        (*needs, *cuts),
+        cell.is_exact,
+        unsure,
     )
+
+
+def _is_alike(one: PossibleEnd, other: PossibleEnd) -> bool:
+    """Whether two ends are one by their formulas: the same time, or the same place on the way."""
+    a, b = one.zero, other.zero
+    if a.time is not None and b.time is not None:
+        return (a.time - b.time).is_zero()
+    return a.at is not None and b.at is not None and (a.at - b.at).is_zero()

@@ -410,7 +410,11 @@ class PhaseTree(Home):
             return []
         instant = PhaseStart(placed, node.phase.mode.closed, {}, before, None, None, node.n_impacts, known)
         instant = replace(instant, past=node.phase.mode.past, began=began, acting=dict(node.phase.mode.acting))
-        return self._struck(instant, (watch.name,), edge.sets, node.depth + 1)
+        assert edge.first is not None
+        together = [
+            other.name for other in edge.first.proved if other.kind == "touches" and other.name not in instant.acting
+        ]
+        return self._struck(instant, tuple(sorted((watch.name, *together))), edge.sets, node.depth + 1)
 
 
 def tree_of(system: System, question: Question | None = None) -> PhaseTree:
