@@ -762,6 +762,32 @@ def test_a_study_stands_aside_while_something_is_moved_by_hand_and_goes_on_by_it
     assert len(counts) > n_aside
 
 
+def test_a_motion_that_passes_by_waits_for_no_accurate_one() -> None:
+    """Of many rods, which takes a while."""
+    rods = "".join(f"  r{k}: {{rod: {{mass: 1 kg, length: 0.1 m}}}}\n" for k in range(60))
+    pins = "".join(f"  c{k}: {{pin: [{f'r{k - 1}.end' if k else 'ground.A'}, r{k}.start]}}\n" for k in range(60))
+    angles = "measures: {" + ", ".join(f"a{k}: {{angle of r{k}}}" for k in range(60)) + "}\n"
+    start = "start: {" + ", ".join(f"a{k}: {k} deg" for k in range(60)) + "}\n"
+    many = f"bodies:\n{rods}connections:\n{pins}loads: {{weight: {{gravity: 9.81 m/s^2}}}}\n{angles}{start}"
+
+    async def moved() -> None:
+        lanes = Lanes()
+        try:
+            passing = Call(kind="motion", topic="b", request={"text": PENDULUM, "until": 1, "is_passing": True})
+            assert Reply.model_validate_json(await lanes.ask(passing)).status == "done"  # its process is there
+            accurate = Call(kind="motion", topic="a", request={"text": many, "until": 100})
+            slow = asyncio.create_task(lanes.ask(accurate))
+            await asyncio.sleep(0)
+            assert Reply.model_validate_json(await lanes.ask(passing)).status == "done"
+            assert not slow.done()
+            lanes.cancel("a")
+            await slow
+        finally:
+            await lanes.end()
+
+    asyncio.run(moved())
+
+
 def test_a_hand_that_moves_something_lets_all_others_stand_aside(monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[str] = []
     monkeypatch.setattr(Worker, "stand_aside", lambda worker: told.append(worker.lane.name))
