@@ -146,6 +146,24 @@ def test_velocities_are_drawn_over_the_motion_where_they_are_switched_on(page: A
     assert image(page) == before
 
 
+def test_arrows_of_an_older_text_go_with_the_body_that_they_are_of(page: Any) -> None:
+    """While those of the new one are on their way: it has another name, and the time is not that of the start."""
+    page.click(".transport .menu > summary")
+    page.locator(".transport .sheet input[value=velocity]").check()
+    page.wait_for_selector(".legend li", timeout=WAIT)
+    page.click(".transport .menu > summary")
+    page.fill("[aria-label=Time]", "1")
+    page.route(
+        "**/api/ask", lambda route: None if '"overlays"' in (route.request.post_data or "") else route.continue_()
+    )
+    type_all(page, PENDULUM.replace("rod:", "bar:", 1).replace("rod.start", "bar.start").replace("of rod", "of bar"))
+    page.wait_for_function("() => document.querySelector('.view canvas').ariaLabel.endsWith('bar')", timeout=WAIT)
+    page.wait_for_selector(READY, timeout=WAIT)
+    page.fill("[aria-label=Time]", "1.2")
+    assert page.input_value("[aria-label=Time]") == "1.2"
+    page.unroute("**/api/ask")
+
+
 def test_what_a_symbol_speaks_of_lights_up_and_back(page: Any) -> None:
     page.wait_for_selector("#panel .freebody-report mi")
     before = image(page)

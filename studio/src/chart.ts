@@ -56,8 +56,9 @@ export function chart(into: HTMLElement, { x, lines, unit, language, size, heigh
     dataOf(x, lines), into,
   );
   const labels = plot.root.querySelectorAll(".u-legend .u-series .u-label");
-  lines.forEach(({ math }, k) => {
-    if (math && labels[k + 1]) labels[k + 1]!.innerHTML = typeset(math, lines[k]!.name);
+  lines.forEach(({ math, name }, k) => {
+    const label = labels[labels.length - lines.length + k]; // what lies across may have none
+    if (math && label) label.innerHTML = typeset(math, name);
   });
   return plot;
 }

@@ -106,6 +106,9 @@ export class Studio {
   writer: Writer | null = null;
   private reading = new Latest();
   private moving = new Latest();
+  private passing = new Latest(); // of motions that give way to the next, which wait for no accurate one
+  private nAsked = 0; // motions, and the last of them that is shown: what was asked for before it comes too late
+  private nShown = 0;
   private curving = new Latest();
   private curvedAt = -Infinity; // [ms] when curves were asked for last
   private counting = new Latest();
@@ -223,12 +226,13 @@ export class Studio {
 
   /** Follows the motion of the text as it stands. asked: where that has been asked for; frames: as many as the server thinks best. */
   follow(text = this.text, { frames, asked }: { frames?: number; asked?: Promise<Told<"motion"> | null> } = {}): void {
-    this.moving.run(async () => {
+    const n = ++this.nAsked;
+    (frames === undefined ? this.moving : this.passing).run(async () => {
       const told = await (asked ?? this.askedMotion(text, frames));
-      if (!told) return;
+      if (!told || n < this.nShown) return;
       const isAbout = text === this.text && text === this.modelText;
       if (told.answer || (told.status !== "replaced" && isAbout)) {
-        this.motionText = text;
+        [this.motionText, this.nShown] = [text, n];
         this.isMoving = frames !== undefined;
         this.shown(told);
         this.curve(text, told, frames);
@@ -240,7 +244,7 @@ export class Studio {
   /** What is measured along the motion that is shown: its picture does not wait for that. */
   private curve(text: string, shown: Told<"motion">, frames?: number): void {
     if (!shown.answer) this.curves = null;
-    else if (this.moving.isWaiting && performance.now() - this.curvedAt < CURVES_EVERY) return;
+    else if (this.passing.isWaiting && performance.now() - this.curvedAt < CURVES_EVERY) return;
     this.curvedAt = performance.now();
     this.curving.run(async () => {
       if (shown.answer !== this.motion || !shown.answer) return; // the next one is shown

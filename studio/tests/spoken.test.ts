@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { shortOf, spoken } from "../src/spoken";
 
 const words = { language: "en", atTime: "At", turnedBy: "turned by", more: "{} more" };
-const line = (name: string, unit: string, values: (number | null)[]) => ({ name, label: name, unit, values });
+const line = (name: string, unit: string, values: (number | null)[]) => ({ name, label: name, math: "", unit, values });
 const rod = { planar: true, names: ["rod"], columns: [[0.25, 0.5], [-0.43301, 0], [-Math.PI / 3, 0]], t0: 0, dt: 0.5, n_frames: 2 };
 
 test("a number has three digits", () => {

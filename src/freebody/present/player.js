@@ -459,8 +459,10 @@ function sampled(columns, times, time) {
   return found.includes(null) ? null : found;
 }
 function footOf(each, time) {
+  // nothing where it is of a model before this one, with other bodies or fewer axes
   const place = sampled(each.at, each.times, time), body = data.names.indexOf(each.body);
-  return place && onPaper(seen(each.body ? position([body, ...place], at) : place));
+  if (!place || (each.body ? body < 0 : !data.planar && place.length < 3)) return null;
+  return onPaper(seen(each.body ? position([body, ...place], at) : place));
 }
 const onSheet = (v) => [dot(camera.axes[0], v), -dot(camera.axes[1], v)];
 function turnOf([x, y], sense, paint) {

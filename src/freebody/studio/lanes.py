@@ -18,7 +18,7 @@ from pathlib import Path
 
 from freebody.studio import nursery
 from freebody.studio.wire.around import Call, Reply
-from freebody.studio.work import MOVING, READING, WORK, Lane
+from freebody.studio.work import MOVING, PASSING, READING, WORK, Lane
 from freebody.studio.worker import stand_aside, work
 
 _PATIENCE = 0.5  # [s]
@@ -195,7 +195,7 @@ class Lanes:
     """All workers, by their lanes. folders: where the files are that models name"""
 
     def __init__(self, *folders: Path) -> None:
-        lanes = {work.lane.name: work.lane for work in WORK.values()}
+        lanes = {lane.name: lane for lane in (*(work.lane for work in WORK.values()), PASSING)}
         self.workers = {name: Worker(lane, tuple(map(str, folders))) for name, lane in lanes.items()}
         self._foreseen: list[tuple[Call, asyncio.Task[bytes]]] = []
 
@@ -208,7 +208,8 @@ class Lanes:
         self._foreseen = [(call, asyncio.create_task(self._worker(call).ask(call))) for call in foreseen]
 
     def _worker(self, call: Call) -> Worker:
-        return self.workers[WORK[call.kind].lane.name]
+        lane = WORK[call.kind].lane
+        return self.workers[(PASSING if lane is MOVING and call.request.get("is_passing") else lane).name]
 
     async def ask(self, call: Call) -> bytes:
         """The `Reply` to a call, in JSON. Raises KeyError for a kind that there is not."""
@@ -221,7 +222,8 @@ class Lanes:
         if call.kind == "drag" or call.request.get("is_passing"):  # a hand that moves something waits for its picture
             for other in self.workers.values():
                 other.stand_aside()
-        if worker.lane not in (READING, MOVING):  # the page goes on to what comes after its first picture
+            self.workers[MOVING.name].leave(call.topic)  # the motion of the text before
+        if worker.lane not in (READING, MOVING, PASSING):  # the page goes on to what comes after its first picture
             for other in self.workers.values():
                 other.begin()
         return await worker.ask(call)

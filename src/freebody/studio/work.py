@@ -48,9 +48,10 @@ class Lane:
     courtesy: int = 0
 
 
-READING, MOVING, COUNTING, MARKING, STUDYING = (
+READING, MOVING, PASSING, COUNTING, MARKING, STUDYING = (
     Lane("reading", 60),
     Lane("moving", 90),
+    Lane("passing", 90),  # motions while a hand moves something: they wait for no accurate one
     Lane("counting", 90, courtesy=5),
     Lane("marking", 120, courtesy=15),
     Lane("studying", 600, courtesy=10),
