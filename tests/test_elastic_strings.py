@@ -153,3 +153,68 @@ start: {x: 1 m, rate(x): 3 m/s}
     own = next(case for case in system.phases().cases if case.is_own)
     # 0.527 m, 0.370 m, 0.213 m, 0.056 m < mu m g/k = 0.078 m
     assert own.what == "slides, then slides back, then slides back, then slides back, then holds"
+
+
+# -- round wheels -------------------------------------------------------------------------------------
+WHEEL = """
+parameters: {{k: 100 N/m, m: 2 kg, M: 3 kg, R: 0.2 m, b: 1 m, h: 0.5 m, l: 1.5 m, g: 9.81 m/s^2}}
+ground: {{points: {{A: [0, 0], B: [-b, R], C: [-1.2 m, -0.4 m]}}}}
+bodies:
+  wheel: {{disk: {{mass: M, radius: R}}}}
+  block: {{particle: {{mass: m}}, at: [R, -h]}}
+connections: {{p: {{pin: [ground.A, wheel]}}, s: {{slider: {{body: block, along: down}}}}}}
+measures: {{y: drop of block below ground.A}}
+loads: {{weight: {{gravity: g}}, cord: {{elastic_string: {{{way}, stiffness: k}}}}}}
+"""
+
+
+def test_a_string_that_slides_round_a_wheel_is_as_long_as_its_straight_parts_and_the_arc() -> None:
+    """l_1 = sqrt(d^2 - R^2) to the wheel, in the direction beta + asin(R/d), then R (pi/2 + that) round it."""
+    level = fb.System.from_text(WHEEL.format(way="from: ground.B, over: [wheel], to: block, length: l, grips: []"))
+    force = level.solve("force in cord at start").answers[0].value
+    assert force == pytest.approx(100 * (1.0 + 0.5 + 0.2 * math.pi / 2 - 1.5))
+    assert level.solve("equilibrium of y").answers[0].value == pytest.approx(0.5 + 0.1962 - 0.1 * math.pi)
+    rising = fb.System.from_text(WHEEL.format(way="from: ground.C, over: [wheel], to: block, length: l, grips: []"))
+    d, beta = math.hypot(1.2, 0.4), math.atan2(0.4, 1.2)
+    length = math.sqrt(d * d - 0.04) + 0.2 * (math.pi / 2 + beta + math.asin(0.2 / d)) + 0.5
+    sag = 2 * 9.81 / 100 - (length - 1.5)  # y = h + sag (1 - cos(w t)), until it is slack
+    motion = rising.simulate(0.25)
+    assert float(motion.dataset["y"][-1]) == pytest.approx(0.5 + sag * (1 - math.cos(0.25 * math.sqrt(50))), rel=1e-9)
+
+
+def test_on_a_wheel_that_it_grips_a_string_has_two_tensions() -> None:
+    """k_i = k L/L_i, so J w^2 = (k_1 + k_2) R^2 and m w^2 = k_2 on the diagonal of the eigenvalue problem."""
+    system = fb.System.from_text(WHEEL.format(way="from: ground.B, over: [wheel], to: block, length: l, taut: true"))
+    start = 100 * 0.1 * math.pi
+    assert system.solve("acceleration of y").answers[0].value == pytest.approx(9.81 - start / 2)
+    assert system.solve("angular acceleration of wheel at start").answers[0].value == pytest.approx(0.0, abs=1e-12)
+    length = 1.5 + 0.1 * math.pi
+    first, second, inertia = 100 * length / 1.0, 100 * length / 0.5, 0.06
+    trace, product = (first + second) * 0.04 / inertia + second / 2, first * second * 0.04 / (inertia * 2)
+    root = math.sqrt(trace * trace / 4 - product)
+    expected = [math.sqrt(trace / 2 - root), math.sqrt(trace / 2 + root)]
+    found = system.solve("natural frequencies").answers[0].value
+    assert sorted(found) == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_string_on_a_drum_is_taken_up_by_it() -> None:
+    """From relaxed: F = g m_r (1 - cos(w t)), 1/m_r = 1/m + R^2/J, w^2 = k/m_r."""
+    system = fb.System.from_text(WHEEL.format(way="path: [wound on wheel at right, block], taut: true"))
+    reduced = 1 / (1 / 2 + 1 / 1.5)
+    expected = 9.81 * reduced * (1 - math.cos(math.sqrt(100 / reduced) * 0.1))
+    (force,) = system.solve("force in cord after 0.1 s").answers
+    assert force.expression is not None
+    assert force.value == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_wheel_without_inertia_has_to_be_held() -> None:
+    with pytest.raises(fb.ModelError, match=r"weld: \[ground.A, wheel\]"):
+        fb.System.from_text(WHEEL.replace("mass: M, ", "").format(way="from: ground.B, over: [wheel], to: block"))
+
+
+def test_a_string_of_given_tension_runs_round_a_wheel() -> None:
+    """Smooth: the wheel stays; m y'' = m g - S."""
+    text = WHEEL.format(way="from: ground.C, over: [wheel], to: block").replace("elastic_string", "tensioned_string")
+    system = fb.System.from_text(text.replace("stiffness: k", "tension: 5 N"))
+    assert system.solve("acceleration of y").answers[0].value == pytest.approx(9.81 - 2.5)
+    assert system.solve("angular acceleration of wheel").answers[0].value == 0.0

@@ -1086,6 +1086,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "back": "sqrt(v0**2 - 4*mu*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k)",
         "lost": "2*mu*m*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k",
     },
+    # F'' + k (1/m + R^2/J) F = k (R T/J + g), F = m g and F' = 0 at the start
+    "hoist_with_an_elastic_rope": {
+        "first": "m*g",
+        "swings": "m*g + m*R*(T - m*g*R)/(J + m*R**2)*(1 - cos(0.05*sqrt(k*(1/m + R**2/J))))",
+        "hardest": "m*g + 2*m*R*(T - m*g*R)/(J + m*R**2)",
+        "jolt": "(T - m*g*R)/J",
+    },
     # slipping: m x'' = -mu m g, I w' = T - mu m g r; it slides on with the same x''
     "wheel_that_locks": {
         "braking": "-mu*g",

@@ -19,24 +19,23 @@ from freebody.connections.standing import (
     starts_at,
 )
 from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
+from freebody.connections.string.gripping import is_kept_from_turning, named_grips, wheels_that_turn
 from freebody.connections.string.hanging import Hook, askew
 from freebody.connections.string.in_space import SpatialRun, lie_in_space
 from freebody.connections.string.laying import (
     StringLead,
     StringRun,
     check_ends,
+    is_sure,
     leads_of,
-    loose_drum,
     run_over,
-    unwrapped,
 )
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
-from freebody.connections.string.way import is_held, named_on, read_way
-from freebody.language.expression import Expr, add, free_symbols, negate
+from freebody.connections.string.way import is_held, is_way_given, named_on, places_given, read_way
+from freebody.language.expression import Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
-from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
@@ -129,11 +128,7 @@ connections:
 
     def _places(self) -> list[tuple[str, tuple[str | int, ...]]]:
         """The places on its way, and where in the model each is written."""
-        if self.path:
-            return [(text, ("path", k)) for k, text in enumerate(self.path)]
-        start = [(t, (key,)) for t, key in ((self.start, "from"), (self.to, "to")) if t is not None]
-        middle = [(f"over {p}", ("over",)) for p in self.over] + [(f"under {p}", ("over",)) for p in self.under]
-        return [*start[:1], *middle, *start[1:]]
+        return places_given(self)
 
     def is_in_plane(self, names: Names) -> bool:
         if not names.space or self._is_of_points(names) or self.leads is not None:
@@ -197,23 +192,9 @@ connections:
 
     def _run(self, names: Names) -> StringRun | None:
         """How the string lies; None with problems noted."""
-        if self.path and (self.start or self.to or self.over or self.under):
-            names.problem(Message("give the way either as path, or as from, over, under, to"))
+        if not is_way_given(names, self):
             return None
-        if self.over and self.under:
-            met = ", ".join(text for text, _field in self._places())
-            told = Message(
-                "over and under together leave open what the string meets first: give its places in their order, "
-                "path: [{met}]",
-                met=met,
-            )
-            names.problem(told, "under")
-            return None
-        places = self._places()
-        if len(places) < 2 or not (self.path or (self.start and self.to)):
-            names.problem(Message("a string needs two ends: from and to"))
-            return None
-        texts, fields = zip(*places, strict=True)
+        texts, fields = zip(*self._places(), strict=True)
         way = read_way(names, texts, fields, swings=self.swings)
         if way is None:
             return None
@@ -224,21 +205,9 @@ connections:
             return self._run_in_space(names, way)
         names.laying.append(self)
         run = run_over(names, way, self.leads)
-        loose = loose_drum(names, run)
+        goes_round = is_sure(names, run, "path" if self.path else "over" if self.over else "under")
         names.laying.pop()
-        if loose is not None:
-            told = Message(
-                "at the {side} of {drum} the string comes off to either hand: write 'wound on {drum} clockwise' or "
-                "'counterclockwise', the sense in which it goes round it",
-                side=loose.side or "right",
-                drum=loose.body,
-            )
-            names.problem(told, "path")
-            return None
-        if (missed := unwrapped(names, run)) is not None:
-            names.problem(_not_round(missed), "path" if self.path else "over" if self.over else "under")
-            return None
-        return run
+        return run if goes_round else None
 
     def _run_in_space(self, names: Names, way: list[StringNode]) -> StringRun | None:
         """How it lies over wheels whose planes need not be that of x and y; None with a problem noted."""
@@ -252,24 +221,12 @@ connections:
 
     def _grips(self, names: Names, run: StringRun) -> set[str]:
         """The pulleys on which it does not slip: all that can turn, or those that the model names."""
-        pulleys = {node.body for node in run.way[1:-1] if node.radius != ZERO}
-        pulleys = {p for p in pulleys if names.known(p).turns and not names.known(p).fixed}
-        pulleys &= {node.body for node in run.way if node.turned}
-        if self.grips is None:
-            free = {p for p in pulleys if not self._is_kept_from_turning(names, p)}
-            if self._rubs_on_each(run, free):
-                return set()
-            return free - set(self.friction if isinstance(self.friction, dict) else ())
-        for k, name in enumerate(self.grips):
-            if name not in pulleys:
-                body = names.body(name, "grips", k)
-                if body.fixed:
-                    told = Message("{name} is fixed and cannot turn, so the string cannot grip it", name=name)
-                    names.problem(told, "grips", k)
-                elif body.name == name:
-                    told = Message("the string does not run over {name}, so it cannot grip it", name=name)
-                    names.problem(told, "grips", k)
-        return set(self.grips) & pulleys
+        if self.grips is not None:
+            return named_grips(names, run, self.grips)
+        free = {p for p in wheels_that_turn(names, run) if not is_kept_from_turning(names, p)}
+        if self._rubs_on_each(run, free):
+            return set()
+        return free - set(self.friction if isinstance(self.friction, dict) else ())
 
     def _rubs_on_each(self, run: StringRun, free: set[str]) -> bool:
         """Whether one coefficient of friction can only be meant of pulleys that turn: the string slides over nothing
@@ -277,23 +234,6 @@ connections:
         is_one = not isinstance(self.friction, dict) or set(self.friction) <= {"static", "kinetic"}
         others = (node for node in run.way[1:-1] if node.radius != ZERO and node.body not in free)
         return is_one and self.friction not in (0, None, {}) and not any(others)
-
-    def _is_kept_from_turning(self, names: Names, body: str) -> bool:
-        """Whether a connection holds the angle of a body to what does not turn: over such a peg the string slides."""
-        with names.quietly():
-            for other in names.connections.values():
-                if isinstance(other, String) or body not in other.mentions(names):
-                    continue
-                for row in other.rows(names):
-                    angle, is_still = row.measure, row.target is None or not free_symbols(row.target)
-                    if isinstance(angle, Combination) and len(angle.terms) == 1:
-                        angle = angle.terms[0][1]
-                    if not is_still or row.closes or not isinstance(angle, Angle):
-                        continue
-                    turning = set(angle.bodies())
-                    if body in turning and all(names.known(name).fixed for name in turning - {body, GROUND}):
-                        return True
-        return False
 
     def _hanging(self, names: Names, run: StringRun) -> list[ConstraintRow]:
         """Holds every body that hangs on this string, and on no other, across its lead."""
@@ -435,18 +375,10 @@ connections:
         if run is None:
             return
         sections = sections_of(run, self._grips(names, run))
-        nodes = tuple(_drawn(node, arm) for node, arm in zip(run.way, run.arms, strict=True))
+        nodes = tuple(node.drawn(arm) for node, arm in zip(run.way, run.arms, strict=True))
         rows = [s.component(len(sections)) for s in sections for _lead in itertools.pairwise(s.nodes)]
         leads = tuple(glyphs.Lead(along, row) for along, row in zip(run.leads, rows, strict=True))
         yield glyphs.Rope(nodes, leads, tuple(body for body, _hook in self._own_hooks(names, run)))
-
-
-def _drawn(node: StringNode, arm: Expr) -> glyphs.Node[Point, Direction, Expr]:
-    """A place as it is drawn."""
-    is_drum, plane = node.way == "drum", node.plane
-    if plane is None:
-        return glyphs.Node(node.point, arm, is_drum)
-    return glyphs.Node(node.point, arm, is_drum, plane.normal, plane.carrier)
 
 
 def _is_placed(names: Names, lead: StringLead) -> bool:
@@ -479,18 +411,3 @@ def _ranks(names: Names) -> dict[int, int]:
         waiting = [c for c in waiting if id(c) not in ranks]
         rank += 1
     return ranks
-
-
-def _not_round(wheel: StringNode) -> Message:
-    """What is told of a wheel that hangs on a string which would pass it."""
-    if wheel.way == "under":
-        return Message(
-            "both leads of the string run up on the same side of {wheel}, so it would not go round it: between wheels "
-            "that hang it runs over something above them, path: [..., over pulley, under {wheel}, ...]",
-            wheel=wheel.body,
-        )
-    return Message(
-        "both leads of the string run to the same side of {wheel}, so it would not go round it: a string that carries "
-        "a wheel from below runs under it, path: [..., under {wheel}, ...]",
-        wheel=wheel.body,
-    )

@@ -109,7 +109,7 @@ def _runs_along(names: Names, run: StringRun, k: int) -> bool:
         if lead is None or lead.body != GROUND:
             return False
         across = [_across(names, point, lead.normal()) for point in (first, second)]
-        ends = [_where(names, node) for node in way[j : j + 2]]
+        ends = [where_at_start(names, node) for node in way[j : j + 2]]
         if across[0] is None or across[1] is None or ends[0] is None or ends[1] is None:
             return False
         if not vanishes(names, add(across[1], negate(across[0]), arms[j], negate(arms[j + 1]))):
@@ -164,6 +164,39 @@ def check_ends(names: Names, run: StringRun) -> None:
                 )
             )
             return
+
+
+def is_sure(names: Names, run: StringRun, field: str) -> bool:
+    """Whether it is told how the string goes round its drums and the wheels that it carries; else a problem is noted.
+    field: of the model, where wheels are written."""
+    if (drum := loose_drum(names, run)) is not None:
+        told = Message(
+            "at the {side} of {drum} the string comes off to either hand: write 'wound on {drum} clockwise' or "
+            "'counterclockwise', the sense in which it goes round it",
+            side=drum.side or "right",
+            drum=drum.body,
+        )
+        names.problem(told, "path")
+        return False
+    if (missed := unwrapped(names, run)) is not None:
+        names.problem(_not_round(missed), field)
+        return False
+    return True
+
+
+def _not_round(wheel: StringNode) -> Message:
+    """What is told of a wheel that hangs on a string which would pass it."""
+    if wheel.way == "under":
+        return Message(
+            "both leads of the string run up on the same side of {wheel}, so it would not go round it: between wheels "
+            "that hang it runs over something above them, path: [..., over pulley, under {wheel}, ...]",
+            wheel=wheel.body,
+        )
+    return Message(
+        "both leads of the string run to the same side of {wheel}, so it would not go round it: a string that carries "
+        "a wheel from below runs under it, path: [..., under {wheel}, ...]",
+        wheel=wheel.body,
+    )
 
 
 def unwrapped(names: Names, run: StringRun) -> StringNode | None:
@@ -285,11 +318,11 @@ def _heading(
     lead = leads[k]
     if lead is not None:
         return _in_numbers(names, lead)
-    a, b = (_where(names, node) for node in way[k : k + 2])
+    a, b = (where_at_start(names, node) for node in way[k : k + 2])
     return None if a is None or b is None else (b[0] - a[0], b[1] - a[1])
 
 
-def _where(names: Names, node: StringNode) -> tuple[float, float] | None:
+def where_at_start(names: Names, node: StringNode) -> tuple[float, float] | None:
     """Where a place of a string is in numbers: as it is put, else as it is held, else as it is guessed to be; a drum is
     at the origin as long as nobody has put it elsewhere."""
     found = node.place or place_of(names, node.point) or _started(names, node.point)

@@ -8,6 +8,7 @@ from freebody.language.expression import Expr, negate
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import ONE, Direction, Point
+from freebody.model import glyphs
 
 
 @dataclass(frozen=True)
@@ -57,3 +58,10 @@ class StringNode:
     def turned(self) -> tuple[tuple[Expr, Measure], ...]:
         """By how much it turns counter-clockwise, as seen against its axis."""
         return ((ONE, Angle(self.body)),) if self.plane is None else self.plane.turned
+
+    def drawn(self, arm: Expr) -> glyphs.Node[Point, Direction, Expr]:
+        """The place as it is drawn. arm: at which the string pulls on its circle."""
+        is_drum, plane = self.way == "drum", self.plane
+        if plane is None:
+            return glyphs.Node(self.point, arm, is_drum)
+        return glyphs.Node(self.point, arm, is_drum, plane.normal, plane.carrier)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from freebody.connections.standing import begins_at, ground_guide_of, ground_line_under, is_parallel, is_zero
 from freebody.connections.string.node import StringNode
@@ -27,6 +27,60 @@ _NODE = re.compile(
     r"(?: radius (?P<radius>.+?))?"
     r"(?: at (?P<side>left|right|top|bottom))?(?: (?P<turn>clockwise|counterclockwise))?"
 )
+
+
+class GivenWay(Protocol):
+    """The fields in which people write a way."""
+
+    start: str | None
+    to: str | None
+    over: list[str]
+    under: list[str]
+    path: list[str]
+
+
+def places_given(of: GivenWay) -> list[tuple[str, tuple[str | int, ...]]]:
+    """The places on a way, and where in the model each is written."""
+    if of.path:
+        return [(text, ("path", k)) for k, text in enumerate(of.path)]
+    start = [(t, (key,)) for t, key in ((of.start, "from"), (of.to, "to")) if t is not None]
+    middle = [(f"over {p}", ("over",)) for p in of.over] + [(f"under {p}", ("over",)) for p in of.under]
+    return [*start[:1], *middle, *start[1:]]
+
+
+def is_way_given(names: Names, of: GivenWay) -> bool:
+    """Whether the fields tell one way from one end to the other; else a problem is noted."""
+    if of.path and (of.start or of.to or of.over or of.under):
+        names.problem(Message("give the way either as path, or as from, over, under, to"))
+        return False
+    if of.over and of.under:
+        met = ", ".join(text for text, _field in places_given(of))
+        told = Message(
+            "over and under together leave open what the string meets first: give its places in their order, "
+            "path: [{met}]",
+            met=met,
+        )
+        names.problem(told, "under")
+        return False
+    if len(places_given(of)) < 2 or not (of.path or (of.start and of.to)):
+        names.problem(Message("a string needs two ends: from and to"))
+        return False
+    return True
+
+
+def place_named(text: str) -> str:
+    """The body or point that a place on a way names."""
+    found = _NODE.fullmatch(" ".join(text.split()))
+    return text if found is None else found["what"]
+
+
+def is_round(names: Names, text: str) -> bool:
+    """Whether a string that is given this place on its way runs round it: a drum, or a wheel by its name."""
+    found = _NODE.fullmatch(" ".join(text.split()))
+    if found is None or found["wound"]:
+        return found is not None
+    body = names.bodies.get(found["what"])
+    return bool(found["way"]) and body is not None and (found["radius"] is not None or body.radius is not None)
 
 
 def named_on(texts: Iterable[str]) -> set[str]:
