@@ -776,6 +776,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "equation": "(mu - 2*a*x)*(g + 2*a*rate(x)**2)/(1 + 4*a**2*x**2)",
         "friction": "mu*m*(g + 2*a*rate(x)**2)/sqrt(1 + 4*a**2*x**2)",
     },
+    # a plank of the thickness 2 r on a barrel, with the inertia of a cylinder about where it touches
+    "roller_across_a_drum": {"freedom": "1", "period": "2*pi*sqrt((l**2/12 + 5/4*r**2)/(g*(R - r)))"},
     # the arc over the level wheel falls by R, so that rho g (x + R) draws rho L and two wheels of M/2
     "heavy_cable_round_a_corner": {
         "acceleration": "rho*g*(x + R)/(rho*L + M)",

@@ -1035,8 +1035,9 @@ class Rolling(_Rolling):
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
     `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. A cylinder on
-    or inside another one touches it along a line and stays parallel to it (5 rows). On a curve see rolling_on_curve,
-    on a surface z = f(x, y) rolling_on_surface."""
+    or inside another one touches it along a line and stays parallel to it (5 rows); `crossed: true` where it lies
+    across the other one and touches it in a point (3 rows), on the side on which both are put. On a curve see
+    rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
 
     def __init__(
         self,
@@ -1045,6 +1046,7 @@ class Rolling(_Rolling):
         inside: _Text | None = ...,
         below: bool = ...,
         radius: _Formula | None = ...,
+        crossed: bool = ...,
     ) -> None: ...
 
 class RollingOnCurve(_RollingOnCurve):

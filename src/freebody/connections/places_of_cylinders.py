@@ -59,7 +59,7 @@ def places_of_cylinders(names: Names, first: str, second: str) -> list[ContactPl
     one, other = round_of(names, first), round_of(names, second)
     if one is None or other is None or one.length is None or other.length is None:
         return []
-    found = [*_crossed(one, one.length, other, other.length)]
+    found = [*crossed_places(one, one.length, other, other.length)]
     for can, beside in ((one, other), (other, one)):
         found += [_beside(can, rim, beside, is_first=can is one) for rim in can.rims]
     found += [_end_to_end(one, rim, other, facing) for rim in one.rims for facing in other.rims]
@@ -74,7 +74,7 @@ def _frame(point: Point, can: Round, other: Round) -> ContactFrame:
     return ContactFrame.of(point, other.center, axes, (DP, DQ, DB), *turned)
 
 
-def _crossed(can: Round, length: Expr, other: Round, other_length: Expr) -> Iterator[ContactPlace]:
+def crossed_places(can: Round, length: Expr, other: Round, other_length: Expr) -> Iterator[ContactPlace]:
     """Both ways in which one can lie across the other."""
     frame, reach = _frame(can.center, can, other), can.radius + other.radius
     half, other_half = (divide(x, number(2)) for x in (length, other_length))
@@ -181,4 +181,4 @@ def _end_to_end(can: Round, rim: Rim, other: Round, facing: Rim) -> ContactPlace
     )
 
 
-__all__ = ["places_of_cylinders"]
+__all__ = ["crossed_places", "places_of_cylinders"]

@@ -9,13 +9,15 @@ from freebody.connections.base import Connection
 from freebody.connections.circles import look_at_fit, touching
 from freebody.connections.rolling_in_space import (
     parallel_cylinders,
+    place_of_crossed,
     rolling_rows,
+    rows_of_crossed,
     rows_of_cylinders,
     rows_on_cylinder,
     rows_on_sphere,
 )
 from freebody.connections.standing import is_parallel, moves_out_of_plane, same_way, stands_at
-from freebody.language.expression import Expr, add, divide, negate, number
+from freebody.language.expression import ZERO, Expr, add, divide, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
@@ -44,14 +46,16 @@ class Rolling(Connection, kind="rolling"):
 
     In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
     `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. A cylinder on
-    or inside another one touches it along a line and stays parallel to it (5 rows). On a curve see rolling_on_curve,
-    on a surface z = f(x, y) rolling_on_surface."""
+    or inside another one touches it along a line and stays parallel to it (5 rows); `crossed: true` where it lies
+    across the other one and touches it in a point (3 rows), on the side on which both are put. On a curve see
+    rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
 
     body: str
     on: str | None = None
     inside: str | None = None
     below: bool = False
     radius: Formula | None = None
+    crossed: bool = False
 
     has_contact_point = True
     elsewhere: ClassVar[Mapping[str, str]] = {
@@ -155,15 +159,22 @@ connections:
         radii = names.radius(body.name, "body"), names.radius(other.name, inside=inside)
         if inside:
             look_at_fit(names, body.name, radii[0], other.name, radii[1], "inside")
+        if self._is_crossed(body, other):
+            return rows_of_crossed(names, body, other)
         if body.solid == CYLINDER:
             return rows_of_cylinders(names, body, other, inside=inside)
         rows = rows_on_sphere if other.round == "sphere" else rows_on_cylinder
         return rows(names, body, other, inside=inside)
 
+    def _is_crossed(self, body: RigidBody, other: RigidBody) -> bool:
+        return self.crossed and self.inside is None and body.solid == other.solid == CYLINDER
+
     def attitude(self, names: Names) -> Attitude | None:
         with names.quietly():
             body, other = names.bodies.get(self.body), self._round_in_space(names)
         if body is None or other is None or body.name == other.name or not body.solid == other.solid == CYLINDER:
+            return None
+        if self._is_crossed(body, other):
             return None
         return parallel_cylinders(body, other)
 
@@ -172,10 +183,27 @@ connections:
         other = self._round_in_space(names)
         if other is None or other.solid != CYLINDER:
             return []
+        if self._is_crossed(names.known(self.body), other):
+            return self._lies_across(names, other)
         far = Displacement(names.known(self.body).center, other.center, Direction(other.name, other.axis))
         half = divide(other.sizes[1], number(2))
         purpose = Message("{body} is between the ends of {cylinder}", body=self.body, cylinder=other.name)
         return [Validity(far, negate(half), 1, purpose), Validity(far, half, -1, purpose)]
+
+    def _lies_across(self, names: Names, other: RigidBody) -> list[Validity]:
+        """Both touch between their ends, and their axes cross."""
+        with names.quietly():
+            place = place_of_crossed(names, names.known(self.body), other)
+        if place is None:
+            return []
+        crossed, *feet = place.within
+        told = Message("the axes of {body} and {other} cross", body=self.body, other=other.name)
+        found = [Validity(crossed.measure, ZERO, 1, told)]
+        for name, foot in zip((self.body, other.name), feet, strict=True):
+            purpose = Message("it touches {cylinder} between its ends", cylinder=name)
+            if foot.low is not None and foot.high is not None:
+                found += [Validity(foot.measure, foot.low, 1, purpose), Validity(foot.measure, foot.high, -1, purpose)]
+        return found
 
     def _nothing_there(self, names: Names) -> list[ConstraintRow]:
         known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]

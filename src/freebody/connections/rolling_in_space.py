@@ -18,9 +18,12 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
 from freebody.connections.joints import across_names
+from freebody.connections.places_of_cylinders import crossed_places
+from freebody.connections.places_of_rims import round_of
 from freebody.connections.places_on_bodies import INSIDE, place_on_side, places_on_body
 from freebody.connections.places_on_planes import Arm, along_plane, ellipsoid_on_plane, sphere_arm
 from freebody.connections.standing import number_of
+from freebody.connections.standing_in_space import axes_at_start, placed_at_start
 from freebody.language.expression import ZERO, Call, Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -30,9 +33,10 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ONE, Components, Direction
 from freebody.measures.turn import Alignment, Turn
 from freebody.model.elements import Attitude, BodyPlane, ConstraintRow, NonholonomicForm, RigidBody
-from freebody.model.rotations import UNIT, perpendiculars
+from freebody.model.rotations import UNIT, applied, dot, perpendiculars, vector_product
 from freebody.model.solids import ELLIPSOID
 from freebody.model.spins import spin, velocity_of_place
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -87,6 +91,41 @@ def rows_of_cylinders(names: Names, body: RigidBody, cylinder: RigidBody, *, ins
         ConstraintRow("line 1", "moment 1", Alignment(axis, b)),
         ConstraintRow("line 2", "moment 2", Alignment(axis, c), sign=-1),
     ]
+
+
+def place_of_crossed(names: Names, body: RigidBody, cylinder: RigidBody) -> ContactPlace | None:
+    """The point at which a cylinder lies across another one, on the side on which it starts; None with a problem
+    noted."""
+    sign = side_of_crossed(names, body, cylinder)
+    if sign == 0:
+        told = Message(
+            "on which side of {cylinder} does {body} lie across it? Say where they are at the start (at, axis), with "
+            "axes that cross",
+            cylinder=cylinder.name,
+            body=body.name,
+        )
+        names.problem(told)
+        return None
+    one, other = (round_of(names, each.name) for each in (body, cylinder))
+    if one is None or other is None or one.length is None or other.length is None:
+        return None
+    both = crossed_places(one, one.length, other, other.length)
+    return next(place for place in both if place.sign == sign)
+
+
+def side_of_crossed(names: Names, body: RigidBody, cylinder: RigidBody) -> int:
+    """The sign of (a x b) . (C_1 - C_2) where both are put, a, b the axes and C the middles; 0 where it is none."""
+    a, b = (applied(axes_at_start(each), each.axis) for each in (body, cylinder))
+    apart = (x - y for x, y in zip(*(placed_at_start(each, each.center) for each in (body, cylinder)), strict=True))
+    far = number_of(names, dot(vector_product(a, b), tuple(apart)))
+    return 0 if not abs(far) > ROUND_OFF else 1 if far > 0.0 else -1
+
+
+def rows_of_crossed(names: Names, body: RigidBody, cylinder: RigidBody) -> list[ConstraintRow]:
+    """The rows of a cylinder that rolls across another one, which it touches in a point: slip 1 is along the axis of
+    that, slip 2 across it."""
+    place = place_of_crossed(names, body, cylinder)
+    return [] if place is None else _held_at(place)
 
 
 def parallel_cylinders(body: RigidBody, cylinder: RigidBody) -> Attitude:

@@ -150,12 +150,15 @@ class StandingInSpace:
         if body == GROUND:
             for other in names.bodies.values():
                 if other.fixed and other.name != GROUND:
-                    yield other.name, KeptDirection(applied(transposed(_axes_of(other)), kept.components), kept.turned)
+                    yield (
+                        other.name,
+                        KeptDirection(applied(transposed(axes_at_start(other)), kept.components), kept.turned),
+                    )
                 elif other.name in self._flat and other.turns and self._is_along_z(kept.components):
                     share = ONE if number_of(names, kept.components[2]) > 0.0 else negate(ONE)
                     yield other.name, KeptDirection(kept.components, (*kept.turned, (share, Angle(other.name))))
         elif names.known(body).fixed:
-            yield GROUND, KeptDirection(applied(_axes_of(names.known(body)), kept.components), kept.turned)
+            yield GROUND, KeptDirection(applied(axes_at_start(names.known(body)), kept.components), kept.turned)
         elif body in self._flat and self._is_along_z(kept.components):
             share = negate(ONE) if number_of(names, kept.components[2]) > 0.0 else ONE
             yield GROUND, KeptDirection(kept.components, (*kept.turned, (share, Angle(body))))
@@ -199,7 +202,7 @@ class StandingInSpace:
         if body.name == along.body:
             return Standing(along.body, dot(point.offset, (*along.components, ZERO)[:3]))
         if body.fixed and body.name != GROUND and along.body == GROUND:
-            return Standing(GROUND, dot(_placed(body, point), along.components))
+            return Standing(GROUND, dot(placed_at_start(body, point), along.components))
         best = self._beside(body, point, along)
         if body.name in seen:
             return best
@@ -353,15 +356,15 @@ class StandingInSpace:
         return next((begun for measure, begun in self._beginnings if measure == angle), None)
 
 
-def _axes_of(body: RigidBody) -> tuple[Components, Components, Components]:
-    """The axes of a body that is fixed, on the ground."""
+def axes_at_start(body: RigidBody) -> tuple[Components, Components, Components]:
+    """The axes of a body on the ground, as the file turns it."""
     return UNIT if body.start.turned is None else columns_of(body.start.turned)
 
 
-def _placed(body: RigidBody, point: Point) -> Components:
-    """Where a point of a fixed body is."""
+def placed_at_start(body: RigidBody, point: Point) -> Components:
+    """Where a point of a body is, as the file puts it."""
     name, place = body.start.at or (body.default_point, (ZERO, ZERO, ZERO))
-    arm = applied(_axes_of(body), tuple(a - b for a, b in zip(point.offset, body.points[name], strict=True)))
+    arm = applied(axes_at_start(body), tuple(a - b for a, b in zip(point.offset, body.points[name], strict=True)))
     return tuple(a + b for a, b in zip(place, arm, strict=True))
 
 

@@ -3,6 +3,10 @@
 With e_j the velocities in which coordinate j changes at unit rate and no other one does,
 
     M_jk = e_j . m e_k,    Q_j = sum of loads * (rate of their measures with e_j),    K_jk = -dQ_j/dq_k.
+
+Where connections bind velocities alone, as in rolling in space, values of the coordinates do not say where the bodies
+are: from the equilibrium, with what is bound there put in, the pose goes along e_k, to first order, whose errors of
+second order cancel in differences.
 """
 
 from __future__ import annotations
@@ -14,6 +18,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.model.elements import NonholonomicForm
 from freebody.narrative.lines.glossary import World
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import generalized_modes
@@ -45,6 +50,11 @@ class SmallMotions:
                     Message("{x} is no measure of the model, so small motions along it cannot be checked", x=c.name)
                 )
             self.measures.append(measure)
+        binds_velocities = any(isinstance(row.measure, NonholonomicForm) for row in setup.system.constraint_rows)
+        followers = [d for d in setup.model.dependent if binds_velocities and d.index in equilibrium]
+        known = [(setup.model.measure_of(d), d) for d in followers]
+        self._followers = [(measure, d) for measure, d in known if measure is not None]
+        self._rests: dict[int, tuple[Draw, Array, Array]] = {}
         draw = setup.draws[0]
         self._is_driven = is_driven(setup, draw.reference.velocities(draw.q, self._rates(-1), with_start=False))
 
@@ -56,6 +66,20 @@ class SmallMotions:
     def value(self, k: int) -> Callable[[World], float]:
         """A coordinate at the equilibrium."""
         return lambda world: float(self._at(world.draw)[k])
+
+    def follower(self, dependent: Coordinate) -> Callable[[World], float]:
+        """A coordinate at the equilibrium that closed loops bind there."""
+        measure = self.setup.model.measure_of(dependent)
+        if measure is None:
+            raise CannotAnswer(
+                Message("{x} is no measure of the model, so small motions along it cannot be checked", x=dependent.name)
+            )
+
+        def read(world: World) -> float:
+            q = self.pose(world.draw)
+            return float(world.draw.reference.snapshot(q, world.draw.reference.velocities(q)).value(measure))
+
+        return read
 
     def mass(self, j: int, k: int) -> Callable[[World], float]:
         return lambda world: float(self._linear(world.draw)[0][j, k])
@@ -139,9 +163,29 @@ class SmallMotions:
         return self._pose(draw, self._at(draw))
 
     # -- numbers ------------------------------------------------------------------------------
-    def _pose(self, draw: Draw, values: Array) -> Array:
+    def _pose(self, draw: Draw, values: Array, t: float = 0.0) -> Array:
         wanted = [(m, float(x)) for m, x in zip(self.measures, values, strict=True)]
-        return draw.reference.pose_near(draw.q, wanted)
+        if not self._followers:
+            return draw.reference.pose_near(draw.q, wanted, t)
+        claimed, q = self._rest(draw)
+        moves = [self._velocity(draw, q, j) for j in range(len(values))]
+        beside = sum((x * move for x, move in zip(values - claimed, moves, strict=True)), start=0.0 * moves[0])
+        return draw.reference.pose_near(draw.reference.frame.moved(q, beside), wanted, t)
+
+    def _rest(self, draw: Draw) -> tuple[Array, Array]:
+        """The claimed values of the coordinates, and the pose with all that is claimed."""
+        if id(draw) not in self._rests:
+            claimed = self._claimed(draw, self._coordinates)
+            measures = [*self.measures, *(measure for measure, _d in self._followers)]
+            values = [*claimed, *self._claimed(draw, [d for _measure, d in self._followers])]
+            q = draw.reference.pose_near(draw.q, [(m, float(x)) for m, x in zip(measures, values, strict=True)])
+            self._rests[id(draw)] = draw, claimed, q
+        return self._rests[id(draw)][1:]
+
+    def _claimed(self, draw: Draw, coordinates: Sequence[Coordinate]) -> Array:
+        start = draw.start()
+        found = [element_at(self.setup, (self.equilibrium[c.index],), draw, start)[0] for c in coordinates]
+        return np.array(found, dtype=np.float64)
 
     def _velocity(self, draw: Draw, q: Array, j: int, t: float = 0.0) -> Array:
         """In which coordinate j alone changes, at unit rate, and nothing is driven."""
@@ -157,7 +201,7 @@ class SmallMotions:
         """F_j of M u' = F, the coordinates having the rates u: the loads, and what is driven by M times the
         accelerations."""
         reference, n = draw.reference, len(self.measures)
-        q = reference.pose_near(draw.q, [(m, float(x)) for m, x in zip(self.measures, values, strict=True)], t)
+        q = self._pose(draw, values, t)
         moves = [self._velocity(draw, q, j, t) for j in range(n)]
         v = reference.velocities(q, self._rates(-1), t, with_start=False)
         v = v + sum((x * move for x, move in zip([] if u is None else u, moves, strict=False)), start=0.0 * v)
@@ -202,9 +246,7 @@ class SmallMotions:
         """The equilibrium by Newton's method, from the claimed one."""
         key = id(draw)
         if key not in self._values:
-            start = draw.start()
-            claimed = [element_at(self.setup, (self.equilibrium[c.index],), draw, start)[0] for c in self._coordinates]
-            values = np.array(claimed, dtype=np.float64)
+            values = self._claimed(draw, self._coordinates)
             for _ in range(_STEPS):
                 slopes, forces = self._slopes(draw, values), self._forces(draw, values)
                 step = np.linalg.lstsq(slopes, -forces, rcond=1e-9)[0]

@@ -34,6 +34,7 @@ from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised, Matrix, stand_still, swing_of
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 
 Reader = Callable[[int, int], Callable[[World], float]]
 
@@ -110,11 +111,13 @@ class SmallTelling:
             return
         with script.stage("small.equilibrium", "small.equilibrium_hint"):
             meanings: list[Meaning] = []
-            for k, c in enumerate(self.model.coordinates):
+            readers = [(c, self.readers.value(k)) for k, c in enumerate(self.model.coordinates)]
+            readers += [(d, self.readers.follower(d)) for d in self._followers]
+            for c, read in readers:
                 symbol = Symbol(fresh(self.context, *_rest_names(c.name)))
                 self.at_rest[c.name] = symbol
                 what = Sentence("small.at_rest", {"name": Symbol(c.name)})
-                meanings.append(Meaning(symbol, what, self.readers.value(k)))
+                meanings.append(Meaning(symbol, what, read))
             named(self.context, script, *meanings)
             script.say("small.rest" if swing_of(self.model) is None else "small.mean")
             lines: list[int] = []
@@ -123,12 +126,19 @@ class SmallTelling:
                     sides = balanced(substitute(tidy(primitive_part(e.force)), self.at_rest))
                     args: dict[str, Argument] = {"line": e.line}
                     lines.append(script.line(*sides, why="small.balance", args=args, uses=(e.line,), when="never"))
-            for k, c in enumerate(self.model.coordinates):
+            for (c, _read), meaning in zip(readers, meanings, strict=True):
                 value = tidy(self.values[c.index])
                 given: dict[str, Argument] = {"lines": tuple(lines)}
                 key = "small.solved" if lines else "small.indifferent" if self.found else "small.balanced"
-                symbol = meanings[k].symbol
-                self.places.append(script.line(symbol, value, why=key, args=given, uses=tuple(lines), when="never"))
+                self.places.append(
+                    script.line(meaning.symbol, value, why=key, args=given, uses=tuple(lines), when="never")
+                )
+
+    @property
+    def _followers(self) -> list[Coordinate]:
+        """Coordinates that follow the others through closed loops, and stand in the forces."""
+        inside = {g for e in self.found for g in self.field.ingredients(e.force)}
+        return [d for d in self.model.dependent if d.index in inside & self.values.keys()]
 
     # -- beside it ----------------------------------------------------------------------------
     @property
