@@ -24,6 +24,14 @@ connections: {guide: {slider: {body: block, along: incline}}}
 loads: {w: {gravity: g}}
 measures: {s: travel of block along incline}
 """
+RUBBED = """
+parameters: {I: 2 kg m^2, M: 0.3 N m}
+bodies: {wheel: {body: {mass: 1 kg, inertia: I}}}
+connections: {axle: {pin: [ground.O, wheel.mass_center]}}
+loads: {rub: {law: {measure: phi, force: LAW}}}
+measures: {phi: angle of wheel}
+start: {phi: 0, rate(phi): 5 rad/s}
+"""
 ON_DECK = """
 parameters: {M: 60 kg, m: 80 kg, F: 5 N}
 bodies: {boat: {particle: {mass: M}, lines: {deck: {along: right}}}, man: {particle: {mass: m}}}
@@ -172,6 +180,7 @@ def warned(text: str) -> list[tuple[str, str]]:
         (CAM.replace("LIFT", "h*phi/pi*(2 - phi/pi)"), "cam open", "changes by -0.01019 m per rad over"),
         (MAN.replace("PLACE", "6 m"), "off the rod", "S lies 1 m beyond the end of ladder"),
         (ON_DECK.replace("FROM", ""), "counted from the ground", "the way of boat is in it"),
+        (RUBBED.replace("LAW", "-M*sign(rate(phi))"), "friction as a law", "{dry_friction: {measure: phi, force: M}}"),
     ],
 )
 def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says: str) -> None:
@@ -183,6 +192,7 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
 @pytest.mark.parametrize(
     "text",
     [
+        RUBBED.replace("LAW", "-M*sign(phi)"),
         SLOPE.replace("ANGLE", "60 deg"),
         SLOPE.replace("ANGLE", "0.5 rad"),
         PENDULUM.replace("ANGLE", "720 deg"),

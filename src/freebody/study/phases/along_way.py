@@ -110,8 +110,8 @@ class EnergyRoad:
         return found
 
     def events(self, watches: Sequence[PhaseWatch], n_asked: int = 0) -> PossibleEnds:
-        """n_asked: so many of the watches, the first ones, are asked for: what comes before a turn is told also where the
-        turn itself has no formula."""
+        """n_asked: so many of the watches, the first ones, are asked for: what comes before a turn is told also where
+        the turn itself has no formula."""
         found = PossibleEnds()
         turn: TurnsSomewhere | None = None
         for watch in watches:
