@@ -36,6 +36,9 @@ def time(names: Names, sentence: Sentence) -> Groups:
     if not asks or len(main.all("quantity")) > main.has("quantity", "time") + _is_of_event(main):
         return
     head = main.without("ask").without("quantity", "time")
+    if not sentence.others and set(head.all("verb")) - {"move"} == {"fall"} and head.only("verb", "name", *SILENT):
+        of = next((name for _, name in head.names), "")  # how long does it take to come down
+        yield [f"time when {place}" for place in poses.named_by_file(names, of, -1) if len(head.names) <= 1]
     if (
         main.has("ask", "long")
         and not head.has("verb", "rise")

@@ -271,7 +271,8 @@ def _bounces(names: Names, who: str, other: str) -> Groups:
 
 
 def _runs_off(names: Names, who: str, other: str) -> Groups:
-    yield strings.run_off(names, who) or strings.run_off(names, other)
+    """A rope has left its drum; a string without mass, which has no end here, where the file's own questions say so."""
+    yield strings.run_off(names, who) or strings.run_off(names, other) or poses.named_by_file(names, "", -1)
 
 
 def _leaves(names: Names, who: str, other: str) -> Groups:
