@@ -26,7 +26,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
-_LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn"}  # verbs of what is in a pose
+_LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn", "fall", "rise"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
 
 

@@ -71,7 +71,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
     said = rewording.pulling(names, rewording.balanced_at(names, said))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
-    said = rewording.on_what_may_open(names, said)
+    said = rewording.at_extremes(rewording.on_what_may_open(names, said))
     said = rewording.at_driven_joint(names, rewording.holding(said, modal), modal)
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))

@@ -136,6 +136,8 @@ def elements_of(names: Names) -> Elements:
     if len(heavy) == 1 and not any("load" in element.words for element in found.exact.values()):
         found.add(heavy[0], ("load", "object"))
     found.hanging = strings.hanging(names)
+    for name in found.hanging:  # the weights of an Atwood machine
+        found.add(name, ("weights",))
     return found
 
 

@@ -104,6 +104,10 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     bearings = [name for name in joining.axles(names) if all(joining.touches(names, name, x) for _, x in rest.names)]
     if quantity == "bearing reaction" and bearings and not joints:  # of no rope that runs over what turns in it
         kinds = ("bearing reaction",)
+    if quantity == "force" and not rest.names and (springs := lookup.springs(names)):  # which force, nothing says
+        others = [text for kind in kinds for group in _of_joint(names, kind, rest) for text in group]
+        yield [*(f"force in {spring}" for spring in springs), *others]
+        return
     for kind in kinds:
         if kind not in ("radial tooth force", "axial tooth force") or joining.feel_as_first(names, rest.names):
             yield from _of_joint(names, kind, rest)

@@ -330,7 +330,7 @@ def holding(words: list[Word], modal: set[str]) -> list[Word]:
 
 
 def on_what_may_open(names: Names, words: list[Word]) -> list[Word]:
-    """What remains on what it could leave stays on it: the follower remains on the cam, which no friction holds it on."""
+    """What remains on what it could leave stays on it: the follower on the cam, which no friction holds there."""
     hold, on = Word("verb", "hold"), Word("preposition", "on")
     of = [word.what for word in words if word.kind == "name" and word.what not in names.parameters]
     if (
@@ -345,6 +345,29 @@ def on_what_may_open(names: Names, words: list[Word]) -> list[Word]:
     if len(opens) != 1 or not all(x == opens[0] or joining.touches(names, opens[0], x) for x in of):
         return words
     return [Word("verb", "stay_on") if word == hold else word for word in words if word != on]
+
+
+def at_extremes(words: list[Word]) -> list[Word]:
+    """At the greatest compression, beim grössten Ausschlag: when that is greatest."""
+    for k in range(1, len(words) - 2):
+        at, degree, of = words[k : k + 3]
+        is_led = at == Word("preposition", "in") and degree.kind == "degree" and degree.what in ("greatest", "least")
+        asked = [word for word in words[:k] if word.kind in ("quantity", "degree", "mark")]
+        rest = words[k + 3 :]
+        is_end = (
+            all(word.kind in ("name", *SILENT) for word in rest) and len([w for w in rest if w.kind == "name"]) <= 1
+        )
+        if (
+            is_led
+            and of.kind == "quantity"
+            and [word.kind for word in asked] == ["quantity"]
+            and asked[0] != of
+            and is_end
+        ):
+            is_sprung = of.what in (*lookup.STRETCHED, "deflection") and asked[0] == Word("quantity", "force")
+            head = [Word("quantity", "spring force") if is_sprung and word == asked[0] else word for word in words[:k]]
+            return [*head, Word("mark", "when"), degree, *words[k + 2 :]]
+    return words
 
 
 def by_friction(words: list[Word]) -> list[Word]:
