@@ -151,6 +151,7 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
         return
     if asked == ["stopping time"]:
         yield [f"time when {of or 'it'} stops"]
+        yield [f"time when rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)]
     elif asked == ["stopping distance"]:
         yield [f"change of {way} until {of or 'it'} stops" for way in lookup.went(names, of)]
         yield [
