@@ -13,6 +13,13 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+def _angles_at(names: Names, who: str) -> list[str]:
+    """The angles that tell where something is: of what turns, else of the line that it hangs on."""
+    if who in names.measures or who not in lookup.moving(names):
+        return []
+    return lookup.angles(names, who) if who in lookup.turning(names) else lookup.hung(names, who)
+
+
 def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     """It has moved 2 m; x reaches d; the crank has turned 90 deg; 3 revolutions."""
     if not clause.only("name", "value", "turns", "verb", "part", *SILENT):
@@ -50,8 +57,8 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         return
     if not doing and dimensions.is_angle(value) and who not in names.measures:
         yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]
-    elif doing == {"reach"} and dimensions.is_angle(value) and not turns and who in lookup.turning(names):
-        yield [f"{angle} = {value}" for angle in lookup.angles(names, who)]  # the crank has reached 90 deg
+    elif doing == {"reach"} and dimensions.is_angle(value) and not turns and (angles := _angles_at(names, who)):
+        yield [f"{angle} = {value}" for angle in angles]  # the crank has reached 90 deg, the car is at 90 deg
     elif turns or doing == {"turn"}:
         yield [f"{angle} = {value}" for angle in joining.turned(names, who)]
     elif doing == {"fall"}:

@@ -36,6 +36,11 @@ def time(names: Names, sentence: Sentence) -> Groups:
     if not asks or len(main.all("quantity")) > main.has("quantity", "time") + _is_of_event(main):
         return
     head = main.without("ask").without("quantity", "time")
+    if not sentence.others and (main.has("ask", "long") or main.has("quantity", "time")):
+        yield from _in_contact(names, head)
+    if not sentence.others and set(head.all("verb")) - {"move"} == {"fall"} and head.only("verb", "name", *SILENT):
+        of = next((name for _, name in head.names), "")  # how long does it take to come down
+        yield [f"time when {place}" for place in poses.named_by_file(names, of, -1) if len(head.names) <= 1]
     if (
         main.has("ask", "long")
         and not head.has("verb", "rise")
@@ -91,6 +96,18 @@ def time(names: Names, sentence: Sentence) -> Groups:
         yield [f"time when {condition}" for condition in group]
 
 
+def _in_contact(names: Names, head: Clause) -> Groups:
+    """How long it touches a buffer, which only pushes: from where it is reached until it is relaxed."""
+    touches = set(head.all("verb")) in ({"stay_on"}, {"stay_on", "hold"}) or head.has("instant", "in the impact")
+    if not touches or not head.without("instant", "in the impact").only("verb", "name", *SILENT) or len(head.names) > 2:
+        return
+    of = [name for _, name in head.names]
+    for load in lookup.catching(names, pulls=False):
+        acted = {body for p in names.applied_loads if p.load == load for body in p.measure.bodies()}
+        if all(name == load or name in acted for name in of):
+            yield [f"time between {load} is reached and {load} is relaxed"]
+
+
 def whether(names: Names, sentence: Sentence) -> Groups:
     """Does the rod lift off? If so, when: of what moves, for of what rests it is asked whether it holds."""
     main, verbs = sentence.main, sentence.main.all("verb")
@@ -134,6 +151,7 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
         return
     if asked == ["stopping time"]:
         yield [f"time when {of or 'it'} stops"]
+        yield [f"time when rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)]
     elif asked == ["stopping distance"]:
         yield [f"change of {way} until {of or 'it'} stops" for way in lookup.went(names, of)]
         yield [

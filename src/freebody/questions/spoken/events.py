@@ -26,7 +26,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
-_LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn"}  # verbs of what is in a pose
+_LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn", "fall", "rise"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
 
 
@@ -271,7 +271,8 @@ def _bounces(names: Names, who: str, other: str) -> Groups:
 
 
 def _runs_off(names: Names, who: str, other: str) -> Groups:
-    yield strings.run_off(names, who) or strings.run_off(names, other)
+    """A rope has left its drum; a string without mass, which has no end here, where the file's own questions say so."""
+    yield strings.run_off(names, who) or strings.run_off(names, other) or poses.named_by_file(names, "", -1)
 
 
 def _leaves(names: Names, who: str, other: str) -> Groups:

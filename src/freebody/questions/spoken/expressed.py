@@ -39,6 +39,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "when t grows": r"grows|steady|end|terminal|stop|until|limit|when",
         "at the end": r"grows|steady|end|terminal|stop|until|limit|when|=|equilibrium",
         "over the motion": r"over|until|greatest|least|work|period|^(?!.*\b(?:when|at start)\b)",
+        "for a full turn": r"turn|cycle|period|round|stroke|range of|largest|least .* so that",
         "over a turn": r"turn|cycle|period|range|stroke|mean|greatest|least|ratio|pi\b|extremes",
         "at once": r"once|immediately|start",
         "at the top": rf"{_END_OF_SWING}|height|start",
@@ -167,7 +168,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "change": r"change|kinetic energy| - |lost|sensitivity|derivative",
         "instant centre": r"instant centre",
         "degrees of freedom": r"degrees of freedom",
-        "terminal velocity": r"grows|terminal|steady|rolling",
+        "terminal velocity": r"grows|terminal|steady|rolling|when ",
+        "terminal angular velocity": r"(?:angular|theta|phi|rate|velocity of \w+) .*(?:grows|terminal|steady|when )",
         "steady amplitude": r"amplitude|greatest",
         "free amplitude": r"amplitude|greatest|=",
         "resonance frequency": rf"resonance|frequency|{_CHOICE}",
@@ -207,7 +209,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "from_rest": r"start|rest|stands|zero|initial|when|after|time|until|=",
         "begin_roll": r"roll|slip",
         "end": rf"end|stop|{_REST}|until|when|over|{_CHOICE}|slip|after",
-        "stay_on": r"stays on|keeps|contact|leav|open|>= ?0|= ?0|normal force|force|tension|range|least|taut",
+        "stay_on": r"relaxed$|stays on|keeps|contact|leav|open|>= ?0|= ?0|normal force|force|tension|range|least|taut",
         "slack": r"slack|taut|tension|relaxed|= 0|loose|free|>= 0|length|force",
         "taut": r"slack|taut|tension|tight|>= 0|jerk|stretched|blow|impact",
         "hold": rf"{_REST}|friction|force|torque|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|"
@@ -245,6 +247,12 @@ _WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degre
 _FRICTION, _ROUGH = Word("quantity", "friction force"), Word("ask", "rough")
 _AXES = (Word("preposition", "along"), *(Word("updown", way) for way in ("up", "down")))
 _MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
+_LIMITING = (  # of which one is said where it is asked how much of something is enough
+    *(Word("filler", what) for what in ("may", "must")),
+    *(Word("mark", what) for what in ("so_that", "to", "until", "when", "without", "while")),
+    *(Word("ask", what) for what in ("from", "up_to", "for", "with")),
+    *(Word("verb", what) for what in ("suffice", "no_slip", "no_move")),
+)
 _BY_ITSELF = ("long",)  # asks for how long something is done
 _AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
 _LEADS = ("until", "after", "to", "when", "while", "so_that")
@@ -299,8 +307,9 @@ def _up_to_what_was_before(words: Sequence[Word], text: str) -> list[Word]:
 
 
 def _of_what_lasts(words: Sequence[Word], text: str) -> list[Word]:
-    """The friction force while something sticks is a force, and not how much friction that takes."""
-    is_force = words[0] == _FRICTION and Word("mark", "while") in words
+    """The friction force while something sticks, or that holds it, is a force, and not how much friction that takes."""
+    lasts = words[0] == _FRICTION and Word("mark", "while") in words
+    is_force = lasts or (_FRICTION in words and not any(word in _LIMITING or word.kind == "not" for word in words))
     is_limit = any(word.kind == "degree" or word == _ROUGH for word in words)
     return [_FRICTION] if is_force and not is_limit and re.match("range|least|largest|value", text) else []
 

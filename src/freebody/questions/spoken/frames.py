@@ -37,6 +37,7 @@ _LIGHT = {
     **dict.fromkeys(("highest place", "lowest place"), _GOING),
     "friction force": _ACTING | {"move", "carry", "hang", "reach", "hold"},
     "terminal velocity": _GOING,
+    "terminal angular velocity": _GOING,
     "bounce height": frozenset({"move", "fly", "rise", "reach", "bounce"}),
     **dict.fromkeys(("free amplitude", "steady amplitude"), frozenset({"move", "turn"})),
     "links": frozenset({"move", "become"}),

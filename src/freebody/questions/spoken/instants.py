@@ -48,6 +48,7 @@ _PLACES = {
     "at the end": losing.at_the_end,
 }
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
+_TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
 _BLOWS = ("after the impact", "before the impact")
 _NTH = re.compile(rf"(?P<side>after|before|at) the {NTH} impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
@@ -144,9 +145,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         accelerates and set(main.all("verb")) <= {"start", *GOES_ON} and not others
     ):  # with what acceleration does it start to move
         main = Clause([*main.without("verb").words, Word("instant", "at start")])
-    if main.has("quantity", "terminal velocity") and others:  # the final speed once it rolls
+    if main.has("quantity", *_TERMINAL) and others:  # the final speed once it rolls
         main = Clause(
-            [Word("quantity", "speed") if w == Word("quantity", "terminal velocity") else w for w in main.words]
+            [Word("quantity", _TERMINAL.get(w.what, w.what)) if w.kind == "quantity" else w for w in main.words]
         )
     is_steady = main.all("instant") == ["in steady motion"] and main.all("quantity") == ["angular velocity"]
     if is_steady and names.space and not main.names:  # of what goes round
@@ -319,6 +320,10 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         return
     if clause.has("verb", "hit") and any(_is_caught(names, name) for _, name in clause.names):
         yield [" before the impact" if mark == "when" else " after the impact"]
+        return
+    lines = {*names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
+    if mark == "after" and clause.only("name", *SILENT) and {name for _, name in clause.names} <= lines:
+        yield [f" when {place}" for place in losing.at_the_end(names)]  # at the end of the incline
         return
     if mark == "after":
         time = clock(names, clause)

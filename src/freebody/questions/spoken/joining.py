@@ -54,6 +54,20 @@ def drivers(names: Names, body: str) -> list[str]:
     return [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == {body}]
 
 
+def is_led(names: Names) -> bool:
+    """Whether something says how all there is goes with time: a cam, a crank that a motor turns."""
+    return bool(driven(names)) and lookup.rests(names)
+
+
+def drives_of(names: Names, joint: str) -> list[str]:
+    """Connections that say how what a joint lets free goes with time: they are between the same bodies."""
+    rows = [row for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
+    spec = names.connections.get(joint)
+    bodies = set[str]() if spec is None else spec.mentions(names) - {GROUND}
+    own = [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == bodies]
+    return [name for name in dict.fromkeys(own) if bodies]
+
+
 def is_driven(names: Names) -> bool:
     """Whether something turns, or pushes, all the while: then what goes round is not taken down by its weight alone."""
     return bool(lookup.driving(names)) or any(drivers(names, body) for body in lookup.moving(names))

@@ -62,6 +62,8 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
     allowed: set[Dimension] = {dimension for word in said for dimension in _dimensions(word)}
     if turned and Word("quantity", "friction force") in said:  # the friction with which it holds
         allowed.add(DIMENSIONLESS)
+    if Word("quantity", "compression") in said and "axial force of " in text:  # in a rod, which is none of its length
+        allowed.add(FORCE)
     if turned and turned["parameter"] in joining.drive_parameters(names):  # the speed of what turns
         allowed |= {_OF_ANGLE[of] for of in allowed & _OF_ANGLE.keys()}
     if Word("verb", "accelerate") in main:  # at what rate it spins up

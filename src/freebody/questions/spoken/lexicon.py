@@ -311,6 +311,12 @@ def umlauts(language: str) -> dict[str, str]:
 
 
 @cache
+def plurals(language: str) -> tuple[tuple[str, str], ...]:
+    """The endings of plurals of quantities, and what stands in their place in the singular."""
+    return tuple(dict(_file(language).get("endings", {}).get("quantities", {})).items())
+
+
+@cache
 def no_nouns(language: str) -> tuple[str, ...]:
     """What looks like a noun with an ending."""
     return tuple(_file(language).get("endings", {}).get("verbs", ()))

@@ -8,6 +8,7 @@ and none may be left over.
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, of_forces
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 _ENDS_REST = {"slide", "move", "fall", "rise", "turn", "start", "tip"}  # verbs of what comes where rest ends
 _VERBS = _ENDS_REST | {"hold", "stop", "exert", "act", "end"}
 _MARKS = ("until", "so_that", "to", "when", "without")
+_OF_LIMIT = re.compile(r"^(?:least|largest|range of) (\w+) (?:so that|that keeps|for which) ")
 _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not tip"
 
 
@@ -204,6 +206,9 @@ def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> 
     found = given.chosen(names, kinds[0], others) if kinds else []
     if len(found) > 1 and against:
         found = [name for name in found if name not in given.chosen(names, kinds[0], against)]
+    if len(found) > 1:  # of two angles the one of which the file itself asks for the limit
+        asked = {one[1] for question in names.usual_questions if (one := _OF_LIMIT.match(question)) is not None}
+        found = [name for name in found if name in asked] if len(asked & {*found}) == 1 else found
     return found[0] if len(found) == 1 else None
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import joining, lookup, strings
+from freebody.questions.spoken import joining, lookup, poses, strings
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -77,11 +77,12 @@ def separated(names: Names, _body: str = "") -> list[str]:
     return ["contact is lost"] if joining.strikes(names) else []
 
 
-def at_the_end(names: Names, _body: str = "") -> list[str]:
+def at_the_end(names: Names, body: str = "") -> list[str]:
     """The condition that all of a rope hangs; else what comes of a motion that something keeps from going ever faster.
-    Of another one nothing says where it ends."""
+    Of another one nothing says where it ends, but for the place that the file's own questions name."""
     lasting = ["t grows"] if lookup.is_controlled(names) or damped(names) else []
-    return strings.run_off(names, "") or lasting
+    named = [place for sense in (-1, 1) for place in poses.named_by_file(names, body, sense)]
+    return strings.run_off(names, "") or lasting or named
 
 
 def has_kinetic_energy_alone(names: Names) -> bool:

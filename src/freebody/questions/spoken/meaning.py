@@ -62,7 +62,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     words = _stretched(names, _from_rest(names, words))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(said)))
-    said = rewording.in_turns(rewording.runs_slack(said))
+    said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
     said = rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said)))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
@@ -71,6 +71,8 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
     said = rewording.pulling(names, rewording.balanced_at(names, said))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
+    said = rewording.at_extremes(rewording.on_what_may_open(names, said))
+    said = rewording.at_driven_joint(names, rewording.holding(said, modal), modal)
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]

@@ -46,6 +46,9 @@ _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _RODS = ("rod", "bar", "strut", "link")
 _WHEELS = ("wheel",)
 _BALLS = ("ball", "bead")
+_WALL_WORDS = ("wall",)
+_CEILING = ("ceiling", "foundation")  # what is held by the ground may be held by these
+_NEAR = 1e-9  # of a direction to one that is upright
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
 _PINION = "pinion"  # the smaller of two gears, which is called the wheel only where it is alone
@@ -66,7 +69,8 @@ class Way:
 def elements_of(names: Names) -> Elements:
     """What can be named in a model."""
     found = Elements()
-    found.add(GROUND)
+    sides = (*names.bodies[GROUND].lines, *names.bodies[GROUND].planes)
+    found.add(GROUND, () if sides else _CEILING)
     free = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
     is_alone, is_still = len(free) == 1, not free
     light = {name for name in free if _is_light(names, name)}
@@ -123,7 +127,7 @@ def elements_of(names: Names) -> Elements:
         kind = "torque" if names.loads[name] == TORQUE else "force"
         found.add(name, said=f"braking {kind}", distance=ALIKE)
     for name in (*names.bodies[GROUND].lines, *names.bodies[GROUND].planes):
-        found.add(name, (*_LINE_WORDS, *_alike(name)))
+        found.add(name, (*_LINE_WORDS, *_alike(name), *(_WALL_WORDS if _is_upright(names, name) else ())))
     for name in (*names.measures, *names.parameters):
         found.add(name)
     for name in joining.planets(names):
@@ -132,7 +136,21 @@ def elements_of(names: Names) -> Elements:
     if len(heavy) == 1 and not any("load" in element.words for element in found.exact.values()):
         found.add(heavy[0], ("load", "object"))
     found.hanging = strings.hanging(names)
+    for name in found.hanging:  # the weights of an Atwood machine
+        found.add(name, ("weights",))
     return found
+
+
+def _is_upright(names: Names, name: str) -> bool:
+    """Whether a line or a plane of the ground stands upright, so far as the numbers of the model say."""
+    ground, up = names.bodies[GROUND], names.compass["up"].components
+    is_line = name in ground.lines
+    way = ground.lines[name].direction if is_line else ground.planes[name].normal
+    rise = [names.numeric(a * b) for a, b in zip(way.components, up, strict=True)]
+    if any(part is None for part in rise):
+        return False
+    steep = abs(sum(part for part in rise if part is not None))
+    return abs(steep - is_line) < _NEAR
 
 
 def _is_light(names: Names, name: str) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from freebody.language.notation import to_python
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
+from freebody.model.solids import ROD
 from freebody.questions.spoken import given, joining, lookup, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.words import Clause
@@ -44,6 +45,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     pulled = [name for _, name in rest.names if name in lookup.springs(names) and names.loads[name] != TORQUE]
     if quantity in ("tension", "axial force") and pulled:
         yield from _in_spring(names, quantity, rest)
+        return
+    if rods := _rods(names, quantity, rest):
+        yield [f"axial force of {rod}" for rod in rods]
         return
     own = {row.reaction for row in names.constraint_rows}
     kinds = _KINDS.get(quantity, (quantity,))
@@ -100,14 +104,36 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     bearings = [name for name in joining.axles(names) if all(joining.touches(names, name, x) for _, x in rest.names)]
     if quantity == "bearing reaction" and bearings and not joints:  # of no rope that runs over what turns in it
         kinds = ("bearing reaction",)
+    if quantity == "force" and not rest.names and (springs := lookup.springs(names)):  # which force, nothing says
+        others = [text for kind in kinds for group in _of_joint(names, kind, rest) for text in group]
+        yield [*(f"force in {spring}" for spring in springs), *others]
+        return
     for kind in kinds:
         if kind not in ("radial tooth force", "axial tooth force") or joining.feel_as_first(names, rest.names):
             yield from _of_joint(names, kind, rest)
 
 
+def _rods(names: Names, quantity: str, rest: Clause) -> list[str]:
+    """The only thing that is named, where it is a rod and the force along it is meant: that which pulls or presses in
+    it, and of one without mass, which knows no other, the force in it."""
+    of = rest.names
+    if len(of) != 1 or not rest.only("name", *SILENT):
+        return []
+    [(before, name)] = of
+    is_rod = name in names.bodies and names.bodies[name].solid is ROD
+    is_light = is_rod and names.bodies[name].mass == ZERO
+    is_along = quantity in ("axial force", "tension") or (
+        quantity == "force" and is_light and before in ("in", "of", "")
+    )
+    ropes = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
+    pulled = any(joining.touches(names, rope, name) for rope in ropes)  # the rope that pulls it
+    return [name] if is_rod and is_along and not (quantity == "tension" and pulled) else []
+
+
 def _in_components(names: Names, rest: Clause) -> Groups:
     """Both components of a force along a surface, of each connection that has them and is named, or is at what is."""
     rows = [row for row in names.constraint_rows if row.reaction.startswith("friction force ")]
+    rows = [row for row in rows if not row.reaction[-1].isdigit()]  # along no axis that has a name
     for joint in dict.fromkeys(row.connection for row in rows):
         if all(name == joint or joining.touches(names, joint, name) for _, name in rest.names):
             own = dict.fromkeys(row.reaction for row in rows if row.connection == joint)
@@ -468,5 +494,8 @@ def _in_springs(names: Names, quantity: str, rest: Clause) -> Groups:
 def _extension(names: Names, quantity: str, rest: Clause) -> Groups:
     """By how much a spring is longer, or shorter, than without force."""
     of = [name for _, name in rest.names]
+    if quantity == "compression" and (rods := _rods(names, "axial force", rest)):
+        yield [f"axial force of {rod}" for rod in rods]
+        return
     if len(of) <= 1 and rest.only("name", *SILENT):
         yield [f"{quantity} of {spring}" for spring in lookup.springs(names) if spring in (of or [spring])]

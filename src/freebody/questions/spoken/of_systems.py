@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -81,6 +82,12 @@ def _period(names: Names, quantity: str, rest: Clause) -> Groups:
             yield [f"period of {of[0]}"]
         else:
             yield ["period of the motion" if lookup.swings(names) else "period of small oscillations"]
+            own = dict.fromkeys((*lookup.angles(names, of[0]), *lookup.hung(names, of[0]))) if of else {}
+            yield (
+                [f"period of {name}" for name in own]
+                if not lookup.is_all_that_moves(names, of[0] if of else "")
+                else []
+            )
 
 
 @said_of("equilibrium")
@@ -168,12 +175,39 @@ def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"transmissibility from {driven[0]} to {others[0]}"]
 
 
-@said_of("terminal velocity")
+@said_of("terminal velocity", "terminal angular velocity")
 def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
-    """To what a velocity tends; what turns about its centre has no other than that of turning."""
-    turns = any(joining.axle_of(names, name) == "center" for _, name in rest.names)
+    """To what a velocity tends; what turns about its centre has no other than that of turning. What nothing keeps from
+    going ever faster has the last one where its motion ends."""
+    turns = any(joining.axle_of(names, name) == "center" for _, name in rest.names) or quantity.endswith(
+        "angular velocity"
+    )
+    of = next((name for _, name in rest.names), "")
+    ends = losing.at_the_end(names, of)
     for group in motion(names, "angular velocity" if turns else "velocity", rest):
-        yield [f"{text} when t grows" for text in group]
+        yield [f"{text} when {end}" for end in ends or ["t grows"] for text in group]
+
+
+_RATIO = re.compile(
+    r"^ratio of (?:rate|velocity|angular velocity) of (\w+) to (?:rate|velocity|angular velocity) of (\w+)$"
+)
+
+
+def _asked_ratio(names: Names, of: list[str]) -> str:
+    """The only ratio of velocities that the file itself asks for, where it is of both things that are named:
+    the shaft turns, and the load, which could turn as well, is lifted."""
+    asked = [found for question in names.usual_questions if (found := _RATIO.match(question)) is not None]
+    if len(asked) != 1:
+        return ""
+    owners = [names.measures[name].bodies() if name in names.measures else (name,) for name in asked[0].groups()]
+    is_of = [any(thing in (name, *own) for name, own in zip(asked[0].groups(), owners, strict=True)) for thing in of]
+    return asked[0][0] if len(of) == 2 and all(is_of) and of[0] in (asked[0][1], *owners[0]) else ""
+
+
+def _only_goes(names: Names, body: str) -> bool:
+    """Whether what is measured of a body is where it is, and not how it is turned, though it could turn as well."""
+    is_turned = bool(joining.axle_of(names, body) or lookup.angles(names, body))
+    return bool(lookup.places(names, body)) and not is_turned
 
 
 @said_of("gear ratio")
@@ -183,7 +217,13 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [lookup.acted_on(names, name) for _, name in rest.names if name not in names.connections]
     if not rest.only("name", *SILENT):
         return
+    if asked := _asked_ratio(names, of):
+        yield [asked]
+        return
     for first, second in [of] if len(of) == 2 else []:
+        lifted = [name for name in (first, second) if _only_goes(names, name)]
+        if len(lifted) == 1:  # the shaft turns, and the load is lifted: no ratio of what turns
+            return
         if {first, second} <= {*lookup.turning(names)} or not {first, second} <= {*lookup.moving(names)}:
             yield [f"ratio of angular velocity of {first} to angular velocity of {second}"]
             continue

@@ -22,7 +22,7 @@ _IN_PASSING = re.compile(  # a parameter and a value behind a word that says for
 _STARTED = re.compile(  # a value of the only parameter that has it: if released from 60 deg, with 250 N
     r"[ ,]+(?:(?:if|when|wenn|falls) (?:it |the \w+ |er |sie |es )?(?:is |was |are )?)?"
     r"(?:(?:released|let go|started|dropped|thrown|launched|losgelassen|gestartet) (?:from|at|bei|aus) "
-    r"|(?:with|mit|for|für) )"
+    r"|(?:with|mit|for|für) |(?:from|aus) (?=\d[\d.]* ?(?:m/s|km/h)))"
     r"(?:an? |the |eine[rmn]? |de[rmn] )?(?:given |gegebene[nrm]? )?(?P<swing>amplitude |ausschlag )?"
     r"(?:force |torque |angle |speed |mass |kraft |drehmoment |winkel )?(?:of |von )?"
     r"(?P<value>\d+(?:\.\d+)? ?[A-Za-z°][A-Za-z0-9/^]*(?: m)?)(?=[ ,.?!]|$)",

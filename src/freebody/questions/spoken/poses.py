@@ -7,6 +7,7 @@ centre: the line from the axle to the mass centre is meant. A pose is where the 
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,7 @@ from freebody.questions.spoken import joining, lookup
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_AT_PLACE = re.compile(r"\b(?:when|until) (?P<measure>[^\W\d]\w*) = (?P<value>[^=<>]+)$")
 _NEAR = 1e-6  # degrees: of an angle that people name
 
 
@@ -90,7 +92,20 @@ def lowermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight below it, or at the bottom of a curve."""
     if body in names.bodies and joining.keeps_height(names, body):  # of a cart: that is where the bob hangs
         body = ""
-    return _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True) or _caught(names, body)
+    round_ = _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True)
+    return round_ or _caught(names, body) or named_by_file(names, body, -1)
+
+
+def named_by_file(names: Names, body: str, sense: int) -> list[str]:
+    """The condition that something has come as far down (sense -1) or up (1) as the file's own questions ask of it,
+    where they say one such place alone. What a spring catches, or may turn back, has none."""
+    if lookup.springs(names) or lookup.elastic_strings(names):
+        return []
+    going = {name for name, own in (*lookup.inclined(names, body), *lookup.heights(names, body)) if own == sense}
+    told = (_AT_PLACE.finditer(question) for question in names.usual_questions)
+    places = [found for each in told for found in each if found["measure"] in going]
+    said = dict.fromkeys(f"{one['measure']} = {one['value']}" for one in places if re.search(r"[^\W\d]", one["value"]))
+    return [*said] if len(said) == 1 else []
 
 
 def _caught(names: Names, body: str) -> list[str]:

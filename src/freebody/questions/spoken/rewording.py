@@ -18,6 +18,7 @@ _DONE = tuple(Word("verb", verb) for verb in ("hold", "rise", "fall", "move", "s
 _PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
 _HOW_HARD = (Word("ask", "large"), Word("ask", "much"))
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
+_COUNTED_OVER_A_TURN = ("work", "energy", "energy lost", "power", "time", "turns")
 
 
 def for_what(names: Names, words: list[Word]) -> list[Word]:
@@ -81,6 +82,20 @@ def in_turns(words: list[Word]) -> list[Word]:
     ones = ones if is_counted else ones[:1]
     k = next((k for k in range(1, len(words)) if words[k : k + 2] in ones), None)
     return words if k is None else [*words[:k], Word("instant", "over a turn"), *words[k + 2 :]]
+
+
+def for_a_turn(words: list[Word], modal: set[str]) -> list[Word]:
+    """What is chosen for a full turn is to let it go round; what is counted for one is so over it."""
+    turn = Word("instant", "for a full turn")
+    if turn not in words:
+        return words
+    asks = ("high", "fast", "from", "for", "with", "steep")
+    is_counted = any(word.kind == "quantity" and word.what in _COUNTED_OVER_A_TURN for word in words)
+    is_chosen = not is_counted and (
+        bool(modal) or any(w.kind == "degree" or (w.kind == "ask" and w.what in asks) for w in words)
+    )
+    meant = (_SO_THAT, Word("verb", "turn_fully")) if is_chosen else (Word("instant", "over a turn"),)
+    return [own for word in words for own in (meant if word == turn else (word,))]
 
 
 def kept_steady(names: Names, words: list[Word]) -> list[Word]:
@@ -200,6 +215,25 @@ def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     return [Word("quantity", kinds[words[0].what]), *words[1:k], Word("name", driven[0]), *words[k + 3 :]]
 
 
+def at_driven_joint(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """The torque that slewing takes, the power of the slewing drive: of what drives that joint, for the joint itself
+    transmits none of it."""
+    kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}
+    pushes = {*kinds, *kinds.values(), "power"}
+    k = next((k for k, word in enumerate(words) if word.kind == "quantity" and word.what in pushes), None)
+    joints = [word.what for word in words if word.kind == "name" and word.what in names.connections]
+    is_of_drive = "must" in modal or Word("verb", "move") in words or Word("part", "driving") in words
+    if k is None or len(joints) != 1 or not (is_of_drive or words[k].what in kinds.values()):
+        return words
+    drives = joining.drives_of(names, joints[0])
+    if len(drives) != 1 or drives == joints:
+        return words
+    meant = Word("quantity", kinds.get(words[k].what, words[k].what))
+    told = [meant if word == words[k] else word for word in words]
+    told = [Word("name", drives[0]) if word == Word("name", joints[0]) else word for word in told]
+    return [word for word in told if word not in (Word("verb", "move"), Word("part", "driving"))]
+
+
 def _as_driven(names: Names, words: list[Word]) -> list[Word]:
     """The torque of the motor, so that the hoop turns uniformly, where that is how the motor turns it."""
     marks = [k for k, word in enumerate(words) if word in (_TO, _SO_THAT)]
@@ -284,6 +318,56 @@ def in_doing(words: list[Word]) -> list[Word]:
     if not is_doing or words[-1].what not in (*GOES_ON, "exert") or not any(w.kind == "quantity" for w in words):
         return words
     return [*words[:-2], Word("mark", "while"), words[-1]]
+
+
+def holding(words: list[Word], modal: set[str]) -> list[Word]:
+    """The friction that holds the crate is a force on it, where nothing says that it is to be enough for that."""
+    friction, hold = Word("quantity", "friction force"), Word("verb", "hold")
+    plain = all(word.kind in ("ask", "quantity", "verb", "name", *SILENT) for word in words)
+    asks = {word.what for word in words if word.kind == "ask"} <= {"what", "large", "much"}
+    is_force = plain and asks and not modal and [w for w in words if w.kind in ("quantity", "verb")] == [friction, hold]
+    return [_FOR if word == hold else word for word in words] if is_force else words
+
+
+def on_what_may_open(names: Names, words: list[Word]) -> list[Word]:
+    """What remains on what it could leave stays on it: the follower on the cam, which no friction holds there."""
+    hold, on = Word("verb", "hold"), Word("preposition", "on")
+    of = [word.what for word in words if word.kind == "name" and word.what not in names.parameters]
+    if (
+        hold not in words
+        or on not in words
+        or len(of) != 2
+        or any(w.kind == "quantity" and w.what in _PUSHES for w in words)
+    ):
+        return words
+    joints = [name for name in names.connections if name in of or all(joining.touches(names, name, x) for x in of)]
+    opens = [name for name in joints if joining.may_open(names, name) and name not in joining.rough(names, "")]
+    if len(opens) != 1 or not all(x == opens[0] or joining.touches(names, opens[0], x) for x in of):
+        return words
+    return [Word("verb", "stay_on") if word == hold else word for word in words if word != on]
+
+
+def at_extremes(words: list[Word]) -> list[Word]:
+    """At the greatest compression, beim grössten Ausschlag: when that is greatest."""
+    for k in range(1, len(words) - 2):
+        at, degree, of = words[k : k + 3]
+        is_led = at == Word("preposition", "in") and degree.kind == "degree" and degree.what in ("greatest", "least")
+        asked = [word for word in words[:k] if word.kind in ("quantity", "degree", "mark")]
+        rest = words[k + 3 :]
+        is_end = (
+            all(word.kind in ("name", *SILENT) for word in rest) and len([w for w in rest if w.kind == "name"]) <= 1
+        )
+        if (
+            is_led
+            and of.kind == "quantity"
+            and [word.kind for word in asked] == ["quantity"]
+            and asked[0] != of
+            and is_end
+        ):
+            is_sprung = of.what in (*lookup.STRETCHED, "deflection") and asked[0] == Word("quantity", "force")
+            head = [Word("quantity", "spring force") if is_sprung and word == asked[0] else word for word in words[:k]]
+            return [*head, Word("mark", "when"), degree, *words[k + 2 :]]
+    return words
 
 
 def by_friction(words: list[Word]) -> list[Word]:

@@ -97,7 +97,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         yield (
             ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
         )  # the end of rest is where motion begins
-    is_one = verbs and verbs <= {"hold", "stop", "move"} and not negated and len(of) == 1 and not everything
+    holds = verbs or clause.all("instant") == ["in equilibrium"]
+    is_one = holds and verbs <= {"hold", "stop", "move"} and not negated and len(of) == 1 and not everything
     if is_one and not joining.is_rough(names) and not _is_held(clause):  # one of several bodies stays where it is
         moved = "steady amplitude" if lookup.is_forced(names) else "acceleration"
         yield [f"{moved} of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
@@ -216,6 +217,9 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         verbs, negated = {"leave"}, not negated
     if verbs == {"fall"} and negated and joining.tracks(names):  # down from its track
         verbs = {"leave"}
+    if verbs == {"turn_fully"} and not negated and (held := _on_track(names, who, other)):  # all the way round
+        yield held
+        return
     if verbs in ({"roll", "start"}, {"begin_roll"}) and not negated:
         yield [f"{who} begins to roll" if who else "rolling begins"]
     elif (verbs == {"roll"} and not negated) or (verbs == {"roll", "slide"} and negated):

@@ -99,6 +99,9 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     leads, is_denied = clause.all("mark"), clause.has("not")
     is_before = leads in (["until"], ["without"]) if not is_denied else leads in ([], ["so_that"])
     is_before &= clause.all("ask") == ["fast"]  # how fast may it spin before, so that it does not
+    if clause.all("verb") == ["stay_on"] and clause.all("ask") == ["up_to"] and not is_denied and not leads:
+        kept = [word for word in clause.words if word.kind not in ("ask", "verb")]  # up to which rpm it stays on
+        clause, is_over = Clause([Word("ask", "from"), *kept, Word("verb", "leave")]), True
     if is_before:
         clause = clause.without("mark").without("degree", "greatest").without("not")
         turns = clause.has("verb", "turn") and not clause.has("quantity")

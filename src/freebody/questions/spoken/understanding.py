@@ -130,7 +130,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             nearest = nearest or _nearest(names, said, read)[0]
             if not nearest and (parted := _several(names, said, read)):
                 return parted
-    if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and (_is_plural(text, nearest) or _are_tensions(nearest)):
+    if len(nearest) > 1 and len(nearest) <= ONE_BY_ONE and _is_of_each(text, nearest):
         return [one for words, asked in nearest.items() for one in zip(asked, words.split(JOINT), strict=True)]
     if len(nearest) == 1:
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
@@ -270,6 +270,17 @@ def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | N
     return next((found for one in said if (found := _one(names, one, read))), None) or []
 
 
+def _is_of_each(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
+    """Whether a text that can be meant in several ways is answered by all of them."""
+    return _is_plural(text, ways) or _are_tensions(ways) or _are_of_one_pose(ways)
+
+
+def _are_of_one_pose(ways: dict[str, tuple[AskedT, ...]]) -> bool:
+    """Whether the ways to mean a text differ only in where something is upright: above and below."""
+    told = [re.fullmatch(r"(?P<head>.+ when \w+ = )-?\d+(?: deg)?", words) for words in ways]
+    return all(told) and len({one["head"] for one in told if one is not None}) == 1
+
+
 def _is_plural(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
     """Whether a text asks for several things of a kind, and the ways to mean it are these."""
     heads = {words.partition(" of ")[0].removeprefix("angular ") for words in ways}
@@ -387,6 +398,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     text = _APOSTROPHE.sub("’", " ".join(text.split())).strip('"“”„ ')
     for language in languages():
         text = re.sub(contexts(language)["at_once"], "", text)
+        text = re.sub(contexts(language)["on_crest"], contexts(language)["at_top"], text)
     elements = elements_of(names)
     text = without_unit(without_what_holds(names, text), elements.exact)
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)

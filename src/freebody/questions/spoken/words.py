@@ -21,9 +21,11 @@ from freebody.questions.spoken.lexicon import (
     languages,
     phrases_at,
     places,
+    plurals,
     spelt,
     tells_apart,
     translated,
+    umlauts,
     vocabulary,
 )
 from freebody.questions.spoken.naming import plain_names
@@ -137,6 +139,7 @@ def words_of(text: str, language: str, *, guess: bool = False, parameters: Conta
             continue  # the hauling rope
         line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
         meant = [] if _is_letter(token) and k > 0 else phrases_at(line, begins[k], language)
+        meant = meant or _of_singular(line, begins[k], token, language)
         is_telling = _is_after_article(found, k) and places(token, language)  # the lower rope is lowered by none
         means = next((m for m in meant if _fits(m[0], words) and not (is_telling and m[0].kind in _BARE)), None)
         if means is None and (
@@ -156,6 +159,29 @@ def words_of(text: str, language: str, *, guess: bool = False, parameters: Conta
         strange = {Word("name", token) for token in unknown}
         raise Unknown(tuple(unknown), tuple(word for word in words if word not in strange))
     return words
+
+
+def _of_singular(line: str, begin: int, token: str, language: str) -> list[tuple[Word, tuple[int, ...]]]:
+    """What an unknown word means that is the plural of a quantity, with the words behind it: periods, Seilkräfte."""
+    singulars = (f"{token[: -len(end)]}{put}" for end, put in plurals(language) if token.endswith(end))
+    for one in dict.fromkeys(word for said in singulars for word in _without_umlaut(said, language)):
+        found = (
+            []
+            if len(one) < _SHORTEST
+            else phrases_at(f"{line[:begin]}{one}{line[begin + len(token) :]}", begin, language)
+        )
+        alone = [meant for meant in found if meant[0].kind == "quantity" and len(meant[1]) == 1]
+        if alone:
+            return alone
+    return []
+
+
+def _without_umlaut(word: str, language: str) -> list[str]:
+    """A word, and what it is without the other letters of a plural: kräft, kraft."""
+    plain = word
+    for letter, own in umlauts(language).items():
+        plain = plain.replace(letter, own)
+    return [word, plain]
 
 
 def _is_after_article(found: Sequence[str | Word], k: int) -> bool:
