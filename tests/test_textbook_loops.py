@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from posed import is_derived, is_formula
+from posed import is_formula
 
 # Hibbeler, Statics, ch. 11: virtual work on a scissor lift
 SCISSOR_LIFT = """
@@ -223,16 +223,3 @@ start: {phi: p0}
 )
 def test_a_loop_has_the_formula_of_its_derivation(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula)
-
-
-@pytest.mark.parametrize(
-    ("model", "question"),
-    [
-        (GENEVA_WHEEL, "angular velocity of wheel at start"),
-        (DUMP_TRUCK, "angular velocity of bed at start"),
-        (FOUR_BAR_AT_RIGHT_ANGLES, "angular velocity of rocker at start"),
-        (PARALLELOGRAM_WITH_A_STAY, "force in ram"),
-    ],
-)
-def test_it_is_derived(model: str, question: str) -> None:
-    is_derived(model, question)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from posed import is_derived, is_formula
+from posed import is_formula
 
 # Den Hartog, Mechanical Vibrations, ch. 3: bounce and pitch of a car on two equal springs
 BOUNCE_AND_PITCH = """
@@ -186,16 +186,3 @@ start: {x: 0, rate(x): 0, phi: 0, rate(phi): 0}
 )
 def test_a_small_or_steady_motion_has_the_formula_of_its_derivation(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula)
-
-
-@pytest.mark.parametrize(
-    ("model", "question"),
-    [
-        (BOUNCE_AND_PITCH, "natural frequency of phi"),
-        (METRONOME, "natural frequency"),
-        (PARTICLE_IN_A_CONE, "rate of phi in steady motion when rho = R"),
-        (PENDULUM_ON_A_ROLLER, "natural frequency of phi"),
-    ],
-)
-def test_it_is_derived(model: str, question: str) -> None:
-    is_derived(model, question)
