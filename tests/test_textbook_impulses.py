@@ -1,4 +1,4 @@
-"""Impulses and impacts. Eleven problems in the style of textbooks, in words and numbers of our own; from what the
+"""Impulses and impacts. Ten problems in the style of textbooks, in words and numbers of our own; from what the
 formula follows by hand stands beside it."""
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ bodies: {rod: {rod: {mass: m, length: L}, at: [L/2, h], angle: 0, velocity: [0, 
 connections: {edge: {contact: {between: [rod.start, ground.table], restitution: e}}}
 loads: {weight: {gravity: g}}
 """
-# Irodov, Problems in General Physics, 1.16: a disk hits two equal ones at one instant
+# Irodov, Problems in General Physics, part 1: a disk hits two equal ones at one instant
 DISK_HITS_TWO = """
 parameters: {m: 1 kg, r: 4 cm, v: 2 m/s, e: 1}
 bodies:
@@ -153,7 +153,7 @@ start: {x: 0, rate(x): 0}
         (ROD_ON_AN_EDGE, "angular velocity of rod after the impact", "-3*(1 + e)*sqrt(2*g*h)/(2*L)"),
         # (1 - e^2) m/4 v^2/2
         (ROD_ON_AN_EDGE, "energy lost in the impact", "m*g*h*(1 - e**2)/4"),
-        # along both lines of centres, at 30 deg, u - v" cos = e v cos and v - v" = 2 u cos
+        # along both lines of centres, at 30 deg, u - v' cos = e v cos and v - v' = 2 u cos
         (DISK_HITS_TWO, "velocity of A after the impact along right", "v*(2 - 3*e)/5"),
         # u = sqrt(3) (1 + e) v/5
         (DISK_HITS_TWO, "speed of B after the impact", "sqrt(3)*(1 + e)*v/5"),
@@ -177,7 +177,7 @@ start: {x: 0, rate(x): 0}
         (MERRY_GO_ROUND, "energy lost in the blow", "M*m*(v - w0*R)**2/(2*(M + 2*m))"),
         # nothing slips where the rim is as fast
         (MERRY_GO_ROUND, "value of v for which energy lost in the blow = 0", "w0*R"),
-        # m v = 6 m v"
+        # m v = 6 m v'
         (THREE_WAGONS, "velocity of z after the impact of bc", "v/6"),
         # d/v, then d with a third of the speed
         (THREE_WAGONS, "time of the impact of bc", "4*d/v"),

@@ -1,4 +1,4 @@
-"""First integrals: energy, momenta and laws that can be separated. Eleven problems in the style of textbooks, in words
+"""First integrals: energy, momenta and laws that can be separated. Ten problems in the style of textbooks, in words
 and numbers of our own; from what the formula follows by hand stands beside it."""
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ loads: {engine: {law: {measure: x, force: P/rate(x)}}}
 measures: {x: x of car}
 start: {x: 0, rate(x): v0}
 """
-# Irodov, Problems in General Physics, 3.x: shot straight at what repels by k/x^2
+# Irodov, Problems in General Physics, part 1: shot straight at what repels by k/x^2
 REPELLED = """
 parameters: {m: 0.1 kg, k: 2 N*m^2, a: 5 m, v0: 3 m/s, b: 1 m}
 ground: {points: {O: [0, 0]}}
@@ -114,13 +114,13 @@ start: {x: 0, rate(x): v, y: L, rate(y): 0}
 @pytest.mark.parametrize(
     ("model", "question", "formula"),
     [
-        # r"^2 + (v0 a/r)^2 = v0^2 + 2 F (a - r)/m
+        # r'^2 + (v0 a/r)^2 = v0^2 + 2 F (a - r)/m
         (PUCK_AND_HOLE, "velocity of r when r = b", "-sqrt(v0**2*(1 - a**2/b**2) + 2*F*(a - b)/m)"),
-        # r^2 phi" = a v0
+        # r^2 phi' = a v0
         (PUCK_AND_HOLE, "angular velocity of phi when r = b", "v0*a/b**2"),
         # without the root r = a: 2 F r^2 = m v0^2 (a + r)
         (PUCK_AND_HOLE, "least r", "(m*v0**2 + sqrt(m**2*v0**4 + 8*F*a*m*v0**2))/(4*F)"),
-        # (I + m r^2) phi" is kept
+        # (I + m r^2) phi' is kept
         (SLEEVE_ON_A_ROD, "angular velocity of rod when r = b", "(I + m*a**2)*w0/(I + m*b**2)"),
         # and the energy
         (SLEEVE_ON_A_ROD, "velocity of r when r = b", "w0*sqrt((I + m*a**2)*(b**2 - a**2)/(I + m*b**2))"),
@@ -133,9 +133,9 @@ start: {x: 0, rate(x): v, y: L, rate(y): 0}
             "acos(2*cos(th0)/3)",
             marks=pytest.mark.slow,
         ),
-        # (M + m) x" + m s" cos = 0 and 7/5 s"" + x"" cos = g sin
+        # (M + m) x' + m s' cos = 0 and 7/5 s'" + x'" cos = g sin
         (BALL_ROLLS_ON_A_WEDGE, "acceleration of s", "(M + m)*g*sin(alpha)/(7*(M + m)/5 - m*cos(alpha)**2)"),
-        # s" = sqrt(2 d s""), of which the wedge has m cos/(M + m)
+        # s' = sqrt(2 d s'"), of which the wedge has m cos/(M + m)
         (
             BALL_ROLLS_ON_A_WEDGE,
             "speed of W when s = d",
@@ -149,11 +149,11 @@ start: {x: 0, rate(x): v, y: L, rate(y): 0}
         (REPELLED, "least x", "1/(m*v0**2/(2*k) + 1/a)"),
         # on the floor each turns about its foot: m L^2/3 w^2 = m g L sin(p0)
         (A_FRAME, "speed of l.end when phi = 0", "sqrt(3*g*L*sin(p0))"),
-        # each rod L^2/3 of phi"^2 at every angle
+        # each rod L^2/3 of phi'^2 at every angle
         (A_FRAME, "angular velocity of l when phi = 30 deg", "-sqrt(3*g*(sin(p0) - sin(pi/6))/L)"),
         # m g R = kt phi in the middle, (m + M/2) R^2 the inertia
         (WEIGHT_ON_A_DRUM, "greatest speed of b", "m*g*R/sqrt(kt*(m + M/2))"),
-        # at the lowest point m g - S = -m R phi""
+        # at the lowest point m g - S = -m R phi'"
         (WEIGHT_ON_A_DRUM, "period of phi", "2*pi*sqrt((m + M/2)*R**2/kt)"),
         # m g cos - m v^2/(R + r) with v^2 = v0^2 + g (R + r) (1 - cos)
         (

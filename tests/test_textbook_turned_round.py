@@ -183,7 +183,7 @@ start: {u: -1 m, rate(u): 0}
         ),
         # T = m g M/2/(m + M/2)
         (BUCKET, "value of M for which tension of rope = T", "2*m*T/(m*g - T)"),
-        # v" = v (mA - e mB)/(mA + mB)
+        # v' = v (mA - e mB)/(mA + mB)
         (CENTRAL_IMPACT, "value of e for which velocity of x = 0 after the impact", "mA/mB"),
         # the same, for the mass
         (CENTRAL_IMPACT, "value of mB for which velocity of x after the impact = 0", "mA/e"),
