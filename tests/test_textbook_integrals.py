@@ -1,4 +1,4 @@
-"""First integrals: energy, momenta and laws that can be separated. Ten problems in the style of textbooks, in words
+"""First integrals: energy, momenta and laws that can be separated. Eleven problems in the style of textbooks, in words
 and numbers of our own; from what the formula follows by hand stands beside it."""
 
 from __future__ import annotations
@@ -110,10 +110,27 @@ measures: {x: x of A, y: x of B}
 start: {x: 0, rate(x): v, y: L, rate(y): 0}
 """
 
+# Magnus & Müller, Grundlagen der Technischen Mechanik: a pendulum with a constant friction torque, first half swing
+RUBBED_PENDULUM = """
+parameters: {m: 1 kg, L: 1 m, M: 0.3 N*m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {pivot: {pin: [ground.O, rod.start]}, rub: {brake: {between: [rod, ground], torque: M}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of rod from down}
+start: {phi: 60 deg, rate(phi): 0}
+"""
+
 
 @pytest.mark.parametrize(
     ("model", "question", "formula"),
     [
+        # m L^2/6 phi'^2 = m g L/4 - M pi/3
+        pytest.param(
+            RUBBED_PENDULUM,
+            "velocity of phi when phi = 0",
+            "-sqrt(3*g/(2*L) - 2*pi*M/(m*L**2))",
+            marks=pytest.mark.slow,
+        ),
         # r'^2 + (v0 a/r)^2 = v0^2 + 2 F (a - r)/m
         (PUCK_AND_HOLE, "velocity of r when r = b", "-sqrt(v0**2*(1 - a**2/b**2) + 2*F*(a - b)/m)"),
         # r^2 phi' = a v0
@@ -133,9 +150,9 @@ start: {x: 0, rate(x): v, y: L, rate(y): 0}
             "acos(2*cos(th0)/3)",
             marks=pytest.mark.slow,
         ),
-        # (M + m) x' + m s' cos = 0 and 7/5 s'" + x'" cos = g sin
+        # (M + m) x' + m s' cos = 0 and 7/5 s'' + x'' cos = g sin
         (BALL_ROLLS_ON_A_WEDGE, "acceleration of s", "(M + m)*g*sin(alpha)/(7*(M + m)/5 - m*cos(alpha)**2)"),
-        # s' = sqrt(2 d s'"), of which the wedge has m cos/(M + m)
+        # s' = sqrt(2 d s''), of which the wedge has m cos/(M + m)
         (
             BALL_ROLLS_ON_A_WEDGE,
             "speed of W when s = d",
@@ -153,7 +170,7 @@ start: {x: 0, rate(x): v, y: L, rate(y): 0}
         (A_FRAME, "angular velocity of l when phi = 30 deg", "-sqrt(3*g*(sin(p0) - sin(pi/6))/L)"),
         # m g R = kt phi in the middle, (m + M/2) R^2 the inertia
         (WEIGHT_ON_A_DRUM, "greatest speed of b", "m*g*R/sqrt(kt*(m + M/2))"),
-        # at the lowest point m g - S = -m R phi'"
+        # (m + M/2) R^2 phi'' = m g R - kt phi
         (WEIGHT_ON_A_DRUM, "period of phi", "2*pi*sqrt((m + M/2)*R**2/kt)"),
         # m g cos - m v^2/(R + r) with v^2 = v0^2 + g (R + r) (1 - cos)
         (

@@ -195,7 +195,7 @@ start: {phi: p0}
         (SCOTT_RUSSELL, "velocity of y when psi = 60 deg", "2*L*w*cos(pi/3)"),
         # s = 2 L cos(psi)
         (SCOTT_RUSSELL, "ratio of velocity of y to velocity of s when psi = 60 deg", "-1/tan(pi/3)"),
-        # of the slide alone: m s' s'"/w
+        # of the slide alone: m s' s''/w
         (SCOTT_RUSSELL, "torque of motor when psi = 60 deg", "4*m*L**2*w**2*sin(pi/3)*cos(pi/3)"),
         # y = d tan(w t)
         (SWIVELLING_ROD, "velocity of y at start", "w*d"),

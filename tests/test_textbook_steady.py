@@ -146,7 +146,7 @@ start: {x: 0, rate(x): 0, phi: 0, rate(phi): 0}
         ),
         # R W^2 = g a along the slope
         (PARTICLE_IN_A_CONE, "rate of phi in steady motion when rho = R", "sqrt(a*g/R)"),
-        # (1 + a^2) rho'" = h^2/rho^3 - a g, differentiated
+        # (1 + a^2) rho'' = h^2/rho^3 - a g, differentiated
         (
             PARTICLE_IN_A_CONE,
             "frequency of small oscillations about steady motion when rho = R",
@@ -168,7 +168,7 @@ start: {x: 0, rate(x): 0, phi: 0, rate(phi): 0}
             "frequency of small oscillations about steady motion",
             "sqrt(3*kt/(m*L**2) + 3*b*w**2/(2*L))",
         ),
-        # m r'" = h^2/(m r^3) - F, differentiated
+        # m r'' = h^2/(m r^3) - F, differentiated
         (PUCK_AND_HOLE, "frequency of small oscillations about steady motion", "sqrt(3*F/(m*a))"),
         # M L w^4 - (k L + (M + m) g) w^2 + k g = 0
         (
