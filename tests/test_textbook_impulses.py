@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from posed import is_formula
+from posed import is_derived, is_formula
 
 # Beer & Johnston, Dynamics, ch. 13: a block falls on a scale pan
 SCALE_PAN = """
@@ -195,3 +195,8 @@ start: {x: 0, rate(x): 0}
 )
 def test_an_impact_has_the_formula_of_its_derivation(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula)
+
+
+@pytest.mark.slow
+def test_an_impact_on_two_at_once_is_derived() -> None:
+    is_derived(DISK_HITS_TWO, "speed of B after the impact")
