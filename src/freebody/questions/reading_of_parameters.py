@@ -147,9 +147,12 @@ def _value(read: Read, names: Names, parameter: Parameter, relation: str, when: 
             return None
     elif right != "zero":
         target = names.formula(right, asked.quantity.dimension, "find")
-    kind = ValueForOnTheWay if asked.quantity.scope == "course" else ValueFor
+    of = asked.quantity
+    if target == ZERO and of.scope == "instant":
+        of = of.sized(space=names.space)  # a vector vanishes with its size
+    kind = ValueForOnTheWay if of.scope == "course" else ValueFor
     unit = "rad" if parameter.is_angle else str(parameter.dimension)
-    return replace(asked, quantity=kind(name, asked.quantity, target, parameter.dimension, unit, left + timed))
+    return replace(asked, quantity=kind(name, of, target, parameter.dimension, unit, left + timed))
 
 
 def _staying(read: Read, names: Names, parameter: Parameter, measure: str) -> Meant | None:

@@ -295,7 +295,11 @@ class _Turned:
             draw, target = made.draw, made.draw.reference.number(self.quantity.target)
             numeric = quantity_with(self.setup, self.question, of, self.formula, made)
             share = 1.0 if event is None or target else 1.0 / OF_PARTS  # what vanishes in motion counts by its size
-            check.compare(draw, target, numeric, lambda: share * made.size)
+            if event is not None and not target and of.kinematic_order == 1 and isinstance(numeric, float):
+                # a velocity that vanishes is the root of what energy leaves: its square has the error of the motion
+                check.compare(draw, target, numeric**2, lambda: share * made.size**2)
+            else:
+                check.compare(draw, target, numeric, lambda: share * made.size)
 
         return check.gather(candidate.at, compare).evidence()
 
