@@ -1088,6 +1088,19 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "back": "sqrt(v0**2 - 4*mu*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k)",
         "lost": "2*mu*m*g*(sqrt((mu*m*g)**2 + k*m*v0**2) - mu*m*g)/k",
     },
+    # I_P = I_C - m d^2 + m (R - d)^2 = 2 m R (R - d) about the middle, R - d from the mass centre: a string of 2 R
+    "arc_pendulum": {
+        "period": "2*pi*sqrt(2*R/g)",
+        "acceleration": "-g*sin(phi_0)/(2*R)",
+        "fastest": "-sqrt(g*(1 - cos(phi_0))/R)",
+    },
+    # phi = phi_0 e^(-d t) (cos(w t) + (d/w) sin(w t)), d = c/(2 J), w^2 = k/J - d^2, at rest again at w t = pi
+    "damped_torsion_pendulum": {
+        "frequency": "sqrt(k/J - (c/(2*J))**2)",
+        "turns": "pi/sqrt(k/J - (c/(2*J))**2)",
+        "swing": "-phi_0*exp(-pi*c/(2*J*sqrt(k/J - (c/(2*J))**2)))",
+        "acceleration": "-k*phi_0/J",
+    },
     # F'' + k (1/m + R^2/J) F = k (R T/J + g), F = m g and F' = 0 at the start
     "hoist_with_an_elastic_rope": {
         "first": "m*g",

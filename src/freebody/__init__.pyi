@@ -567,16 +567,26 @@ class ElasticString(_ElasticString):
     """`elastic_string: {from: ground.A, over: [ground.B], to: ball, stiffness: k, length: l0}`: a rubber band, a bungee
     cord: pulls with k (l - l0) along all its way, through smooth rings and over small pulleys (`over`), and is slack
     where it is shorter than l0. Without a length it is relaxed at the start. `taut: true` leaves the case of slackness
-    out: it stays taut."""
+    out: it stays taut.
+
+    In the plane it also runs round the rims of wheels, `over: [wheel]`, and its way may be a `path` with drums, as that
+    of a `string`. It does not slip on the wheels that it `grips` (default: all bodies that can turn), and over the
+    others it slides without friction (`grips: []` for all). At the start it is evenly stretched; from then on a section
+    between grips has a tension of its own and the stiffness k L/L_section, L the length of all of it at the start, as
+    long as it stretches little: what comes on a wheel and leaves it is not counted. From a drum on, l0 is that of what
+    is off it at the start."""
 
     def __init__(
         self,
-        start: _Text,
-        to: _Text,
+        start: _Text | None = ...,
+        to: _Text | None = ...,
         over: _List = ...,
+        under: _List = ...,
+        path: _List = ...,
         stiffness: _Formula = ...,
         length: _Formula | None = ...,
         taut: bool = ...,
+        grips: _List | None = ...,
     ) -> None: ...
 
 class Ellipsoid(_Ellipsoid):
@@ -1251,9 +1261,11 @@ class TensionedString(_TensionedString):
 
     def __init__(
         self,
-        start: _Text,
-        to: _Text,
+        start: _Text | None = ...,
+        to: _Text | None = ...,
         over: _List = ...,
+        under: _List = ...,
+        path: _List = ...,
         tension: _Formula = ...,
     ) -> None: ...
 

@@ -23,6 +23,7 @@ from freebody.measures.geometry import GROUND, Components
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
+from freebody.model.pressed_side import flank_of
 from freebody.model.rotations import dot, vector_product
 from freebody.model.spec import Formula
 from freebody.tolerances import ROUNDED
@@ -72,7 +73,7 @@ connections:
         flank = 0 if self._slope(names) == ZERO else -1 if self.other_flank else 1
         measure = shared([self._mesh(names, pair) for pair in found])
         turns = {wheel.held.body: wheel.turn() for pair in found for wheel in pair}
-        teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, flank=flank)
+        teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, pressed=flank_of(flank))
         return [teeth, *self.alike(names, turns)]
 
     def _mesh(self, names: Names, wheels: tuple[BornWheel, BornWheel]) -> Combination:

@@ -28,6 +28,7 @@ from freebody.measures.distance import Distance
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
+from freebody.model.pressed_side import TightRun
 from freebody.model.spec import Formula
 from freebody.model.transmitted import Transmitted
 from freebody.tolerances import ROUNDED
@@ -80,7 +81,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
             return [ConstraintRow("chain", "chain force", rolled, sign=-1)]
         side = -1 if self.other_run else 1
         tight = Combination((*rolled.terms, (side * lean, distance)), LENGTH)
-        return [ConstraintRow("chain", "chain force", tight, sign=-1, flank=side, other_side="other_run")]
+        return [ConstraintRow("chain", "chain force", tight, sign=-1, pressed=TightRun(side))]
 
     def loads_bearings(self, names: Names) -> Mapping[str, str]:
         if self._loop(names).lean is not None:

@@ -18,6 +18,7 @@ from freebody.measures.combination import Combination
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, RigidBody
 from freebody.model.glyphs import Glyph
+from freebody.model.pressed_side import Flank
 from freebody.model.spec import Formula
 from freebody.tolerances import ROUNDED
 
@@ -74,7 +75,11 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
             name = "centers" if k == 0 else f"centers {k + 1}"
             centers.append(ConstraintRow(name, "radial force", distance, total, if_needed=True))
         teeth = ConstraintRow(
-            "teeth", "tooth force", Combination(gathered(terms), LENGTH), sign=-1, flank=0 if slope == ZERO else flank
+            "teeth",
+            "tooth force",
+            Combination(gathered(terms), LENGTH),
+            sign=-1,
+            pressed=None if slope == ZERO else Flank(flank),
         )
         turns = {name: Angle(name) for pair in self.pairs_of_gears(names) for name in pair}
         return [teeth, *self.alike(names, turns), *centers]

@@ -19,6 +19,7 @@ from freebody.measures.geometry import GROUND, ONE, Direction
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, RigidBody
 from freebody.model.glyphs import Glyph
+from freebody.model.pressed_side import Flank
 from freebody.model.spec import Formula, Heading
 from freebody.tolerances import ROUND_OFF
 
@@ -67,7 +68,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
             parting = slope if is_above == (flank > 0) else -slope
             terms.append((parting, Displacement(pinion.center, rack.center, along.normal())))
         rolled = Combination(tuple(terms), LENGTH)
-        return [ConstraintRow("teeth", "tooth force", rolled, sign=-1, flank=0 if slope == ZERO else flank)]
+        return [ConstraintRow("teeth", "tooth force", rolled, sign=-1, pressed=None if slope == ZERO else Flank(flank))]
 
     def parts(self, names: Names) -> dict[str, Expr]:
         return parts_of_tooth_force(read_pressure_angle(names, self))

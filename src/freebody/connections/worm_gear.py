@@ -30,6 +30,7 @@ from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
+from freebody.model.pressed_side import flank_of
 from freebody.model.rotations import dot, vector_product
 from freebody.model.spec import Formula
 from freebody.model.thread import Thread
@@ -86,7 +87,7 @@ connections:
             radial = divide(Call("tan", alpha), Call("cos", self._lead(names)))
             along = combined((ONE, along), (negate(number(flank) * radial), apart))
         flank = 0 if alpha is None else flank
-        return [ConstraintRow("teeth", "tooth force", meshing(wheels, place, along), sign=-1, flank=flank)]
+        return [ConstraintRow("teeth", "tooth force", meshing(wheels, place, along), sign=-1, pressed=flank_of(flank))]
 
     def _normal(self, names: Names, wheels: tuple[BornWheel, BornWheel], e: Components) -> Components:
         """Across the thread in the plane that touches both pitch surfaces, its part along the worm of length 1."""

@@ -17,6 +17,7 @@ from freebody.language.units import Dimension
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Geometry, Point, Scalar, Vector, unit
 from freebody.model.one_sided import OneSided
+from freebody.model.pressed_side import Flank
 from freebody.model.solids import NO_SOLID, SolidKind
 
 S = TypeVar("S", bound=Scalar)
@@ -253,8 +254,7 @@ class ConstraintRow:
     stretches: tuple[StringStretch, ...] = ()  # of a string, in order; the reaction is the tension of the last one
     instead: str = ""  # what to take where this is held by others as well, and may have been held by mistake
     closes: bool = False  # held from the start on, and not before: two parts meet and stay together
-    flank: int = 0  # teeth: the sign of the reaction with which the row pushes as it does; on the other flank otherwise
-    other_side: str = "other_flank"  # the field that says that the reaction has the other sign
+    pressed: Flank | None = None  # the side on which the row pushes as it does; on the other one otherwise
 
     @property
     def in_symbols(self) -> Expr | None:

@@ -55,7 +55,7 @@ questions: {it: radial tooth force of mesh}
         force = row.sign * state.multiplier(row)
         if self.is_tangential:
             return force
-        size = row.flank * force if row.flank else state.absolute(force)
+        size = row.pressed.sign * force if row.pressed else state.absolute(force)
         return size if self.factor == ONE else state.scalar(self.factor) * size
 
     def sentence(self, system: Described) -> Sentence:

@@ -23,7 +23,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.vectors import ORIGIN, axes_of
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.conditions import Condition, closed, on_this_flank, require
+from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.equilibrium import ClosedFormRest
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -247,9 +247,10 @@ class Setup:
         """Conditions under which teeth bear on the flank that the model says."""
         found: list[Condition] = []
         for row in self.system.constraint_rows:
-            if row.flank:
+            if row.pressed:
                 with suppress(CannotAnswer):
-                    found += _open(row.flank * row.sign * state.multiplier(row), ">=", on_this_flank(row))
+                    pressed = row.pressed.sign * row.sign * state.multiplier(row)
+                    found += _open(pressed, ">=", row.pressed.is_kept(row.connection))
         return found
 
     def reserves(self, state: SymbolicState) -> list[Condition]:

@@ -25,7 +25,6 @@ from freebody.language.expression import (
 )
 from freebody.language.notation import Stated, compared, reworded, to_text
 from freebody.language.sentences import Message, in_turn
-from freebody.model.elements import ConstraintRow
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import ARC_RANGES, Sign, acute_argument, arc_argument
@@ -57,16 +56,6 @@ def closed(connection: str, reaction: str) -> str:
     if reaction == "normal force":
         return Message("{contact} keeps touching", contact=connection)
     return Message("{contact} holds", contact=connection)
-
-
-def on_this_flank(row: ConstraintRow) -> str:
-    """Which teeth bear, or which run of a chain, as the purpose of a condition on what carries their radial force."""
-    if row.other_side == "other_run":
-        return Message(
-            "the run of {chain} that is taken to be tight is so; for the other one write other_run",
-            chain=row.connection,
-        )
-    return Message("the teeth of {mesh} bear on this flank; for the other one write other_flank", mesh=row.connection)
 
 
 def relation_text(e: Expr, relation: str) -> Stated:

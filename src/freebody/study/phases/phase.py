@@ -19,7 +19,7 @@ from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.study.phases.placed import Given, Placed
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import on_this_flank, relation_text
+from freebody.symbolic.conditions import relation_text
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import ClosedFormMotion
 from freebody.symbolic.phases.energy_motion import course_of
@@ -249,8 +249,8 @@ class Phase:
             short = self.gap(self.base.borders[name])
             found.append(PhaseWatch("opens", name, -short) if acts else PhaseWatch("touches", name, short))
         for row in self.base.constraint_rows:
-            if row.flank and not (pressed := row.flank * self.normal(row)).is_zero():
-                found.append(PhaseWatch("changes sign", on_this_flank(row), pressed))
+            if row.pressed and not (pressed := row.pressed.sign * self.normal(row)).is_zero():
+                found.append(PhaseWatch("changes sign", row.pressed.is_kept(row.connection), pressed))
         for name, state in states.items():
             rub = self.dry_friction[name]
             if state:

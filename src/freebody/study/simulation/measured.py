@@ -88,7 +88,9 @@ class MeasuredMotion(SimulatedMotion):
         """The meshes whose teeth come to bear on another flank than the one that the model says, and when first [s]."""
         found: list[tuple[ConstraintRow, float]] = []
         for k, row in enumerate(self.rows):
-            pressed = row.flank * row.sign * self.course.multipliers[:, k]
+            if row.pressed is None:
+                continue
+            pressed = row.pressed.sign * row.sign * self.course.multipliers[:, k]
             away = np.flatnonzero(pressed < -ROUND_OFF * np.abs(pressed).max(initial=0.0))
             if len(away):
                 found.append((row, float(self.course.times[away[0]])))

@@ -68,13 +68,8 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
         told = Message("{names}: connections hold the same thing more than once", names=", ".join(open_))
         yield entry(Message("not unique"), told)
     for row, time in result.other_flanks:
-        told = Message(
-            "from {t:.4g} s the other run of {mesh} is tight: there its pull at the bearings has the wrong sign"
-            if row.other_side == "other_run"
-            else "from {t:.4g} s {mesh} bears on its other flank: there its radial force is reversed",
-            t=time,
-            mesh=row.connection,
-        )
+        assert row.pressed is not None
+        told = row.pressed.is_left(row.connection, time)
         yield entry(Message("teeth"), told)
     for purpose, time in result.not_valid:
         told = Message(
