@@ -114,3 +114,19 @@ start: {{rate(y): {v}}}
     assert system.solve("h when rate(y) = 0").answers[0].value == pytest.approx(-s + 0.75 * v**2 / G, rel=1e-9)
     period = system.solve("period of small oscillations").answers[0].value
     assert period == pytest.approx(2 * math.pi * math.sqrt(1.5 * s / G), rel=1e-9)
+
+
+def test_the_period_of_a_roller_in_a_pipe_is_derived_with_its_place_at_rest() -> None:
+    told = str(
+        fb.System.from_text("""
+space: {up: z}
+parameters: {m: 2 kg, R: 1 m, r: 0.2 m, g: 9.81 m/s^2}
+bodies:
+  pipe: {cylinder: {mass: 50 kg, radius: R, length: 3 m, axis: x}, fixed: true, at: [0, 0, 0]}
+  roller: {cylinder: {mass: m, radius: r, length: 1 m, axis: x}, at: [0, 0, r - R]}
+connections: {roll: {rolling: {body: roller, inside: pipe}}}
+loads: {weight: {gravity: g}}
+""").explain("period of small oscillations")
+    )
+    assert "z_roller_e = r - R" in told
+    assert "no derivation" not in told

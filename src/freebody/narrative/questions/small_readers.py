@@ -22,6 +22,8 @@ from freebody.model.elements import NonholonomicForm
 from freebody.narrative.lines.glossary import World
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import generalized_modes
+from freebody.numeric.placing import PoseEquation
+from freebody.numeric.reference import Reference
 from freebody.study.answering.at_equilibrium import frequencies_at, instants, is_driven
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import Draw
@@ -170,7 +172,17 @@ class SmallMotions:
         claimed, q = self._rest(draw)
         moves = [self._velocity(draw, q, j) for j in range(len(values))]
         beside = sum((x * move for x, move in zip(values - claimed, moves, strict=True)), start=0.0 * moves[0])
-        return draw.reference.pose_near(draw.reference.frame.moved(q, beside), wanted, t)
+        return self._pinned(draw.reference, q, beside, t)
+
+    @staticmethod
+    def _pinned(reference: Reference, q: Array, beside: Array, t: float) -> Array:
+        """The pose beside q by a small move, in which everything that q holds is still held: the components of the move
+        along what connections of places leave free are kept, see `numeric.linearised`."""
+        free = reference.split_at(q, reference.branches).null
+        back = free.T / reference.sizes.small_moves**2
+        pinned = [PoseEquation.along(row, q, float(row @ beside)) for row in back]
+        equations = reference.held_where(q, 0.0) + pinned
+        return reference.placing.placed(reference.frame.moved(q, beside), equations, t, reference.branches).q
 
     def _rest(self, draw: Draw) -> tuple[Array, Array]:
         """The claimed values of the coordinates, and the pose with all that is claimed."""
