@@ -36,11 +36,6 @@ def how_high(names: Names, main: Clause) -> Groups:
         return
     if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide", "reach"} and len(main.names) <= 1:
         yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in poses.tops(names, who)]
-        if main.has("verb", "rise") and lookup.hung(names, who) and not lookup.heights(names, who) and who:
-            yield [
-                f"change of height of {who} until {top}" for top in poses.turning(names, who)
-            ]  # not where it then is
-            return
         led = [name for name, _ in lookup.heights(names, who) if joining.is_led(names) and who]
         if main.has("verb", "rise") and led:  # how high the cam lifts it
             yield [f"stroke of {name}" for name in led]
