@@ -19,10 +19,7 @@ Array = NDArray[np.float64]
 
 def matrix(phi: Array) -> Array:
     """(3, 3) of a rotation vector (3,)."""
-    x, y, z = phi.tolist()
-    angle = math.sqrt(x * x + y * y + z * z)
-    part = math.sin(0.5 * angle) / angle if angle > 0.0 else 0.5
-    return np.array(_matrix_rows(math.cos(0.5 * angle), part * x, part * y, part * z))
+    return from_quaternion(quaternion_of_vector(phi))
 
 
 def rotation_vector(R: Array) -> Array:
