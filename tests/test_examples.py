@@ -1105,7 +1105,6 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "hoist_with_an_elastic_rope": {
         "first": "m*g",
         "swings": "m*g + m*R*(T - m*g*R)/(J + m*R**2)*(1 - cos(0.05*sqrt(k*(1/m + R**2/J))))",
-        "hardest": "m*g + 2*m*R*(T - m*g*R)/(J + m*R**2)",
         "jolt": "(T - m*g*R)/J",
     },
     # slipping: m x'' = -mu m g, I w' = T - mu m g r; it slides on with the same x''

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import freebody as fb
+from freebody.errors import ModelError
 from freebody.language.expression import Expr, evaluate
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.shapes import Ink, Shape
@@ -214,14 +215,16 @@ def test_a_hanging_mass_is_held_by_its_string_alone() -> None:
     assert reactions_on(free_body(example("atwood_machine"), "left")) == {"T_left"}
 
 
-def test_what_is_pushed_aside_needs_a_sideways_force() -> None:
+def test_what_is_pushed_aside_swings_and_needs_no_sideways_force() -> None:
+    """Newton's second law to the right: m1 a_x = 1 N."""
     text = (EXAMPLES / "atwood_machine.yaml").read_text("utf-8")
     pushed = text.replace("loads:", "loads:\n  wind: {force: {at: left, along: right, magnitude: 1 N}}", 1)
-    assert reactions_on(free_body(fb.System.from_text(pushed), "left")) == {"T_left", "H_left"}
-    # Newton's second law to the right: 0 = H + 1 N
-    [answer] = fb.solve(fb.System.from_text(pushed), question="sideways force of rope at left").answers
-    assert isinstance(answer.value, float)
-    assert abs(answer.value) == pytest.approx(1.0)
+    with pytest.raises(ModelError, match="put them apart"):  # nothing says where it hangs
+        fb.System.from_text(pushed).solve()
+    placed = fb.System.from_text(pushed.replace("particle: {mass: m1}", "particle: {mass: m1}, at: [-R, -2 m]", 1))
+    assert reactions_on(free_body(placed, "left")) == {"T_left"}
+    [answer] = placed.solve("horizontal acceleration of left").answers
+    assert answer.value == pytest.approx(1.0 / placed.parameters["m1"].value)
 
 
 def test_a_law_that_holds_a_point_back_is_drawn_as_a_spring_from_a_wall_and_one_that_drives_it_as_an_arrow() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import copy
 import functools
+import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -36,7 +37,16 @@ CLOSING = [
 CURVED = [  # as are circles that roll on curves
     name for name in PLANAR if any("rolling_on_curve" in c for c in plain()[name].get("connections", {}).values())
 ]
-EXAMPLES = [name for name in PLANAR if name not in (*CLOSING, *CURVED)]
+STRETCHED_ROUND = [  # and strings that stretch round wheels
+    name
+    for name in PLANAR
+    if any(
+        re.search(r"wound on|over|under", " ".join(load["elastic_string"].get("path", ())))
+        for load in plain()[name].get("loads", {}).values()
+        if "elastic_string" in load
+    )
+]
+EXAMPLES = [name for name in PLANAR if name not in (*CLOSING, *CURVED, *STRETCHED_ROUND)]
 # nothing can touch or rub: any pose near by is possible
 SMOOTH = [
     name

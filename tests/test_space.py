@@ -304,7 +304,13 @@ def anywhere() -> tuple[Array, Array]:
     return rng.uniform(-2.0, 2.0, 3), rng.standard_normal(3)
 
 
-@pytest.mark.parametrize("name", SPATIAL)
+# a rope with mass runs along directions of the ground
+ON_THE_GROUND = [
+    name for name in SPATIAL if any("heavy_rope" in c for c in spatial(name).get("connections", {}).values())
+]
+
+
+@pytest.mark.parametrize("name", [name for name in SPATIAL if name not in ON_THE_GROUND])
 def test_a_model_on_a_turned_body_moves_and_reacts_the_turned_way(name: str) -> None:
     shift, turn = anywhere()
     assert_turned(at_home(name), moved(on_a_lab(name, shift, turn)), shift, turn)

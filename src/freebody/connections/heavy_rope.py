@@ -232,6 +232,11 @@ start: {x: 0.4 m, rate(x): 0}
             told = Message("leads are {needed} directions, one for each straight part, found {n}", needed=needed,
                            n=len(headings))  # fmt: skip
             names.problem(told, "leads")
+        for k, along in enumerate(headings):
+            if along.body != GROUND:
+                told = Message("a rope with mass runs along directions of the ground, and {name} is one of {body}",
+                               name=str(self.leads[k]), body=along.body)  # fmt: skip
+                names.problem(told, "leads", k)
         if self.wound_on is not None and self.start is not None:
             names.problem(Message("the first end is wound on a drum, so nothing else is tied to it"), "from")
         if len(names.problems) > n_before:

@@ -112,8 +112,19 @@ class FreeBodies:
 
     @cached_property
     def outside(self) -> tuple[Acting, ...]:
-        """What acts from outside."""
-        return tuple(self._of(self.bodies, is_whole=False))
+        """What acts from outside. Of reactions of one connection that a drawing cannot tell apart, as of two wheels that
+        grip one rope, the first stands for all."""
+        found: list[Acting] = []
+        for acting in self._of(self.bodies, is_whole=False):
+            if not any(self._is_same(acting, other) for other in found):
+                found.append(acting)
+        return tuple(found)
+
+    def _is_same(self, one: Acting, other: Acting) -> bool:
+        if one.row is None or other.row is None or one.source != other.source or one.is_couple != other.is_couple:
+            return False
+        apart = 0.0 if one.is_couple else float(np.linalg.norm(one.at - other.at))
+        return apart <= self.small and one.body == other.body and bool(np.allclose(one.way, other.way))
 
     @cached_property
     def inside(self) -> tuple[Acting, ...]:

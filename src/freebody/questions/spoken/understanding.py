@@ -377,6 +377,7 @@ def _is_of_words(names: Names, problems: list[Problem]) -> bool:
 def _is_of_kinds(names: Names, problems: list[Problem]) -> bool:
     """Whether they take words for kinds of things, or for all there is, for names: the wheel, the gears."""
     kinds = set[str]().union(*(element.words for element in elements_of(names).exact.values()))
+    kinds -= {*names.bodies, *names.connections, *names.loads}
     named = [m.arguments for p in problems if isinstance(m := p.message, Message) and "hint" in m.arguments]
     return any(str(x) in kinds or stands_for_all(str(x)) for arguments in named for x in arguments.values())
 
