@@ -112,8 +112,8 @@ class FreeBodies:
 
     @cached_property
     def outside(self) -> tuple[Acting, ...]:
-        """What acts from outside. Of reactions of one connection that a drawing cannot tell apart, as of two wheels that
-        grip one rope, the first stands for all."""
+        """What acts from outside. Of reactions of one connection that a drawing cannot tell apart, as of two wheels
+        that grip one rope, the first stands for all."""
         found: list[Acting] = []
         for acting in self._of(self.bodies, is_whole=False):
             if not any(self._is_same(acting, other) for other in found):
