@@ -32,11 +32,16 @@ _NODE = re.compile(
 class GivenWay(Protocol):
     """The fields in which people write a way."""
 
-    start: str | None
-    to: str | None
-    over: list[str]
-    under: list[str]
-    path: list[str]
+    @property
+    def start(self) -> str | None: ...
+    @property
+    def to(self) -> str | None: ...
+    @property
+    def over(self) -> list[str]: ...
+    @property
+    def under(self) -> list[str]: ...
+    @property
+    def path(self) -> list[str]: ...
 
 
 def places_given(of: GivenWay) -> list[tuple[str, tuple[str | int, ...]]]:

@@ -183,7 +183,7 @@ class NumericMode:
                     break
             else:
                 raise CannotAnswer(Message("no friction force is consistent with the motion"))
-        return N
+        return np.asarray(N, dtype=np.float64)
 
     @staticmethod
     def _whole(rub: DryFriction, parts: Array) -> tuple[float, Array]:
