@@ -333,3 +333,33 @@ questions: [tension of s3, tension of s5, tension of s1]
     assert post.value == pytest.approx(1e4)
     assert lower.value is None
     assert "not unique" in lower.reason
+
+
+def test_a_law_that_jumps_with_a_rate_has_no_phases() -> None:
+    """Beside a stop: where the pile turns back its law would jump, which is no border of a case distinction."""
+    system = fb.System.from_text(
+        "parameters: {M: 500 kg, m: 200 kg, h: 2 m, R: 40 kN, g: 9.81 m/s^2}\n"
+        "bodies: {ram: {particle: {mass: M}, at: [0, h]}, pile: {particle: {mass: m}, at: [0, 0]}}\n"
+        "connections: {g1: {slider: {body: ram, along: up}}, g2: {slider: {body: pile, along: up}},"
+        " c: {stop: {measure: gap, min: 0, restitution: 0}}}\n"
+        "loads: {weight: {gravity: g}, soil: {law: {measure: y, force: -R*sign(rate(y))}}}\n"
+        "measures: {y: y of pile, z: y of ram, gap: {expression: z - y}}\nstart: {y: 0, rate(y): 0, z: h, rate(z): 0}"
+    )
+    [answer] = system.solve("speed of pile after the impact").answers
+    assert answer.expression is None
+    assert "the law of soil jumps" in answer.reason
+
+
+def test_a_place_at_which_a_loop_cannot_be_closed_is_refused_in_words() -> None:
+    """The rope is too short for the bar to get down to the level: |bar.end - P| = sqrt(8) m of its 3.118 m."""
+    system = fb.System.from_text(
+        "parameters: {m: 10 kg, L: 2 m, M: 4 kg, h: 2 m, g: 9.81 m/s^2}\nground: {points: {A: [0, 0], P: [0, h]}}\n"
+        "bodies: {bar: {rod: {mass: m, length: L}}, w: {particle: {mass: M}, at: [-0.5 m, 1 m]}}\n"
+        "connections: {hinge: {pin: [ground.A, bar.start]}, gw: {slider: {body: w, along: up}},"
+        " rope: {string: {path: [bar.end, over ground.P, w]}}}\nloads: {weight: {gravity: g}}\n"
+        "measures: {phi: angle of bar from up clockwise}\nstart: {phi: 60 deg, rate(phi): 0}"
+    )
+    [answer] = system.solve("angular velocity of bar when phi = 90 deg").answers
+    assert answer.expression is None
+    assert answer.value is None
+    assert answer.reason

@@ -262,7 +262,13 @@ class ChainBuilder:
         """The whole turns by which the angle differs at the start from its formula."""
         draw = self.setup.draws[0]
         numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
-        values = Chain(tuple(self.steps), (formula,)).numbers(inputs(self.setup, numbers))
+        try:
+            values = Chain(tuple(self.steps), (formula,)).numbers(inputs(self.setup, numbers))
+        except (ArithmeticError, ValueError) as error:  # a root or an arc of what has none
+            told = Message(
+                "at the model's own values the loop of {angle} cannot be assembled there", angle=step.angle.name
+            )
+            raise CannotAnswer(told) from error
         n = round((numbers[step.angle.index] - values[0]) / math.tau)
         return multiply(number(2 * n), Symbol("pi")) if n else None
 

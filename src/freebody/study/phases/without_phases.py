@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Expr
+from freebody.language.expression.tree import children
 from freebody.language.sentences import Message
-from freebody.model.elements import DryFriction
+from freebody.model.elements import RATE, DryFriction
 from freebody.study.phases.at_start import closed_at_start
 from freebody.symbolic.spatial.balls import balls
 from freebody.system.system import System
@@ -35,7 +37,23 @@ def why_no_phases(system: System) -> str:
             "read",
             n=len(system.bounds),
         )
+    if (
+        jumping := next((push.load for push in system.applied_loads if _jumps_with_a_rate(push.law)), None)
+    ) is not None:
+        return Message("the law of {load} jumps where a motion turns back", load=jumping)
     return ""
+
+
+def _jumps_with_a_rate(law: Expr) -> bool:
+    """Whether the sign of a rate stands in a law: where that turns back is no border of the model."""
+    if isinstance(law, Call) and law.function == "sign":
+        return _has_a_rate(law)
+    return any(map(_jumps_with_a_rate, children(law)))
+
+
+def _has_a_rate(part: Expr) -> bool:
+    is_rate = part == RATE or (isinstance(part, Call) and part.function == "rate")
+    return is_rate or any(map(_has_a_rate, children(part)))
 
 
 def insist_on_phases(system: System) -> None:
