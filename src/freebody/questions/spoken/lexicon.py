@@ -45,7 +45,7 @@ _NO_WORDS = (
     "assumptions",
     "contexts",
 )  # tables that are not kinds of words
-_CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass) "  # words that begin a clause, into which no gap goes
+_CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass|from) "  # words into and beyond which no gap goes
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
 
 
