@@ -218,3 +218,16 @@ def test_a_string_of_given_tension_runs_round_a_wheel() -> None:
     system = fb.System.from_text(text.replace("stiffness: k", "tension: 5 N"))
     assert system.solve("acceleration of y").answers[0].value == pytest.approx(9.81 - 2.5)
     assert system.solve("angular acceleration of wheel").answers[0].value == 0.0
+
+
+def test_what_winds_up_is_assumed_to_leave_the_stiffness_as_it_is() -> None:
+    """On a drum, and between wheels that it grips; not where it slides."""
+    model = (
+        "ground: {points: {A: [0, 0], B: [-0.4 m, -1 m]}}\n"
+        "bodies: {wheel: {disk: {mass: 1 kg, radius: 0.2 m}}, ball: {particle: {mass: 1 kg}, at: [0.2 m, -1 m]}}\n"
+        "connections: {p: {pin: [ground.A, wheel]}}\n"
+        "loads: {it: {elastic_string: {from: ground.B, over: [wheel], to: ball, stiffness: 5 N/m, length: 1 mGRIPS}}}"
+    )
+    for grips, is_assumed in (("", True), (", grips: []", False)):
+        system = fb.System.from_text(model.replace("GRIPS", grips))
+        assert any("stretches little" in text for text in system.assumptions) == is_assumed

@@ -12,6 +12,7 @@ import math
 
 import pytest
 
+import freebody as fb
 from posed import is_derived, is_formula, posed
 
 ROD = """
@@ -113,3 +114,21 @@ def test_of_many_places_the_nearest_is_told() -> None:
         "(M + m)*g + (M/2 + m)*L*w^2",
     )
     assert "largest at th = 0" in " ".join(map(str, found.notes))
+
+
+def test_a_turn_without_a_formula_that_could_come_before_is_told() -> None:
+    """A rod with a constant friction torque goes over the top at 9 rad/s and comes down beyond. What its speed there
+    needs for a real root is not enough: at 5 rad/s that holds, and the rod turns back below the top."""
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, L: 1 m, M: 0.05 N m, w: 9 rad/s, p0: 60 deg, p1: 350 deg, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {O: {pin: [ground.O, rod.start]}, rub: {dry_friction: {measure: phi, force: M}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of rod from down}
+start: {phi: p0, rate(phi): -w}
+""")
+    [answer] = system.solve("angular velocity of rod when phi = -p1").answers
+    left = 9.0**2 + 3 * 9.81 * (math.cos(math.radians(350)) - 0.5) - 6 * 0.05 / 2 * math.radians(410)
+    assert answer.value == pytest.approx(-math.sqrt(left))
+    assert any("the conditions are not all that this needs" in note for note in answer.notes)

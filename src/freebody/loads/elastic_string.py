@@ -196,6 +196,13 @@ loads: {it: {elastic_string: {from: ground.B, over: [wheel], to: ball, stiffness
             return []
         if self.taut:
             self._note_taut(names)
+        names.assumptions.append(
+            Message(
+                "the elastic string from {start} stretches little, so that what comes on a wheel that it grips, and "
+                "leaves it, does not change its stiffness",
+                start=place_named(places_given(self)[0][0]),
+            )
+        )
         found: list[AppliedLoad] = []
         for section, length in zip(way.sections, free, strict=True):
             stiffness = k if n == 1 else divide(multiply(k, whole), length)

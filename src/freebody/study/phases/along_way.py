@@ -137,6 +137,7 @@ class EnergyRoad:
             asked = [c for c in found.candidates if c.watch in watches[:n_asked]]
             if not any(np.isfinite(c.reached[self.mine]).any() for c in asked):
                 raise turn
+            found.is_exact = False
         found.tests = self._tests(found.candidates)
         return found
 

@@ -239,6 +239,12 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
                 "just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase)
             )
         )
+    if main.first is not None and not main.first.is_exact:
+        notes.append(
+            Message(
+                "that it does not turn back before was checked at the draws; the conditions are not all that this needs"
+            )
+        )
     if not main.is_home:
         notes += loops_in(main.phase.setup, main.value, main.phase.state)
     broken = _broken(tree, own) if tree.system.has_values else ""

@@ -30,9 +30,9 @@ class FirstEvent:
     watch: PhaseWatch
     zero: CourseZero
     together: tuple[PhaseWatch, ...] = ()  # what else happens at the same instant
-    proved: tuple[
-        PhaseWatch, ...
-    ] = ()  # of this, what does so by its formula: by symmetry, whatever the parameters are
+    # of this, what does so by its formula: by symmetry, whatever the parameters are
+    proved: tuple[PhaseWatch, ...] = ()
+    is_exact: bool = True  # whether formulas tell that nothing comes before
 
     @property
     def watches(self) -> tuple[PhaseWatch, ...]:
@@ -78,6 +78,7 @@ class PossibleEnds:
     tests: list[Test] = field(default_factory=list[Test])
     unsure: list[Proofs] = field(default_factory=list[Proofs])  # what vanishes at none of the sets
     too_near: Mask | None = None  # sets at which numbers cannot tell
+    is_exact: bool = True  # whether formulas tell which of them comes first
 
 
 def no_closed_form(watch: PhaseWatch, error: CannotAnswer) -> CannotAnswer:

@@ -53,7 +53,7 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
 def _outcome(cell: Cell, found: PossibleEnds) -> PhaseOutcome:
     unsure = tuple(found.unsure)
     if cell.label == NOTHING:
-        return PhaseOutcome(None, cell.sets, cell.cuts, cell.is_exact, unsure)
+        return PhaseOutcome(None, cell.sets, cell.cuts, cell.is_exact and found.is_exact, unsure)
     chosen = found.candidates[cell.label]
     with np.errstate(invalid="ignore"):
         others = [c for c in found.candidates if c.watch is not chosen.watch]
@@ -66,10 +66,11 @@ def _outcome(cell: Cell, found: PossibleEnds) -> PhaseOutcome:
             chosen.zero,
             tuple(c.watch for c in same),
             tuple(c.watch for c in same if _is_alike(c, chosen)),
+            found.is_exact,
         ),
         cell.sets,
         (*needs, *cuts),
-        cell.is_exact,
+        cell.is_exact and found.is_exact,
         unsure,
     )
 
