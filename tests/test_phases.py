@@ -273,7 +273,7 @@ start: {x: 0}
     found = titles(phases(fb.System.from_text(text)))
     assert set(found["holds"]) == {"w ≥ h·tan(θ)", "μ ≥ tan(θ)"}
     assert set(found["slides"]) == {"μ ≤ w/h", "μ < tan(θ)"}
-    assert "h·sin(θ) > w·cos(θ)" in found["tips about bottom_right"]
+    assert "w < h·tan(θ)" in found["tips about bottom_right"]
     assert "μ > w/h" in found["tips and slides on bottom_right"]
 
 
