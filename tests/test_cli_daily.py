@@ -118,10 +118,11 @@ def test_a_watched_file_is_read_again_when_it_is_saved(tmp_path: Path) -> None:
     ("shell", "begins"),
     [("bash", "complete -o default -F"), ("zsh", "#compdef freebody"), ("fish", "complete --command freebody")],
 )
-def test_there_is_completion_for_shells(shell: str, begins: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_there_is_completion_for_shells(shell: str, begins: str) -> None:
     """What `--install-completion` puts there, whichever shell the tests are started from."""
-    monkeypatch.setenv("_FREEBODY_COMPLETE", f"source_{shell}")
-    done = freebody()
+    command = [sys.executable, "-c", "import sys; sys.argv = ['freebody']; from freebody.cli import main; main()"]
+    asked = {**os.environ, "_FREEBODY_COMPLETE": f"source_{shell}"}
+    done = subprocess.run(command, env=asked, capture_output=True, text=True, timeout=60, check=False)
     assert begins in done.stdout, done.stderr
 
 
