@@ -40,14 +40,14 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if who in names.loads:  # the motor: what it turns
         driven = {body for p in names.applied_loads if p.load == who for body in p.measure.bodies()} - {GROUND}
         who = next(iter(driven)) if len(driven) == 1 else who
-    if clause.has("part", "horizontal") and dimensions.is_length(value):
+    if clause.has("part", "horizontal") and dimensions.is_length(value, names):
         yield [lookup.come(names, way, value) for way in lookup.level(names, who)]
         return
-    if dimensions.is_speed(value) or dimensions.is_turning_speed(value):
-        found = lookup.places if dimensions.is_speed(value) else lookup.angles
+    if dimensions.is_speed(value, names) or dimensions.is_turning_speed(value, names):
+        found = lookup.places if dimensions.is_speed(value, names) else lookup.angles
         yield [f"rate({measure}) = {value}" for measure in found(names, who)]
         return
-    if dimensions.is_time(value):
+    if dimensions.is_time(value, names):
         return
     doing = set(verbs) - {"start"}
     sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0

@@ -329,8 +329,8 @@ def ends(names: Names, sentence: Sentence) -> Groups:
         within += [value for before, value in sentence.main.values if before in ("on", "along", "through", "over")]
         if len(within) == 1 == len(sentence.main.values):
             [value] = within
-            yield [f"t = {value}"] if dimensions.is_time(value) else []
-            yield [f"{way} = {value}" for way in lookup.ways(names, "")] if dimensions.is_length(value) else []
+            yield [f"t = {value}"] if dimensions.is_time(value, names) else []
+            yield [f"{way} = {value}" for way in lookup.ways(names, "")] if dimensions.is_length(value, names) else []
         said = sentence.main.names
         if said and said[-1][1] in names.parameters and sentence.main.has("quantity", *_WAYS):
             yield [f"{way} = {said[-1][1]}" for way in lookup.ways(names, "")]  # on the way d

@@ -187,7 +187,7 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             measures = lookup.angles(names, of) if quantity.startswith("angular") else lookup.places(names, of)
             yield [f"rate({measure}) = 0" for measure in measures or lookup.angles(names, of)]
         elif quantity in ("velocity", "speed", "angular velocity") and (of in names.measures or not of):
-            is_turning = quantity.startswith("angular") or dimensions.is_turning_speed(value)
+            is_turning = quantity.startswith("angular") or dimensions.is_turning_speed(value, names)
             kinds = lookup.angles if is_turning else lookup.places
             yield [f"rate({measure}) = {value}" for measure in ([of] if of else kinds(names, ""))]
         elif quantity == "tension" and is_zero:

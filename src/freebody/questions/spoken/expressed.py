@@ -246,6 +246,8 @@ _NTH = re.compile(r"(second|third|fourth|fifth)")
 _WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degree", "least")
 _FRICTION, _ROUGH = Word("quantity", "friction force"), Word("ask", "rough")
 _AXES = (Word("preposition", "along"), *(Word("updown", way) for way in ("up", "down")))
+_TURNS = (Word("preposition", "over"), Word("instant", "over a turn"), Word("instant", "for a full turn"))
+_AT_REST = re.compile(r"^range of \w+ that keeps it at rest$")
 _MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
 _LIMITING = (  # of which one is said where it is asked how much of something is enough
     *(Word("filler", what) for what in ("may", "must")),
@@ -265,7 +267,7 @@ def _pattern(kind: str, what: str) -> re.Pattern[str]:
 
 def dropped(words: Sequence[Word], text: str) -> list[Word]:
     """The words that nothing in words of the grammar expresses."""
-    others = (_without_end, _of_other_end, _up_to_what_was_before, _without_axis, _of_what_lasts)
+    others = (_of_a_turn, _without_end, _of_other_end, _up_to_what_was_before, _without_axis, _of_what_lasts)
     return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
 
 
@@ -304,6 +306,12 @@ def _up_to_what_was_before(words: Sequence[Word], text: str) -> list[Word]:
     is_event = any(word.kind == "verb" for word in clause)
     is_counted = any(word.kind in ("value", "turns", "relation") for word in words[k + 1 :])
     return [_AFTER] if is_event and not is_counted else []
+
+
+def _of_a_turn(words: Sequence[Word], text: str) -> list[Word]:
+    """The range that something has over a turn is none of values with which it stays at rest."""
+    over = [word for word in words if word in _TURNS]
+    return over if _AT_REST.search(text) else []
 
 
 def _of_what_lasts(words: Sequence[Word], text: str) -> list[Word]:

@@ -113,13 +113,13 @@ def _driving(names: Names, given: Clause) -> tuple[str, str, str] | None:
     acted = {body for p in names.applied_loads if p.load == thing for body in p.measure.bodies()}
     driven = acted & {*lookup.turning(names)}
     thing = next(iter(driven)) if len(driven) == 1 else thing  # the motor: what it drives
-    if dimensions.is_turning_speed(value) and thing in lookup.turning(names):
+    if dimensions.is_turning_speed(value, names) and thing in lookup.turning(names):
         return thing, value, f"angular velocity of {thing}"
-    if dimensions.is_turning_speed(value) and thing in lookup.angles(names, ""):
+    if dimensions.is_turning_speed(value, names) and thing in lookup.angles(names, ""):
         return thing, value, f"velocity of {thing}"
-    if dimensions.is_speed(value) and thing in lookup.moving(names) and joining.axle_of(names, thing) != "center":
+    if dimensions.is_speed(value, names) and thing in lookup.moving(names) and joining.axle_of(names, thing) != "center":
         return thing, value, f"speed of {thing}"
-    if dimensions.is_speed(value) and thing in lookup.places(names, ""):
+    if dimensions.is_speed(value, names) and thing in lookup.places(names, ""):
         return thing, value, f"velocity of {thing}"
     return None
 

@@ -289,7 +289,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     elif len(times) == 1 and len(main.values) == 1:
         [value] = times
         kept = Clause([w for w in main.words if w != Word("value", value)])
-        if dimensions.is_time(value) and not kept.has("ask", "far", "much"):
+        if dimensions.is_time(value, names) and not kept.has("ask", "far", "much"):
             tails.append([f" after {value}"])
             main = kept
         elif (asked := within.place_within(main, value)) is not None:

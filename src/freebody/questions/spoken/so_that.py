@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,8 @@ from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+_POSES = {"horizontal": poses.level, "level": poses.level, "at the top": poses.uppermost, "top": poses.uppermost}
 
 
 def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
@@ -36,6 +39,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
+    yield from _in_pose(names, clause, of)
     stays = verbs == {"hold"} or (not verbs and clause.has("relation"))
     if stays and not negated and lookup.is_forced(names):  # the bead stays at 60 deg on the hoop that turns
         yield [f"{text} in steady motion" for text in _staying(names, clause, of)]
@@ -44,7 +48,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     if (
         verbs >= {"hit"}
         and len(clause.values) == 1
-        and dimensions.is_speed(clause.values[0][1])
+        and dimensions.is_speed(clause.values[0][1], names)
         and not clause.has("relation")
     ):
         hitting = [name for name in of if name in lookup.moving(names)] or lookup.massive(names)
@@ -148,6 +152,17 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
         yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
 
 
+def _in_pose(names: Names, clause: Clause, of: list[str]) -> Groups:
+    """What swings is to come as far as it lies level, or stands upright."""
+    verbs = set(clause.all("verb"))
+    said = {*clause.all("part"), *clause.all("instant")} | (verbs & {"top"})
+    pose = _POSES.get(next(iter(said), "")) if len(said) == 1 else None
+    plain = clause.only("verb", "name", "part", "instant", *SILENT) and len(of) <= 1 and not clause.has("not")
+    if pose is not None and plain and verbs and verbs <= {"reach", "rise", "move", "turn", "top"}:
+        places = [place for place in pose(names, next(iter(of), "")) if re.fullmatch(r"\w+ = -?\d+ deg", place)]
+        yield [place.replace(" = ", " reaches ") for place in places]
+
+
 def _staying(names: Names, clause: Clause, of: list[str]) -> list[str]:
     """Something stays where its angle has a value."""
     values = [value for _, value in clause.values]
@@ -174,7 +189,7 @@ def _returning(names: Names, clause: Clause, of: list[str]) -> Groups:
 
 def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """It is to happen after so much time: it stops within 4 s."""
-    times = [value for _, value in clause.values if dimensions.is_time(value)]
+    times = [value for _, value in clause.values if dimensions.is_time(value, names)]
     if (
         len(times) == 1 == len(clause.values)
         and clause.has("verb")
@@ -318,7 +333,7 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
         return Clause(words).without("verb", "vanish", "reach", "move"), "=", "0", tail
     values = [word for word in words if word.kind == "value"]
     if not signs and len(values) == 1 and not clause.has("quantity") and not clause.has("not"):
-        kind = dimensions.kind_of(values[0].what)
+        kind = dimensions.kind_of(values[0].what, names)
         if kind:
             kept = [w for w in words if w.kind in ("name", "part", "updown")]
             return Clause([Word("quantity", kind), *kept]), "=", values[0].what, tail
