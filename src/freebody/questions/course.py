@@ -345,15 +345,30 @@ def names_line(names: Names, connection: str, line: str) -> bool:
     return any(isinstance(value, str) and value.removeprefix(f"{GROUND}.") == line for one in lists for value in one)
 
 
+_DOES = re.compile(
+    r"(?P<who>[\w.]+) (?P<does>begin|start|stop|slip|slide|roll|leave|hit|reach|open|close|come|go|turn|lift|touch|tip)\b"
+)
+
+
 def as_condition(names: Names, text: str) -> str:
     """'when does the block slip' and 'where does it leave the surface' in the words of the grammar."""
     found = re.match(r"^(?:[Ww]hen|at what time) (?:does|do|will) (?P<event>.+?)\??$", text)
     if found is not None and not re.match(r"the (?:loop|linkage|mechanism) (?:assemble|close)", found["event"]):
-        return f"time when {found['event']}"
+        return f"time when {_told(found['event'])}"
     found = re.match(r"^[Ww]here (?:does|do|will) (?P<event>.+?)\??$", text)
     if found is not None and (place := _place(names)) is not None:
-        return f"{place} when {found['event']}"
+        return f"{place} when {_told(found['event'])}"
     return text
+
+
+def _told(event: str) -> str:
+    """What something does, as it is told of it: the block slip is block slips."""
+    event = event.removeprefix("the ")
+    found = _DOES.match(event)
+    if found is None:
+        return event
+    ending = "es" if found["does"].endswith(("ch", "o")) else "s"
+    return f"{found[0]}{ending}{event[found.end() :]}"
 
 
 def _place(names: Names) -> str | None:

@@ -80,8 +80,7 @@ def is_lossy(push: AppliedLoad) -> bool:
 
 def kinetic_energy(system: Described, state: State[Any], b: RigidBody) -> Any:
     """Of one body."""
-    v = place(system, state, b.mass_center, 1)
-    total = state.scalar(b.mass) * dot(v, v) / 2
+    total = translational_energy(system, state, b)
     if b.turns and system.space:
         omega = angular_velocity(system, state, b.name, body_axes(b.name))
         total = total + dot(omega, times_tensor(b, state, omega)) / 2
@@ -89,6 +88,12 @@ def kinetic_energy(system: Described, state: State[Any], b: RigidBody) -> Any:
         w = turning_rate(state, b.name)
         total = total + state.scalar(b.inertia) * w * w / 2
     return total
+
+
+def translational_energy(system: Described, state: State[Any], b: RigidBody) -> Any:
+    """Of the motion of one body with its mass centre."""
+    v = place(system, state, b.mass_center, 1)
+    return state.scalar(b.mass) * dot(v, v) / 2
 
 
 def times_tensor(body: RigidBody, state: State[Any], omega: Vector) -> Vector:

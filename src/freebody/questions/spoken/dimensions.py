@@ -32,7 +32,8 @@ def is_turning_speed(value: str, names: Names | None = None) -> bool:
 def kind_of(value: str, names: Names | None = None) -> str:
     """A speed or an acceleration, as the unit of a value says."""
     return next(
-        (kind for kind, of in (("speed", LENGTH / TIME), ("acceleration", LENGTH / TIME**2)) if _has(value, of, names)), ""
+        (kind for kind, of in (("speed", LENGTH / TIME), ("acceleration", LENGTH / TIME**2)) if _has(value, of, names)),
+        "",
     )
 
 

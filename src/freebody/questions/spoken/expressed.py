@@ -121,6 +121,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "total energy": r"total|energy|conserved",
         "spring energy": r"spring|energy|\^2",
         "rotational energy": r"kinetic energy",
+        "translational energy": r"translational",
         "energy": r"energy|work|lost",
         "energy lost": r"lost|heat|work|loss",
         "kinetic energy lost": r"lost|kinetic|work",

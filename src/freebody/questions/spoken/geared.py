@@ -117,7 +117,11 @@ def _driving(names: Names, given: Clause) -> tuple[str, str, str] | None:
         return thing, value, f"angular velocity of {thing}"
     if dimensions.is_turning_speed(value, names) and thing in lookup.angles(names, ""):
         return thing, value, f"velocity of {thing}"
-    if dimensions.is_speed(value, names) and thing in lookup.moving(names) and joining.axle_of(names, thing) != "center":
+    if (
+        dimensions.is_speed(value, names)
+        and thing in lookup.moving(names)
+        and joining.axle_of(names, thing) != "center"
+    ):
         return thing, value, f"speed of {thing}"
     if dimensions.is_speed(value, names) and thing in lookup.places(names, ""):
         return thing, value, f"velocity of {thing}"

@@ -27,12 +27,16 @@ def _energy(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [" of ".join((quantity, *of))]
 
 
-@said_of("rotational energy")
-def _rotational(names: Names, quantity: str, rest: Clause) -> Groups:
-    """The kinetic energy of what turns about its centre, which has no other."""
+@said_of("rotational energy", "translational energy")
+def _share(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of what turns about its centre all energy is rotational; of what turns about another axle it is left open about
+    which point it is meant."""
     of = [name for _, name in rest.names]
-    if all(joining.axle_of(names, name) == "center" for name in of or lookup.massive(names)):
+    axles = {joining.axle_of(names, name) for name in of or lookup.moving(names)}
+    if axles == {"center"} and quantity == "rotational energy":
         yield from _energy(names, "kinetic energy", rest)
+    elif axles == {""}:
+        yield from _energy(names, quantity.replace(" ", " kinetic "), rest)
 
 
 @said_of("energy")
