@@ -346,7 +346,8 @@ def names_line(names: Names, connection: str, line: str) -> bool:
 
 
 _DOES = re.compile(
-    r"(?P<who>[\w.]+) (?P<does>begin|start|stop|slip|slide|roll|leave|hit|reach|open|close|come|go|turn|lift|touch|tip)\b"
+    r"(?P<who>[\w.]+) "
+    r"(?P<does>begin|start|stop|slip|slide|roll|leave|hit|reach|open|close|come|go|turn|lift|touch|tip)\b"
 )
 
 

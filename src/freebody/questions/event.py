@@ -28,6 +28,7 @@ from freebody.measures.geometry import GROUND
 from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.base import FORMS, NAME, POINT, Path, Quantity
 from freebody.questions.clock import ENDLESS, Clock, SaidEvent, time_asked
+from freebody.questions.compared import compared
 from freebody.questions.ends import GREATEST, LEAST
 
 if TYPE_CHECKING:
@@ -158,7 +159,7 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         return QuestionEvent(sides[0], sides[1], -sides[2], text)
     if (several := _of_several(names, what)) is not None:
         measure, order, constant = several
-        value = names.formula(found["value"].strip(), measure.dimension / TIME**order, *path)
+        value = compared(names, found["value"].strip(), measure.dimension / TIME**order, *path)
         return QuestionEvent(measure, order, value - constant, text)
     order: Literal[0, 1] = 0
     for pattern in (r"rate\((.+)\)", r"(?:rate|velocity|speed) of (.+)", r"(.+)'", r"(.+)_dot"):
@@ -168,13 +169,13 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
             break
     if order == 0 and what in names.states:  # the rate of its integral
         state = names.states[what]
-        return QuestionEvent(state.integral, 1, names.formula(found["value"].strip(), state.dimension, *path), text)
+        return QuestionEvent(state.integral, 1, compared(names, found["value"].strip(), state.dimension, *path), text)
     if (of := _quantity(names, what, found["what"].strip(), path)) is not None:
         target, measure = found["value"].strip(), next(iter(names.measures.values()), None)
         if measure is None:
             names.problem(Message("give the place of the motion a name among the measures first"), *path)
             return None
-        value = names.formula(target, of.dimension, *path)
+        value = compared(names, target, of.dimension, *path)
         if (place := of.place_of(names, value)) is not None:
             return QuestionEvent(place[0], 0, place[1], text)
         return QuantityEvent(measure, 0, Symbol(""), text, of, value, found["what"].strip(), target)
@@ -185,7 +186,7 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         between = _between(names, measure, *other, path)
         return None if between is None else QuestionEvent(between, order, ZERO, text)
     dimension = measure.dimension / TIME**order
-    return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
+    return QuestionEvent(measure, order, compared(names, found["value"].strip(), dimension, *path), text)
 
 
 _EXTREME = re.compile(

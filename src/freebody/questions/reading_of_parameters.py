@@ -15,6 +15,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.model.names import Names, did_you_mean
 from freebody.questions.base import NAME
+from freebody.questions.compared import compared
 from freebody.questions.happening import Happening, read_happening
 from freebody.questions.linkages import ASSEMBLES, TURNS_FULLY, Assembly, OfLinkage, full_turn
 from freebody.questions.motion import OfMeasure, Staying
@@ -146,7 +147,7 @@ def _value(read: Read, names: Names, parameter: Parameter, relation: str, when: 
         if asked is None:
             return None
     elif right != "zero":
-        target = names.formula(right, asked.quantity.dimension, "find")
+        target = compared(names, right, asked.quantity.dimension, "find")
     of = asked.quantity
     if target == ZERO and of.scope == "instant":
         of = of.sized(space=names.space)  # a vector vanishes with its size
@@ -189,7 +190,7 @@ def _range(
     asked = read(names, left + timed, when)
     if asked is None:
         return None
-    target = names.formula(right, asked.quantity.dimension, "find") if right not in ("0", "zero") else ZERO
+    target = compared(names, right, asked.quantity.dimension, "find") if right not in ("0", "zero") else ZERO
     kind = RangeForOnTheWay if asked.quantity.scope == "course" else RangeFor
     unit = "rad" if parameter.is_angle else str(parameter.dimension)
     quantity = kind(

@@ -91,8 +91,9 @@ def can_end_rest(word: str) -> bool:
 def parameters(names: Names, kind: str, of: str) -> list[str]:
     """Parameters that are the mass of a body, the stiffness of a spring, the coefficient of friction."""
     if kind == "mass":
-        masses = [body.mass for name, body in names.bodies.items() if name == of]
-        return [mass.name for mass in masses if isinstance(mass, Symbol)]
+        masses = [body.mass for name, body in names.bodies.items() if name == of or (not of and not body.fixed)]
+        symbols = dict.fromkeys(mass.name for mass in masses if isinstance(mass, Symbol))
+        return [*symbols] if of or len(symbols) == 1 else []
     if kind == "stiffness":
         return [name for name, parameter in names.parameters.items() if parameter.dimension == FORCE / LENGTH]
     if kind == "length" and not of:  # of the only thing that has one

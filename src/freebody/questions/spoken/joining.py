@@ -5,6 +5,7 @@ As in lookup.py, each function gives all that fit.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, cast
 
 from freebody.language.expression import ZERO, free_symbols
@@ -302,14 +303,22 @@ def bearings(names: Names) -> list[str]:
 def axle_points(names: Names, body: str, *, later: bool = False) -> set[Components]:
     """The points of a body at which axles of the ground hold it, in its own axes. later: or will hold it, once they
     have caught it."""
+    joints = axles(names) if later or not names.closing_later else ()  # what is caught later has no axle before
+    return _points_of(names, body, (name for name in joints if GROUND in names.connections[name].mentions(names)))
+
+
+def axle_points_on_level(names: Names, body: str) -> set[Components]:
+    """The points of a body at which axles of bodies that only move level hold it: of a pendulum on a cart."""
+    joints = () if names.closing_later else axles(names)
+    others = {name: names.connections[name].mentions(names) - {body} for name in joints}
+    return _points_of(names, body, (name for name in joints if all(keeps_height(names, one) for one in others[name])))
+
+
+def _points_of(names: Names, body: str, joints: Iterable[str]) -> set[Components]:
     found: set[Components] = set()
-    if body not in names.bodies:
-        return found
-    own = names.bodies[body]
-    for name in axles(names) if later or not names.closing_later else ():  # what is caught later has no axle before
-        described = names.connections[name]
-        if _is_of(names, name, body) and GROUND in described.mentions(names):
-            ends = ends_of(names, name)
+    for name in joints if body in names.bodies else ():
+        if _is_of(names, name, body):
+            own, ends = names.bodies[body], ends_of(names, name)
             points = [end.partition(".")[2] or own.default_point for end in ends if end.partition(".")[0] == body]
             found |= {own.points[point] for point in points if point in own.points}
     return found

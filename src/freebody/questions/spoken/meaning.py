@@ -112,7 +112,8 @@ def _stretched(names: Names, words: list[Word]) -> list[Word]:
     """By how much a spring is longer than without force is its deflection, where that is measured."""
     of = next((word.what for word in words if word.kind == "name"), "")
     swings = bool(lookup.angles(names, of) or lookup.hung(names, of)) or not lookup.ways(names, of)
-    excursion = Word("quantity", "angle" if swings else "displacement")
+    is_spring = of in lookup.springs(names)
+    excursion = Word("quantity", "excursion" if is_spring else "angle" if swings else "displacement")
     words = [excursion if word == Word("quantity", "excursion") else word for word in words]
     is_measured = any(lookup.deflections(names, name) for name in (*lookup.springs(names), ""))
     meant: dict[str, str] = dict.fromkeys(lookup.STRETCHED, "deflection")

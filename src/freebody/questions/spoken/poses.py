@@ -266,13 +266,14 @@ def _on_lines(names: Names, body: str) -> list[_Going]:
 
 
 def _about_axles(names: Names, body: str) -> list[_Going]:
-    """Angles of bodies that turn about an axle of the ground beside their mass centre."""
+    """Angles of bodies that turn about an axle beside their mass centre, of the ground or of what only moves level."""
     found: list[_Going] = []
     for name, measure in names.measures.items():
         own, sense = _signed(measure)
         if not isinstance(own, Angle) or own.origin != GROUND or body not in ("", name, own.of):
             continue
-        pins, centre = joining.axle_points(names, own.of, later=True), names.bodies[own.of].points["mass_center"]
+        pins = joining.axle_points(names, own.of, later=True) or joining.axle_points_on_level(names, own.of)
+        centre = names.bodies[own.of].points["mass_center"]
         if len(pins) != 1:
             continue
         arm = [names.numeric(c - p) for c, p in zip(centre, next(iter(pins)), strict=True)]
