@@ -304,7 +304,7 @@ def _between(
     joints = [joint for joint in joints if all(joining.may_act_at(names, joint, name) for name in of)]
     if kind in ("impulse", "angular impulse"):  # what closes or strikes has an impulse of its own
         closing = {row.connection for row in names.constraint_rows if row.closes} | names.struck_at_start
-        joints = [joint for joint in joints if joint in closing] or joints
+        joints = [joint for joint in joints if joint in closing] or _striking(names, of) or joints
     pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension" and len(row.ends) > 1}
     if kind == "reaction" and of and "." in of[0] and joints and set(joints) <= pulling:  # where a string ends
         yield [f"tension of {joint} at {of[0].partition('.')[0]}" for joint in joints]
@@ -321,6 +321,13 @@ def _between(
     yield [f"{head} of {joint}{f' on {target}' if target else ''}{ends}" for joint in joints]
     if len(of) == 1 and kind == "tension":
         yield [f"tension of {joint} at {of[0]}" for joint in joints]
+
+
+def _striking(names: Names, of: list[str]) -> list[str]:
+    """What only pushes, between the bodies that are named: the stop at which they meet."""
+    rows = [row for row in names.constraint_rows if row.unilateral and row.reaction != "tension"]
+    own = {row.connection: {*row.measure.bodies()} for row in rows}
+    return [joint for joint, bodies in own.items() if {name.partition(".")[0] for name in of} <= bodies]
 
 
 def _ends_of(names: Names, joint: str) -> list[str]:
