@@ -358,7 +358,7 @@ def as_condition(names: Names, text: str) -> str:
         return f"time when {_told(found['event'])}"
     found = re.match(r"^[Ww]here (?:does|do|will) (?P<event>.+?)\??$", text)
     if found is not None and (place := _place(names)) is not None:
-        return f"{place} when {_told(found['event'])}"
+        return f"{place} when {found['event']}"
     return text
 
 

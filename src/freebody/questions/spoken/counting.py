@@ -325,6 +325,7 @@ def ends(names: Names, sentence: Sentence) -> Groups:
             stopping = [f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]]
             yield [f"slipping of {name} ends" for name in clutches] or stopping
             yield ["rolling begins"] if losing.comes_to_roll(names) else []
+            yield ["it stops"] if losing.comes_to_rest(names) else []
         within = [value for before, value in sentence.main.values if before in ("in", "of")]
         within += [value for before, value in sentence.main.values if before in ("on", "along", "through", "over")]
         if len(within) == 1 == len(sentence.main.values):

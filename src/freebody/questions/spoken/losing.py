@@ -41,6 +41,13 @@ def comes_to_roll(names: Names) -> bool:
     return one and joining.rolls(names) and not lookup.rests(names) and not driven and not joining.goes_on(names)
 
 
+def comes_to_rest(names: Names) -> bool:
+    """Whether what moves is one body that slides on the one rough thing there is, cannot roll, and is not driven."""
+    one = len(lookup.massive(names)) == 1 and len(joining.rough(names, "")) == 1
+    driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
+    return one and not joining.rolls(names) and not lookup.rests(names) and not driven and not joining.goes_on(names)
+
+
 def clutches(names: Names) -> list[str]:
     """Brakes between two bodies that move."""
     brakes = [name for name in names.connections if "brake" in names.called.get(name, ())]
