@@ -77,7 +77,8 @@ connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {m
         measure = measure_of(names, self.measure)
         force = self.force.get("static", "") if isinstance(self.force, dict) else self.force
         for body in list(measure.bodies())[:1] if measure is not None else ():
-            yield glyphs.Equation(names.known(body).center, f"friction force <= {force}")
+            what = "torque" if measure.dimension == DIMENSIONLESS else "force"
+            yield glyphs.Equation(names.known(body).center, f"friction {what} <= {force}")
 
 
 def _rub(
