@@ -74,3 +74,26 @@ def test_what_cancels_in_doubles_is_no_zero_where_balls_prove_it() -> None:
     nothing = f.sqrt(2 * a * b + 2 * a * a + 1) - a - b
     assert not nothing.is_zero()  # the field does not see through nested roots
     assert model.samples.vanishes(nothing)
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("mass of wire", 3.0),
+        ("moment of inertia of wire about p", 3 * 0.4**2),
+        ("radius of gyration of wire about p", 0.4),
+    ],
+)
+@pytest.mark.parametrize("turned", ["0", "10 deg"])
+def test_a_mass_that_hangs_at_rest_is_not_taken_for_round_off(question: str, formula: float, turned: str) -> None:
+    """Its acceleration is 1e-17, the square root of which is no time by which a force makes a mass."""
+    hung = f"""
+parameters: {{m: 3 kg, R: 0.4 m, g: 9.81 m/s^2}}
+bodies: {{wire: {{half_ring: {{mass: m, radius: R}}}}}}
+ground: {{points: {{O: [0, 0]}}}}
+connections: {{p: {{pin: [ground.O, wire.center]}}}}
+loads: {{w: {{gravity: g}}}}
+measures: {{th: angle of wire from down}}
+start: {{th: {turned}, rate(th): 0}}
+"""
+    assert asked(hung, question).value == pytest.approx(formula)

@@ -75,9 +75,12 @@ connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {m
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         measure = measure_of(names, self.measure)
+        if measure is None:
+            return
         force = self.force.get("static", "") if isinstance(self.force, dict) else self.force
-        for body in list(measure.bodies())[:1] if measure is not None else ():
-            yield glyphs.Equation(names.known(body).center, f"friction force <= {force}")
+        what = "torque" if measure.dimension == DIMENSIONLESS else "force"
+        for body in list(measure.bodies())[:1]:
+            yield glyphs.Equation(names.known(body).center, f"friction {what} <= {force}")
 
 
 def _rub(

@@ -23,8 +23,10 @@ class GearTrain:
     members: tuple[str, ...]
 
 
-def gear_train(names: Names) -> GearTrain:
-    """The planetary gear of a model of the plane. Raises CannotAnswer where no body carries a gear that meshes."""
+def gear_trains(names: Names) -> list[GearTrain]:
+    """The planetary gears of a model of the plane, one for each carrier. Raises CannotAnswer where no body carries a
+    gear that meshes."""
+    found: list[GearTrain] = []
     meshes = [c for c in names.connections.values() if c.has_contact_point]
     for carrier in (name for name, body in names.bodies.items() if name != GROUND and not body.fixed):
         planets = _borne(names, carrier)
@@ -32,7 +34,9 @@ def gear_train(names: Names) -> GearTrain:
         alike = {copy for planet in planets for copy in names.bodies[planet].copies}
         gears = {body for c in mesh for body in c.mentions(names)} - {carrier, *planets, *alike, GROUND}
         if mesh and gears:
-            return GearTrain(carrier, tuple(planets), tuple(b for b in names.bodies if b in gears))
+            found.append(GearTrain(carrier, tuple(planets), tuple(b for b in names.bodies if b in gears)))
+    if found:
+        return found
     raise CannotAnswer(Message("no body carries a gear on an axle of its own that meshes with others"))
 
 

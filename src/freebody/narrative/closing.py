@@ -100,7 +100,9 @@ def _own_symbol(context: Context, question: Question) -> Expr | None:
         return None
     f = part.field
     is_symbol = not more and any((part - f.variable(g)).is_zero() for g in part.generators())
-    return tidy(part) if is_symbol else None
+    own = tidy(part) if is_symbol else None
+    # what is a parameter itself (a length, a basic efficiency) has no other symbol: p = p says nothing
+    return None if isinstance(own, Symbol) and own.name in context.system.parameters else own
 
 
 def _dimensions_fit(context: Context, question: Question, answer: Answer) -> bool:

@@ -99,6 +99,7 @@ class Figure:
     radius: float | None = None
     hubs: tuple[float, ...] = ()
     is_hollow: bool = False
+    bore: float = 0.0  # radius of the hole of an annulus
     outside: tuple[str, ...] = ()  # what may touch it, by name: its rim from outside, its corners, its points
     inside: tuple[str, ...] = ()  # what may touch its rim from inside
     # in space

@@ -315,8 +315,10 @@ class Pen:
             yield Path(place, turn, circle(rim, 24), "surface", True, color)
             return
         width = min(0.12 * rim, 1.2 * self.u) * (1.0 if figure.inside else -1.0)
+        if figure.bore:  # an annulus, as thick as it is
+            width = figure.bore - rim
         mark = np.array([(rim, 0.0), (rim + width, 0.0)])
-        if figure.inside and figure.outside:
+        if figure.inside and figure.outside and not figure.bore:
             yield Path(place, turn, circle(rim, 24), "hoop" if turn != GROUND else edge, True, color)
             mark = np.array([(rim, 0.0), (rim - width, 0.0)])
         else:

@@ -37,6 +37,7 @@ from freebody.model.glyphs import (
     Wheels,
     in_numbers,
 )
+from freebody.model.solids import DISK
 from freebody.present import figures
 from freebody.present.figures import GROUND, Array, Drawn, Figure, Heading, Pair, Place, ShownGlyph, Wall
 from freebody.present.places import Places
@@ -309,7 +310,9 @@ class _Reader:
         index = self.places.index
         inside = plain.inside + tuple(name for c in rolling for name, k in index.items() if k == c.second.body)
         is_thin = not hubs and self.number(body.inertia) > _THIN * mass * rim**2 > 0
-        return replace(plain, radius=rim, hubs=hubs, is_hollow=bool(inside) or is_thin or body.is_ring, inside=inside)
+        bore = self.number(body.inner) if body.inner is not None and body.solid == DISK else 0.0
+        is_hollow = bool(inside) or is_thin or body.is_ring or bore > 0.0
+        return replace(plain, radius=rim, hubs=hubs, is_hollow=is_hollow, bore=bore, inside=inside)
 
     def _arms_about(self, center: Place) -> Iterable[float]:
         """Radii of the circles about a centre that strings, gears and surfaces touch."""

@@ -19,7 +19,7 @@ from freebody.language.parser import parse
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
-from freebody.model.gear_train import gear_train
+from freebody.model.gear_train import gear_trains
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.arithmetic import quotient
@@ -222,18 +222,20 @@ def _parts(names: Names, found: Found, path: Path) -> tuple[str, str, str, str, 
     if three is None:
         return None
     try:
-        train = gear_train(names)
+        trains = gear_trains(names)
     except CannotAnswer as error:
         names.problem(str(error), *path)
         return None
-    central = [body for body in three if body != train.carrier]
-    if train.carrier not in three or not set(central) <= set(train.members):
+    train = next((t for t in trains if t.carrier in three and set(three) <= {t.carrier, *t.members}), None)
+    if train is None:
+        meant = next((t for t in trains if t.carrier in three), trains[0])
         told = Message(
             "power goes between the carrier {carrier} and two of the gears that mesh with its planets: {members}",
-            carrier=train.carrier,
-            members=", ".join(train.members),
+            carrier=meant.carrier,
+            members=", ".join(meant.members),
         )
         names.problem(told, *path)
         return None
+    central = [body for body in three if body != train.carrier]
     central.sort(key=lambda body: body == three[2])  # one that is not held stands first
     return *three, train.carrier, central[0], central[1]

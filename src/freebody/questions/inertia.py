@@ -196,16 +196,22 @@ def _mass(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked(
     "moment of inertia | radius of gyration of BODY and BODY | of the system [about POINT | about JOINT | about "
-    "its mass center | about LINE | about DIRECTION through POINT]",
+    "its mass center | about LINE | about DIRECTION through POINT | [about POINT] along DIRECTION]",
     r"(?P<what>(?:mass )?moment of inertia|radius of gyration)(?: of (?:the )?"
-    rf"(?P<of>{GROUP}))?(?: about (?:(?:the |its |their )?(?P<center>{CENTER})|(?P<about>{_AXIS})))?",
+    rf"(?P<of>{GROUP}))?(?: about (?:(?:the |its |their )?(?P<center>{CENTER})|(?P<about>{_AXIS})))?"
+    rf"(?: along (?:the )?(?P<along>{PLACE})(?:[ -]axis)?)?",
     rank=66,
     fits=_names_an_axis,
 )
 def _inertia(names: Names, found: Found, path: Path) -> Quantity | None:
     group = read_group(names, found["of"], path)
     is_radius = found["what"] == "radius of gyration"
-    through, along = _axis(names, group, str(found["about"]), path) if found["about"] else (None, None)
+    through, along = None, None
+    if found["along"]:  # then a point stands behind `about`, if anything does
+        along = names.direction(str(found["along"]), *path) if names.space else None
+        through = names.point(str(found["about"]), *path) if found["about"] else None
+    elif found["about"]:
+        through, along = _axis(names, group, str(found["about"]), path)
     if found["about"] in names.connections and through is None:
         told = Message("{joint} is no hinge: name a point, or an axis", joint=str(found["about"]))
         names.problem(told, *path)

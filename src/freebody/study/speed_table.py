@@ -15,8 +15,8 @@ Norton, Design of Machinery, 5th ed. 2012, sec. 9.7-9.11; Mueller, Die Umlaufget
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from itertools import permutations
+from dataclasses import dataclass, replace
+from itertools import combinations, permutations
 from typing import Any
 
 from freebody.errors import CannotAnswer, InputError
@@ -24,7 +24,7 @@ from freebody.language.expression import ZERO, Expr, Symbol, add, evaluate, mult
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, further
 from freebody.measures.angle import Angle
-from freebody.model.gear_train import GearTrain, gear_train
+from freebody.model.gear_train import GearTrain, gear_trains
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Report, Section
 from freebody.present.report.results import Result, entries, entry, summary, table
@@ -58,7 +58,8 @@ class HeldMember:
 
 @dataclass(frozen=True)
 class SpeedTable(Result):
-    """The speed table of a gear train. relative: turns of each body against the carrier for one of the `reference`."""
+    """The speed table of a gear train. relative: turns of each body against the carrier for one of the `reference`;
+    further: the tables of the other carriers, where a model has several (two planetary gears that share members)."""
 
     system: System
     carrier: str
@@ -67,13 +68,18 @@ class SpeedTable(Result):
     values: dict[str, float | None]
     cases: tuple[HeldMember, ...]
     difference: float
+    further: tuple[SpeedTable, ...] = ()
 
     @property
     def report(self) -> Report:
         """The table, and the ratios with one member held."""
-        return summary(self.system.title, self._blocks())
+        return summary(self.system.title, (block for each in self._all() for block in each.blocks()))
 
-    def _blocks(self) -> Iterator[Block]:
+    def _all(self) -> tuple[SpeedTable, ...]:
+        return (self, *self.further)
+
+    def blocks(self) -> Iterator[Block]:
+        """The report of this carrier alone."""
         x, y = Symbol("x"), Symbol("y")
         rows = [[b, "x", to_text(multiply(k, y)), to_text(add(x, multiply(k, y)))] for b, k in self.relative.items()]
         head = (Message("body"), Message("with the carrier"), Message("carrier held"), Message("together"))
@@ -92,7 +98,8 @@ class SpeedTable(Result):
             yield Section((Message("Efficiency"),), tuple(table(map(_flow, self.cases), columns)))
 
     def to_plain(self) -> dict[str, Any]:
-        """Plain data: carrier, reference, relative turns and cases."""
+        """Plain data: carrier, reference, relative turns, cases; `further` tables where there are several carriers."""
+        further = {"further": [each.to_plain() for each in self.further]} if self.further else {}
         return {
             "title": self.system.title,
             "carrier": self.carrier,
@@ -112,11 +119,12 @@ class SpeedTable(Result):
                 for c in self.cases
             ],
             "worst_relative_difference": self.difference,
+            **further,
         }
 
     def ratio(self, driving: str, driven: str, held: str) -> HeldMember:
         """The case of one pair. Raises InputError where there is none."""
-        for case in self.cases:
+        for case in (case for each in self._all() for case in each.cases):
             if (case.driving, case.driven, case.held) == (driving, driven, held):
                 return case
         told = Message("{a}, {b} and {held} are no three members of the train", a=driving, b=driven, held=held)
@@ -147,7 +155,8 @@ def speed_table(system: System, *, efficiency: float | None = None) -> SpeedTabl
         raise InputError(Message("an efficiency is between 0 and 1, found {eta:g}", eta=efficiency))
     if system.space:
         raise CannotAnswer(Message("speed tables are for gears with parallel axes, in models of the plane"))
-    return _Train(system, gear_train(system.names), efficiency).table()
+    first, *others = (_Train(system, train, efficiency).table() for train in gear_trains(system.names))
+    return replace(first, further=tuple(others))
 
 
 class _Train:
@@ -216,8 +225,9 @@ class _Train:
         """Each two of three central members, the third held: w = x + k y."""
         one, zero = self.field.one, self.field.zero
         k = {self.carrier: zero, **{b: turns[b] for b in self.members}}
-        for other in [b for b in self.members if b != self.reference]:
-            three = (self.reference, other, self.carrier)
+        members = sorted(self.members, key=lambda b: b != self.reference)  # the reference first
+        for one_gear, other in combinations(members, 2):
+            three = (one_gear, other, self.carrier)
             for held in reversed(three):
                 w = {b: one if held == self.carrier and b == self.carrier else k[b] - k[held] for b in three}
                 if held == self.carrier:

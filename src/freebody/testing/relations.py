@@ -307,7 +307,8 @@ def in_halves(system: System, rng: random.Random) -> list[Changed]:
     able = [
         b.name
         for b in system.moving
-        if b.turns and not re.search(rf"(energy|momentum|turn|spin)[^'\"]* of [^'\"]*\b{b.name}\b", asked)
+        if b.turns
+        and not re.search(rf"(energy|momentum|turn|spin|mass|inertia|gyration)[^'\"]* of [^'\"]*\b{b.name}\b", asked)
     ]
     if _touches_all(data) or not able:
         return []

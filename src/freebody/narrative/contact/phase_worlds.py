@@ -7,10 +7,13 @@ it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
+
+import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -33,6 +36,7 @@ N_MOTIONS = 3
 TIMES = (0.37, 0.71)  # of the duration of a phase
 _LONGEST = 400.0
 _OPEN_END = 0.7  # [s] that are looked at of a phase that nothing ends
+_OPEN_TURN = 4.0  # [rad] that a body turns in it at most: steps shrink where rotation vectors come to a full turn
 
 
 @dataclass(frozen=True)
@@ -104,9 +108,19 @@ class WorldRuns:
         tree, nodes = self.tree, self.piece.nodes
         key = ("open", tuple(id(n.phase) for n in nodes), k, None if self.event is None else self.event.text)
         if key not in tree.seen:
-            runs = follow(tree.system, [stage(tree, n) for n in nodes], tree.sets.one(k), [_OPEN_END], self.event)
+            values, stages = tree.sets.one(k), [stage(tree, n) for n in nodes]
+            end = _open_end(*begun(tree.system, stages[0], values))
+            runs = follow(tree.system, stages, values, [end], self.event)
             tree.seen[key] = nodes, runs  # kept with the nodes, so that their numbers stay their own
         return tree.seen[key][1]
+
+
+def _open_end(mode: NumericMode, q: Array, v: Array) -> float:
+    """[s] How long a phase without an end is looked at, by what its bodies turn at first: w t + a t^2/2."""
+    turning = mode.references[0].sizes.turning
+    rate, gain = (float(np.abs(x[turning]).max(initial=0.0)) for x in (v, mode.accelerations(q, v, 0.0)))
+    fastest = rate + math.sqrt(rate**2 + 2.0 * gain * _OPEN_TURN)
+    return min(_OPEN_END, 2.0 * _OPEN_TURN / fastest) if fastest > 0.0 else _OPEN_END
 
 
 class CourseGlossary(Glossary):

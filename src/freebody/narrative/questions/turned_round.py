@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, number, substitute
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import has_phases
@@ -222,7 +222,11 @@ class _Refined:
         values = world.draw.values | {self.quantity.parameter: x}
         of, question, setup = self.quantity.of, self.question, world.glossary.setup
         if has_phases(self.system):
-            found = number_with_changes(self.system.with_parameters(**_given(self.system, values)), _of(question, of))
+            try:
+                system = self.system.with_parameters(**_given(self.system, values))
+            except ModelError as error:  # no body is so: a pipe with a bore wider than itself
+                raise CannotAnswer(str(error)) from error
+            found = number_with_changes(system, _of(question, of))
         else:
             draw = world.draw.with_values(values, setup.system)
             if not of.is_of_state:

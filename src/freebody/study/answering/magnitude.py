@@ -5,6 +5,9 @@ With L the size of the system, M its heaviest mass, V and A the largest speed an
 force (of loads, of connections, of inertia), the parts of a quantity of the dimension mass^a length^b time^c are up to
 
     F L^(b - 1) T^(c + 2)   and   M L^b T^c   for a = 1,        L^b T^c   for a = 0,        T = L/V and sqrt(L/A).
+
+A mass or a moment of inertia (c = 0) is made of masses and lengths alone. A speed or an acceleration that is itself
+round-off beside sqrt(L F/M) and F/M sets no time: a pendulum that hangs at rest has none.
 """
 
 from __future__ import annotations
@@ -19,6 +22,7 @@ from freebody.language.expression import evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.elements import RATE, VALUE, AppliedLoad
 from freebody.numeric.snapshot import Snapshot
+from freebody.tolerances import ROUNDED
 
 
 def magnitude(dimension: Dimension, seen: Snapshot) -> float:
@@ -27,7 +31,10 @@ def magnitude(dimension: Dimension, seen: Snapshot) -> float:
     a, b, c = float(dimension.mass), float(dimension.length), float(dimension.time)
     if a not in (0.0, 1.0):
         return 0.0
-    times = [L / V for V in (_speed(seen),) if V > 0] + [math.sqrt(L / A) for A in (_acceleration(seen),) if A > 0]
+    F, V, A = _force(seen), _speed(seen), _acceleration(seen)
+    usual = F / M if M > 0.0 else 0.0
+    times = [L / V] if math.sqrt(L * usual) * ROUNDED < V else []
+    times += [math.sqrt(L / A)] if usual * ROUNDED < A else []
 
     def most(scale: float, length: float, time: float) -> float:
         if time == 0.0:
@@ -36,7 +43,7 @@ def magnitude(dimension: Dimension, seen: Snapshot) -> float:
 
     if a == 0.0:
         return most(1.0, b, c)
-    return max(most(M, b, c), most(_force(seen), b - 1, c + 2))
+    return most(M, b, c) if c == 0.0 else max(most(M, b, c), most(F, b - 1, c + 2))
 
 
 def power_size(of: str, seen: Snapshot) -> float:

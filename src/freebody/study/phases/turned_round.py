@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import ZERO
 from freebody.language.sentences import Message
 from freebody.questions.base import Wanted
@@ -130,7 +130,11 @@ def _formula(tree: PhaseTree, asked: Question, piece: AnswerBranch) -> Formula:
     assert isinstance(value, (Ratio, tuple))
 
     def in_numbers(values: dict[str, float]) -> Value:
-        return number_with_changes(tree.system.with_parameters(**values), asked)
+        try:
+            system = tree.system.with_parameters(**values)
+        except ModelError:  # no body is so: a pipe with a bore wider than itself
+            return None
+        return number_with_changes(system, asked)
 
     conditions = [*piece.conditions, *needs]
     if asked.transition is not None or piece.in_blow:
