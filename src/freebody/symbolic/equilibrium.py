@@ -25,6 +25,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.decide import decide, sign_given
+from freebody.symbolic.dynamics import NothingWithMass
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant, solve
@@ -73,7 +74,7 @@ class StateOfRest(SymbolicState):
     def multiplier(self, row: ConstraintRow) -> Ratio:
         try:
             return super().multiplier(row)
-        except FormulaTooLong:
+        except (FormulaTooLong, NothingWithMass):
             return self.model.reactions.at_rest(row, self.here)
 
 
