@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from freebody.numeric.instant import Dynamics, forces
+from freebody.numeric.instant import Dynamics, each_force
 from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import RANK_CUT, Split, stack
 from freebody.tolerances import LEAST
@@ -25,6 +25,8 @@ class Balanced(Snapshot):
         reference, g = self.reference, self.geometry
         rows = [reference.gap(row, g).row(len(reference.masses)) for row in reference.system.constraint_rows]
         split = Split(stack(rows, len(reference.masses)), reference.sizes.small_moves, RANK_CUT)
-        loads = forces(reference, g)
+        each = list(each_force(reference, g))
+        loads = sum(each, np.zeros(len(reference.masses)))
+        size = sum(float(np.linalg.norm(load)) for load in each)  # they may balance without any reaction
         left = split.null @ (split.null.T @ loads)
-        return Dynamics(left / max(float(np.linalg.norm(loads)), LEAST), split.multipliers(-loads), split)
+        return Dynamics(left / max(size, LEAST), split.multipliers(-loads), split)
