@@ -1,8 +1,8 @@
 """A pose at rest in which something without mass could move: loads and reactions have to balance there.
 
-With the constraint Jacobian J and the loads Q at rest, J^T lambda = -Q. What of Q acts along the free directions N, J N = 0,
-is balanced by nothing; at an equilibrium it is zero. Source: virtual work, e.g. Goldstein, Poole & Safko, Classical
-Mechanics, 3rd ed. 2002, sec. 1.4."""
+With the constraint Jacobian J and the loads Q at rest, J^T lambda = -Q. What of Q acts along the free directions N,
+J N = 0, is balanced by nothing; at an equilibrium it is zero. Source: virtual work, e.g. Goldstein, Poole & Safko,
+Classical Mechanics, 3rd ed. 2002, sec. 1.4."""
 
 from __future__ import annotations
 

@@ -115,8 +115,8 @@ def equilibria(
 
 
 def _at_zero(model: SymbolicModel, forces: Sequence[Ratio], start: StartState) -> list[dict[int, Ratio]]:
-    """Where all coordinates are zero, if forces vanish there: a symmetric pose, from which coordinates are often counted,
-    may be an equilibrium of several of them where the equations cannot be solved one by one."""
+    """Where all coordinates are zero, if forces vanish there: a symmetric pose, from which coordinates are often
+    counted, may be an equilibrium of several of them where the equations cannot be solved one by one."""
     zero = {c.index: model.field.zero for c in model.coordinates}
     try:
         values = zero | _bound_at(model, zero, start)

@@ -39,7 +39,6 @@ class SimulatedInstant(Snapshot):
             raise CannotAnswer(Message("the {reaction} of {row} is not unique", reaction=row.reaction, row=row.name))
         return float(self._course.multipliers[self._k, j])
 
-
     def total(self, parts: Sequence[tuple[int, ConstraintRow]]) -> float:
         """A sum of multipliers with signs, as what two corners of a box transmit together. With J the rows whose own
         multipliers are not unique, those that balance the same forces differ by z with J^T z = 0; the sum w z is the
