@@ -47,6 +47,15 @@ bodies:
 measures: {apart: distance from A to B}
 connections: {string: {stop: {measure: apart, max: L}}}
 """
+BOUNCING_BALL = """
+parameters: {m: 0.2 kg, h: 1 m, e: 0.8, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {particle: {mass: m}, at: [0, h]}}
+connections: {contact: {contact: {between: [ball, floor], restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {y: {height of ball}}
+start: {y: h}
+"""
 
 
 @pytest.mark.parametrize(
@@ -85,6 +94,13 @@ connections: {string: {stop: {measure: apart, max: L}}}
         (SLACK_STRING, "speed of B after the impact", "mA*v*sqrt(L^2-a^2)/(L*(mA+mB))"),
         (SLACK_STRING, "energy lost in the impact", "mA*mB*v^2*(1-a^2/L^2)/(2*(mA+mB))"),
         (SLACK_STRING, "size of impulse of string", "mA*mB*v*sqrt(1-a^2/L^2)/(mA+mB)"),
+        # Beer & Johnston, Dynamics, ch. 13: each impact leaves e of the speed
+        (BOUNCING_BALL, "greatest y after the second impact", "e^4*h"),
+        (BOUNCING_BALL, "value of e for which greatest y after the second impact = h/4", "1/sqrt(2)"),
+        (BOUNCING_BALL, "greatest y after impact 3", "e^6*h"),
+        (BOUNCING_BALL, "speed of ball after the third impact", "e^3*sqrt(2*g*h)"),
+        (BOUNCING_BALL, "time of the third impact", "sqrt(2*h/g)*(1+2*e+2*e^2)"),
+        (BOUNCING_BALL, "value of e for which speed of ball after the second impact = sqrt(g*h/2)", "1/sqrt(2)"),
     ],
 )
 def test_an_impact_of_a_textbook_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:

@@ -72,6 +72,41 @@ loads:
   s4: {spring: {between: [m3, ground.R], stiffness: k, length: a}}
 measures: {x1: x of m1, x2: x of m2, x3: x of m3}
 """
+GOVERNOR_WITH_A_SLEEVE = """
+parameters: {m: 1 kg, M: 5 kg, L: 0.3 m, Omega: 15 rad/s, beta: 40 deg, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies:
+  right: {particle: {mass: m}, near: {at: [0.2 m, -0.2 m]}}
+  left: {particle: {mass: m}, near: {at: [-0.2 m, -0.2 m]}}
+  sleeve: {particle: {mass: M}, near: {at: [0, -0.4 m]}}
+connections:
+  a: {link: [ground.O, right, L]}
+  b: {link: [ground.O, left, L]}
+  c: {link: [right, sleeve, L]}
+  d: {link: [left, sleeve, L]}
+  guide: {slot: {pin: sleeve, along: up, through: ground.O}}
+loads:
+  weight: {gravity: g}
+  cr: {law: {measure: xr, force: m*Omega^2*xr}}
+  cl: {law: {measure: xl, force: m*Omega^2*xl}}
+measures: {theta: angle of line from ground.O to right from down, xr: x of right, xl: x of left}
+start: {theta: beta}
+"""
+SPRINGS_IN_SERIES = """
+parameters: {m: 2 kg, k1: 100 N/m, k2: 300 N/m, a: 0.2 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies:
+  joint: {particle: {mass: 0}, at: [0, -a]}
+  block: {particle: {mass: m}, at: [0, -2*a]}
+connections:
+  g1: {slider: {body: joint, along: up}}
+  g2: {slider: {body: block, along: up}}
+loads:
+  weight: {gravity: g}
+  s1: {spring: {between: [ground.O, joint], stiffness: k1, length: a}}
+  s2: {spring: {between: [joint, block], stiffness: k2, length: a}}
+measures: {y: drop of block below ground.O}
+"""
 
 
 @pytest.mark.parametrize(
@@ -104,6 +139,11 @@ measures: {x1: x of m1, x2: x of m2, x3: x of m3}
         (THREE_MASSES_BETWEEN_WALLS, "natural frequency of mode 2", "sqrt(2*k/m)"),
         (THREE_MASSES_BETWEEN_WALLS, "highest natural frequency", "sqrt((2+sqrt(2))*k/m)"),
         (THREE_MASSES_BETWEEN_WALLS, "value of k for which lowest natural frequency = w", "w^2*m/(2 - sqrt(2))"),
+        # Thomson, Theory of Vibration, ch. 2: in the turning plane, m Omega^2 r against (m + M) g tan(theta)
+        (GOVERNOR_WITH_A_SLEEVE, "equilibrium of theta", "acos((m+M)*g/(m*L*Omega^2))"),
+        # den Hartog, Mechanical Vibrations, ch. 2: the joint has no mass, so both springs carry the same force
+        (SPRINGS_IN_SERIES, "natural frequency", "sqrt(k1*k2/(m*(k1+k2)))"),
+        (SPRINGS_IN_SERIES, "equilibrium of y", "2*a + m*g/k1 + m*g/k2"),
     ],
 )
 def test_a_small_motion_of_a_textbook_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:

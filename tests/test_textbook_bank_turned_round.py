@@ -64,6 +64,22 @@ loads: {weight: {gravity: g}}
 measures: {y: drop of two below ground.C}
 start: {y: 0.5 m, rate(y): 0}
 """
+CRATE_HINGED_ON_A_TRUCK = """
+parameters: {m: 50 kg, b: 0.6 m, h: 1 m, a: 2 m/s^2, g: 9.81 m/s^2}
+bodies:
+  truck:
+    rectangle: {mass: 100 kg, width: 3 m, height: 0.4 m}
+    at: [0, 0]
+    points: {K: [-b/2, 0.2 m]}
+    lines: {bed: {through: [0, 0.2 m], along: right}}
+  crate: {rectangle: {mass: m, width: b, height: h}, at: [0, 0.2 m + h/2]}
+connections:
+  track: {slider: {body: truck, along: right}}
+  motor: {driver: {measure: x of truck, follows: a*t^2/2}}
+  hinge: {pin: [truck.K, crate.bottom_left]}
+  bed: {contact: {between: [crate.bottom_right, truck.bed]}}
+loads: {weight: {gravity: g}}
+"""
 
 
 @pytest.mark.parametrize(
@@ -105,6 +121,11 @@ start: {y: 0.5 m, rate(y): 0}
         (TWO_WEIGHTS_ON_A_ROPE, "vertical reaction of axle", "4*m1*m2*g/(m1+m2)"),
         (TWO_WEIGHTS_ON_A_ROPE, "value of m2 for which tension of rope at one = 3*m1*g/2", "3*m1"),
         (TWO_WEIGHTS_ON_A_ROPE, "tension of rope at one as m2 grows", "2*m1*g"),
+        # Meriam & Kraige, Dynamics, ch. 6: moments about the hinge, N b + m a h/2 = m g b/2
+        (CRATE_HINGED_ON_A_TRUCK, "largest a so that the crate does not tip", "b*g/h"),
+        (CRATE_HINGED_ON_A_TRUCK, "normal force of bed", "m*(g/2 - a*h/(2*b))"),
+        (CRATE_HINGED_ON_A_TRUCK, "range of a for which crate tips", "b*g/h"),
+        (CRATE_HINGED_ON_A_TRUCK, "value of a for which normal force of bed = 0", "b*g/h"),
     ],
 )
 def test_a_question_turned_round_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:
