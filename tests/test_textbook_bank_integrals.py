@@ -67,6 +67,19 @@ bodies: {sat: {particle: {mass: m}, at: [r0, 0], velocity: [0, v0]}}
 loads: {pull: {attraction: {center: ground.E, strength: mu}}}
 measures: {r: distance from ground.E to sat, phi: angle of line from ground.E to sat}
 """
+BEAD_IN_A_TURNING_GROOVE = """
+parameters: {m: 0.1 kg, b: 0.2 m, omega: 3 rad/s, r0: 0.1 m}
+bodies:
+  plate: {disk: {mass: 1 kg, radius: 1 m}, at: [0, 0], points: {G: [0, b]}}
+  bead: {particle: {mass: m}, near: {at: [0.1 m, 0.2 m]}}
+ground: {points: {O: [0, 0]}}
+connections:
+  axle: {pin: [ground.O, plate.center]}
+  groove: {slot: {pin: bead, on: plate, along: plate.x, through: plate.G}}
+  motor: {driver: {measure: angle of plate, follows: omega*t}}
+measures: {s: travel of bead along plate.x from plate.center}
+start: {s: r0, rate(s): 0}
+"""
 
 
 @pytest.mark.parametrize(
@@ -106,6 +119,9 @@ measures: {r: distance from ground.E to sat, phi: angle of line from ground.E to
         (SATELLITE, "value of v0 for which greatest r = 2*r0", "sqrt(4*mu/(3*r0))"),
         (SATELLITE, "least v0 so that sat escapes", "sqrt(2*mu/r0)"),
         (SATELLITE, "least speed of sat", "(2*mu-r0*v0^2)/(r0*v0)"),
+        # Taylor, ch. 9: s'' = omega^2 s, whatever the distance of the groove from the axle
+        (BEAD_IN_A_TURNING_GROOVE, "velocity of s when s = b", "omega*sqrt(b^2-r0^2)"),
+        (BEAD_IN_A_TURNING_GROOVE, "time when s = b", "log(b/r0+sqrt(b^2/r0^2-1))/omega"),
     ],
 )
 def test_a_first_integral_of_a_textbook_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:

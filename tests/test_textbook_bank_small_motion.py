@@ -1,10 +1,12 @@
-"""Small motion, steady motion and conservation: problems of textbook families, each with the formula that follows by hand."""
+"""Small and steady motion, conservation: problems of textbook families, each with the formula that follows by hand."""
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
-from posed import is_formula
+from posed import is_formula, posed
 
 COUPLED_PENDULUMS = """
 parameters: {m: 1 kg, L: 1 m, a: 0.6 m, k: 20 N/m, d: 0.5 m, g: 9.81 m/s^2}
@@ -72,8 +74,23 @@ loads:
   s4: {spring: {between: [m3, ground.R], stiffness: k, length: a}}
 measures: {x1: x of m1, x2: x of m2, x3: x of m3}
 """
+WATT_GOVERNOR = """
+space: {up: z}
+parameters: {m: 1 kg, M: 5 kg, L: 0.3 m, Omega: 20 rad/s, beta: 40 deg, g: 9.81 m/s^2}
+bodies:
+  spindle: {body: {}, turned: [psi about z]}
+  right: {body: {mass: m}, points: {top: [0, 0, L]}, turned: [theta about y], frame: spindle}
+  left: {body: {mass: m}, points: {top: [0, 0, L]}, turned: [phi about y], frame: spindle}
+connections:
+  bearing: {revolute: {first: ground.O, second: spindle, about: z}}
+  a: {revolute: {first: spindle, second: right.top, about: y}}
+  b: {revolute: {first: spindle, second: left.top, about: y}}
+  motor: {driver: {measure: psi, follows: Omega*t}}
+loads: {weight: {gravity: g}}
+start: {theta: beta, phi: -beta}
+"""
 GOVERNOR_WITH_A_SLEEVE = """
-parameters: {m: 1 kg, M: 5 kg, L: 0.3 m, Omega: 15 rad/s, beta: 40 deg, g: 9.81 m/s^2}
+parameters: {m: 1 kg, M: 5 kg, L: 0.3 m, Omega: 20 rad/s, beta: 40 deg, g: 9.81 m/s^2}
 ground: {points: {O: [0, 0]}}
 bodies:
   right: {particle: {mass: m}, near: {at: [0.2 m, -0.2 m]}}
@@ -139,6 +156,8 @@ measures: {y: drop of block below ground.O}
         (THREE_MASSES_BETWEEN_WALLS, "natural frequency of mode 2", "sqrt(2*k/m)"),
         (THREE_MASSES_BETWEEN_WALLS, "highest natural frequency", "sqrt((2+sqrt(2))*k/m)"),
         (THREE_MASSES_BETWEEN_WALLS, "value of k for which lowest natural frequency = w", "w^2*m/(2 - sqrt(2))"),
+        # Goldstein, ch. 1: beside the spindle, m L Omega^2 sin(theta) cos(theta) = m g sin(theta)
+        (WATT_GOVERNOR, "equilibrium of theta", "acos(g/(L*Omega^2))"),
         # Thomson, Theory of Vibration, ch. 2: in the turning plane, m Omega^2 r against (m + M) g tan(theta)
         (GOVERNOR_WITH_A_SLEEVE, "equilibrium of theta", "acos((m+M)*g/(m*L*Omega^2))"),
         # den Hartog, Mechanical Vibrations, ch. 2: the joint has no mass, so both springs carry the same force
@@ -148,3 +167,11 @@ measures: {y: drop of block below ground.O}
 )
 def test_a_small_motion_of_a_textbook_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula)
+
+
+def test_each_arm_of_a_governor_has_its_place_in_steady_motion() -> None:
+    # m L sin(theta) (L Omega^2 cos(theta) - g) = 0 of each arm alone
+    found = posed(WATT_GOVERNOR, "theta in steady motion")
+    cosine = 9.81 / (0.3 * 20.0**2)
+    assert found.value == pytest.approx((0.0, math.pi, math.acos(cosine)))
+    assert found.evidence is not None

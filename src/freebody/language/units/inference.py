@@ -72,8 +72,8 @@ def _dimension_of_sum(terms: tuple[Expr, ...], dimensions: Mapping[str, Dimensio
             if (name := _taken_for_a_unit(term, first[1])) is not None:
                 raise UnitError(
                     Message(
-                        "{labelled} {added}: unlike units cannot be added; {name} is a name of this model here, not the "
-                        "unit: give the quantity a name of its own",
+                        "{labelled} {added}: unlike units cannot be added; {name} is a name of this model here, not "
+                        "the unit: give the quantity a name of its own",
                         labelled=_labelled(*first),
                         added=_added(term, dimension),
                         name=name,
