@@ -157,7 +157,8 @@ class _Seen:
             tipped = list[NDArray[np.bool_]]()
             for feet in feet_of(self.system, begun, lasting.of):
                 own = closed[:, [places[name] for name in feet.names]]
-                tipped.append(~own.all(axis=1) & (own.any(axis=1) | feet.is_hinged))
+                is_held = feet.is_hinged | np.asarray(own.any(axis=1))
+                tipped.append(np.asarray(~own.all(axis=1) & is_held))
             return self._first(np.any(tipped, axis=0)) if tipped else np.inf
         rolling = {rub.name for rub in self.system.dry_friction if rub.row.reaction == ROLLING}
         own = [k for k in self._columns(record.dry_friction, lasting.of) if record.dry_friction[k] not in rolling]
