@@ -118,3 +118,9 @@ measures: {phi: angle of crank, x: x of piston}
 )
 def test_a_loop_of_a_textbook_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula)
+
+
+def test_a_yoke_that_is_put_in_numbers_is_asked_about_as_one_that_is_put_by_the_crank() -> None:
+    # x = r cos(phi); the place of the yoke fits the file's own r alone, at which the crank is at its dead point
+    model = SCOTCH_YOKE.replace("at: [r, 0]", "at: [0.1 m, 0]")
+    is_formula(model, "velocity of x when phi = beta", "-r*omega*sin(beta)")
