@@ -195,6 +195,7 @@ def test_a_printed_dimension_reads_back_as_itself(exponents):
 
 
 SYMBOLS = {
+    "m": MASS,
     "m1": MASS,
     "m2": MASS,
     "g": ACCELERATION,
