@@ -195,6 +195,7 @@ def test_a_printed_dimension_reads_back_as_itself(exponents):
 
 
 SYMBOLS = {
+    "m": MASS,
     "m1": MASS,
     "m2": MASS,
     "g": ACCELERATION,
@@ -232,6 +233,11 @@ def test_the_dimension_of_an_expression_follows_from_its_symbols(text, dimension
         ("m1 + R", "m1 [kg] + R [m]: unlike units cannot be added"),
         ("m1 - R", "m1 [kg] - R [m]: unlike units cannot be added"),
         ("1 + x", "1 [1] + x [m]: unlike units cannot be added"),
+        (
+            "x - 2 * m",
+            "x [m] - 2*m [kg]: unlike units cannot be added; m is a name of this model here, not the unit: give the "
+            "quantity a name of its own",
+        ),
         ("sin(x)", "sin of x [m]: its argument must be without a unit"),
         ("2^x", "the exponent x [m] must be without a unit"),
         ("x^mu", "x [m] has a unit, so its exponent mu must be a number"),

@@ -112,7 +112,11 @@ def read_joint(
     for point, field in ((one, "first"), (other, "second")):
         if not names.known(point.body).turns:
             names.problem(
-                Message("{body} is a particle, which cannot turn; give it a body with inertia", body=point.body),
+                Message(
+                    "{body} is a particle, which cannot turn; give it a body with inertia, or guide the point alone by "
+                    "point_on_line or point_on_plane",
+                    body=point.body,
+                ),
                 field,
             )
             return None

@@ -31,8 +31,8 @@ LastingKind = Literal["touches", "rolls", "stands"]
 @dataclass(frozen=True)
 class Lasting:
     """A state of connections that is so in every phase: they touch (strings are taut), nothing slips in them, or no
-    body tips: of its places that touch at the start none opens while another stays. `of` are the connections that are
-    meant; none means all."""
+    body tips: of its places that touch at the start none opens while another, or a hinge, stays. `of` are the
+    connections that are meant; none means all."""
 
     kind: LastingKind
     of: tuple[str, ...]

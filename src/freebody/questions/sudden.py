@@ -15,6 +15,11 @@ BLOW = r"(?:blow|impact|collision|strike|kick|jerk|catch|capture|hit)"
 IMPACT = r"(?:impact|collision|bounce|hit)"
 _NAME = r"(?: (?:of|by|with|at) (?:the )?(?P<of>[A-Za-z_]\w*))?"
 _SOON = r"(?:just |immediately |(?<!along )(?<!to the )right )?"  # "along right after" is a direction first
+# impact 3, impact number 3
+_NUMBERED = re.compile(
+    rf"\b(?P<when>before|after|at|of|in|when) (?:the )?(?P<what>{BLOW}|bounce) (?:(?:number|no\.?) )?(?P<n>[1-9])"
+    r"(?=$|\)| [-=+*/<>]| is\b| and\b)"
+)
 _WORDS = re.compile(
     rf"(?<!when)(?<!just) {_SOON}(?P<side>before|after) the (?:(?P<nth>{NTH}) )?(?:{BLOW}|bounce){_NAME}(?= |$|\))"
 )
@@ -38,11 +43,18 @@ def by_blows(phrase: str) -> str:
     def beside(found: re.Match[str]) -> str:
         return f" when just {found['side']} the {nth(found)}blow{of(found)}"
 
+    phrase = _NUMBERED.sub(_by_ordinal, phrase)
     lost = _LOST.match(phrase)
     if lost is not None and nth(lost):
         sides = (f"total energy when just {side} the {nth(lost)}blow{of(lost)}" for side in ("before", "after"))
         return " - ".join(f"({side})" for side in sides)
     return _AT_NTH.sub(lambda found: f" when the {found['nth']} impact{of(found)}", _WORDS.sub(beside, phrase))
+
+
+def _by_ordinal(found: re.Match[str]) -> str:
+    """Impact 3 as the third impact, as far as ordinals go."""
+    ordinal = next((word for word, n in ORDINALS.items() if n == int(found["n"])), None)
+    return found[0] if ordinal is None else f"{found['when']} the {ordinal} {found['what']}"
 
 
 def side_of_blow(condition: str) -> tuple[str, str | None] | None:

@@ -28,6 +28,10 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 
+class NothingWithMass(CannotAnswer):
+    """A coordinate can change with nothing that has inertia."""
+
+
 class SymbolicDynamics:
     """Inertia and forces of a system, each part when it is first asked for."""
 
@@ -151,7 +155,7 @@ class SymbolicDynamics:
             names = ", ".join(
                 c.name for c, a in zip(self._speeds.coordinates, accelerations, strict=True) if a in solved.free
             )
-            raise CannotAnswer(
+            raise NothingWithMass(
                 Message(
                     "nothing with mass moves with {x}, so its acceleration is not determined. Give the body "
                     "a mass or an inertia, or connect it",

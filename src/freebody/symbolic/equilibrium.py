@@ -25,6 +25,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.decide import decide, sign_given
+from freebody.symbolic.dynamics import NothingWithMass
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant, solve
@@ -73,7 +74,7 @@ class StateOfRest(SymbolicState):
     def multiplier(self, row: ConstraintRow) -> Ratio:
         try:
             return super().multiplier(row)
-        except FormulaTooLong:
+        except (FormulaTooLong, NothingWithMass):
             return self.model.reactions.at_rest(row, self.here)
 
 
@@ -102,6 +103,8 @@ def equilibria(
             return [first]
     zeros = _zeros(model, forces, list(model.coordinates)) or _zeros_through_loops(model, forces)
     others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
+    if first is None and not others:
+        others = [r for values in _at_zero(model, forces, start) if (r := _judged(model, values))]
     solutions = ([] if first is None else [first]) + others
     if not solutions:
         raise CannotAnswer(Message("no equilibrium could be found in closed form; start the model at one"))
@@ -109,6 +112,18 @@ def equilibria(
     nearest = min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
     meant = first if first is not None and (first.is_stable is not False or not stable_first) else nearest
     return [meant, *(s for s in solutions if s is not meant)]
+
+
+def _at_zero(model: SymbolicModel, forces: Sequence[Ratio], start: StartState) -> list[dict[int, Ratio]]:
+    """Where all coordinates are zero, if forces vanish there: a symmetric pose, from which coordinates are often
+    counted, may be an equilibrium of several of them where the equations cannot be solved one by one."""
+    zero = {c.index: model.field.zero for c in model.coordinates}
+    try:
+        values = zero | _bound_at(model, zero, start)
+        linear = Linearised(model, values)
+        return [values] if all(linear.vanishes(linear.here(F)) for F in forces) else []
+    except (CannotAnswer, ZeroDivisionError):
+        return []
 
 
 def _bound_at(model: SymbolicModel, at: dict[int, Ratio], start: StartState) -> dict[int, Ratio]:

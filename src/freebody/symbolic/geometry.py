@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, GivenCall, domain, evaluate
+from freebody.language.expression import Expr, GivenCall, domain, evaluate, evaluate_sharing
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND, NO_DIRECTION, Pose, SpatialPose, Vector
@@ -68,7 +68,7 @@ class FieldGeometry:
         return length, angle
 
     def apply(self, expr: Expr, values: dict[str, Ratio], *, here: bool = False) -> Ratio:
-        return evaluate(expr, {**self.names, **values}, self.functions_here if here else self.functions)
+        return evaluate_sharing(expr, {**self.names, **values}, self.functions_here if here else self.functions)
 
     @property
     def scalars(self) -> tuple[Expr, ...]:

@@ -28,6 +28,7 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.waves import square_variants
 
 _FLIPPED = {">": "<", ">=": "<="}
+_MOST_COMPARED = 20  # terms of roots that are compared: the squares of longer ones are read by nobody
 
 
 @dataclass(frozen=True)
@@ -200,7 +201,8 @@ def _without_compared_roots(condition: Condition, premises: Sequence[Condition])
     x, field = condition.element.numerator(), condition.element.field
     below = sign_given(condition.element.denominator(), premises)
     roots = [g for g in sorted(x.generators()) if field.generators[g].kind == "root"]
-    if condition.relation not in _FLIPPED or not 0 < len(roots) < 3 or not below.is_strict:
+    is_short = len(x.num) <= _MOST_COMPARED and len(condition.element.denominator().num) <= _MOST_COMPARED
+    if condition.relation not in _FLIPPED or not 0 < len(roots) < 3 or not is_short or not below.is_strict:
         return [condition]
     rest, squares, reals = x, list[tuple[Ratio, Sign]](), list[Condition]()
     others = [c for c in premises if c.element != condition.element]

@@ -9,7 +9,13 @@ evaluation   values in any arithmetic
 from __future__ import annotations
 
 from freebody.language.expression.calculus import differentiate, substitute
-from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key, value_of_given
+from freebody.language.expression.evaluation import (
+    FLOAT_FUNCTIONS,
+    evaluate,
+    evaluate_sharing,
+    rate_key,
+    value_of_given,
+)
 from freebody.language.expression.inspection import (
     depth,
     domain,
@@ -84,6 +90,7 @@ __all__ = [
     "divide",
     "domain",
     "evaluate",
+    "evaluate_sharing",
     "free_symbols",
     "has_jump",
     "in_one_order",

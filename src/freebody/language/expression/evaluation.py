@@ -29,6 +29,7 @@ from freebody.language.expression.tree import (
 from freebody.messages import Message
 
 T = TypeVar("T")
+_COMPUTED = "computed so far"  # no name of a function
 
 
 def _sign(x: float) -> float:
@@ -61,6 +62,13 @@ def evaluate(expr: Expr, values: Mapping[str, T], functions: Mapping[str, Any] |
     where the mathematics is undefined, as sqrt(-1) or 1/0 in floats.
     """
     return _evaluate(expr, values, FLOAT_FUNCTIONS if functions is None else functions)
+
+
+def evaluate_sharing(expr: Expr, values: Mapping[str, T], functions: Mapping[str, Any]) -> T:
+    """As `evaluate`, with each function of an expression computed once: in formulas that are made from elements of the
+    field the same node stands wherever it is meant, in many terms and nested."""
+    computed: dict[int, T] = {}
+    return _evaluate(expr, values, {**functions, _COMPUTED: computed})
 
 
 # this is what most programs do most of the time: classes are asked for one by one, as patterns take twice as long
@@ -112,6 +120,16 @@ def _evaluate_call(expr: Call, values: Mapping[str, Any], functions: Mapping[str
                 Message("{key} has no value here; known are {values}", key=key, values=_listed(values))
             )
         return functions["rate"](_evaluate(expr.argument, values, functions))
+    computed = functions.get(_COMPUTED)
+    if computed is None:
+        return _evaluate_function(expr, values, functions)
+    key = id(expr)  # the expression lives as long as this
+    if key not in computed:
+        computed[key] = _evaluate_function(expr, values, functions)
+    return computed[key]
+
+
+def _evaluate_function(expr: Call, values: Mapping[str, Any], functions: Mapping[str, Any]) -> Any:
     if isinstance(expr, GivenCall):
         place = _evaluate(expr.argument, values, functions)
         if "given" in functions:
@@ -126,6 +144,8 @@ def _evaluate_call(expr: Call, values: Mapping[str, Any], functions: Mapping[str
 
 def value_of_given(call: GivenCall, argument: Any, functions: Mapping[str, Any]) -> Any:
     """A function that is given in numbers, by its form."""
+    if _COMPUTED in functions:  # the form is one node, whatever its place is
+        functions = {name: f for name, f in functions.items() if name != _COMPUTED}
     place = _evaluate(call.place, {PLACE.name: argument}, functions)
     return _evaluate(call.forms[0], {PLACE.name: place}, functions)
 

@@ -17,6 +17,7 @@ from freebody.language.expression import Call, Expr, GivenCall, Number, PowerOf,
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
 from freebody.language.units.dimension import DIMENSIONLESS, TIME, Dimension
+from freebody.language.units.table import UNITS
 
 
 def dimension_of(expr: Expr, dimensions: Mapping[str, Dimension]) -> Dimension:
@@ -68,6 +69,16 @@ def _dimension_of_sum(terms: tuple[Expr, ...], dimensions: Mapping[str, Dimensio
         if first is None:
             first = (term, dimension)
         elif dimension != first[1]:
+            if (name := _taken_for_a_unit(term, first[1])) is not None:
+                raise UnitError(
+                    Message(
+                        "{labelled} {added}: unlike units cannot be added; {name} is a name of this model here, not "
+                        "the unit: give the quantity a name of its own",
+                        labelled=_labelled(*first),
+                        added=_added(term, dimension),
+                        name=name,
+                    )
+                )
             raise UnitError(
                 Message(
                     "{labelled} {added}: unlike units cannot be added",
@@ -76,6 +87,15 @@ def _dimension_of_sum(terms: tuple[Expr, ...], dimensions: Mapping[str, Dimensio
                 )
             )
     return first[1] if first else None
+
+
+def _taken_for_a_unit(term: Expr, wanted: Dimension) -> str | None:
+    """The name in a number times a name, as in `1 m`, that would fit if it were the unit."""
+    named = [x for x in (term.factors if isinstance(term, ProductOf) else (term,)) if not isinstance(x, Number)]
+    if len(named) != 1 or not isinstance(named[0], Symbol):
+        return None
+    unit = UNITS.get(named[0].name)
+    return named[0].name if unit is not None and unit.dimension == wanted else None
 
 
 def _dimension_of_power(base: Expr, exponent: Expr, dimensions: Mapping[str, Dimension]) -> Dimension | None:

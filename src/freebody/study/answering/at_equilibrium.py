@@ -12,9 +12,12 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.numeric.balanced import Balanced
+from freebody.numeric.instant import WithoutInertia
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import frequencies
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.answer import Evidence
@@ -115,7 +118,7 @@ def value_at_rest(
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
         places = places_at(setup, equilibrium, draw)
-        seen = draw.seen(draw.reference.snapshot(*resting(draw, places)))
+        seen = seen_at_rest(draw, *resting(draw, places))
         exact, numeric = element_at(setup, x, draw, draw.start()), as_parts(of.value(setup.system, seen))
         moves = unrest(setup, draw, places)
         check.compare(draw, (*map(float, exact), 1.0), (*map(float, numeric), 1.0 + moves))
@@ -196,13 +199,26 @@ def unrest(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) ->
     times = instants(setup, draw)
     if len(times) == 1:
         q, v = resting(draw, places)
-        still = draw.seen(draw.reference.snapshot(q, v))
+        still = seen_at_rest(draw, q, v)
         if not is_driven(setup, v):
             return float(np.abs(still.accelerations).max(initial=0.0))
         return max((abs(still.acceleration(measure)) for measure, _value in places), default=0.0)
     seen = [draw.seen(draw.reference.snapshot(*resting(draw, places, t), t)) for t in times]
     means = [sum(s.acceleration(measure) for s in seen) / len(seen) for measure, _value in places]
     return max(map(abs, means), default=0.0)
+
+
+def seen_at_rest(draw: Draw, q: Array, v: Array) -> Snapshot:
+    """An instant at rest; where what has no mass could move, as the balance of its forces."""
+    there = draw.reference.snapshot(q, v)
+    try:
+        seen = draw.seen(there)
+        _ = seen.accelerations
+        return seen
+    except WithoutInertia:
+        if v.any():
+            raise
+        return Balanced(draw.reference, there.geometry, q, v, 0.0)
 
 
 def small_motions_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) -> SmallMotion:

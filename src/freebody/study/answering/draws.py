@@ -187,7 +187,10 @@ def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near
             try:
                 # on the same branch as the file's own numbers: near its pose, or not at all
                 branch = near or (found[0] if found else None)
-                found.append(Draw.of(system, values) if branch is None else branch.with_values(values, system))
+                draw = Draw.of(system, values) if branch is None else branch.with_values(values, system)
+                if found:
+                    draw.start()  # where what is put in numbers only just fits, velocities do not
+                found.append(draw)
                 break
             except CannotAnswer as error:
                 if k == 0 and near is None and system.has_values:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -25,12 +24,11 @@ from freebody.study.answering.simulated_numbers import farthest, number_with_cha
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
+from freebody.study.phases.first_turns import first_turns, is_behind_an_impact
 from freebody.study.phases.in_no_case import in_no_case
 from freebody.study.phases.kept import in_first_modes
-from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen, holds
-from freebody.study.phases.pieces import at_turning_impacts, pieces
-from freebody.study.phases.reached import rate_of
+from freebody.study.phases.pieces import pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase
@@ -58,7 +56,8 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
                 Message("this asks how {body} is turned, which formulas leave open for a ball", body=body)
             )
     wanted = question.quantity.wanted
-    if wanted is not None and wanted.of.is_of_state:
+    behind = wanted is not None and wanted.of.turn is not None and is_behind_an_impact(question)
+    if wanted is not None and (wanted.of.is_of_state or behind):
         from freebody.study.phases import turned_round
 
         return turned_round.answer(tree, question, wanted)
@@ -84,37 +83,8 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     turn = question.quantity.turn
     assert turn is not None
     of, event, side = turn
-    root = tree.roots[0]
-    blow = question.transition
-    behind = blow is not None and blow.kind == "after"  # from an impact on
-    question = replace(question, transition=None) if behind else question
-    rate = tree.home.model.field.zero if behind else _rate_of(tree, root, event)
-    open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
-    found: list[tuple[Question, AnswerBranch]] = []
-
-    def take(asked: Question, branches: Iterable[tuple[AnswerBranch, Sequence[Ratio]]]) -> None:
-        nonlocal open_
-        for piece, rates in branches:
-            sets = np.intersect1d(piece.sets, open_)
-            for out in rates:
-                sets = sets[side * tree.numbers(out)[sets] > 0]
-            if len(sets):
-                needed = tree.conditions([(side * out, ">", "") for out in rates], sets)
-                found.append((asked, replace(piece, sets=sets, conditions=[*piece.conditions, *needed])))
-                open_ = np.setdiff1d(open_, sets)
-
-    # an impact may turn it: behind one that does the first place without speed is on the other side
-    asked = replace(question, quantity=of, event=event)
-    with suppress(CannotAnswer):
-        if behind:
-            take(asked, [(p, (_rate_behind(tree, p, event),)) for p in pieces(tree, asked, blow) if p.nodes[0] is root])
-        else:
-            found_first = [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)]
-            take(asked, found_first)
-    struck = replace(question, quantity=of)
-    way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
-    if not isinstance(event, Peak) and not behind:
-        take(struck, [(p, (rate,)) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
+    behind = is_behind_an_impact(question)
+    question, rate, found = first_turns(tree, question)
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
     is_plain = question.event is None and question.transition is None
     if own is None and is_plain and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
@@ -125,37 +95,6 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
     answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
     return answer if behind else _no_farther(tree, answer, event, side)
-
-
-def _rate_of(tree: PhaseTree, node: PhaseNode, event: QuestionEvent) -> Ratio:
-    """The rate with which something begins a phase, from rest its acceleration."""
-    phase, model = node.phase, node.phase.model
-    rate = rate_of(tree, phase, event)
-    begins = tree.to_home(phase, phase.start_instant.here(model.in_independent_speeds(rate)))
-    if not begins.is_zero():
-        return begins
-    second = model.field.substitute(model.rate(model.in_independent_speeds(rate)), model.dynamics.solved_accelerations)
-    return tree.to_home(phase, phase.start_instant.here(second))
-
-
-def _rate_behind(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> Ratio:
-    """The rate with which something sets out from the last blow or impact on its way."""
-    struck = [node for node in piece.nodes if node.impact is not None]
-    return _rate_of(tree, struck[-1], event)
-
-
-def _setting_out(
-    tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent
-) -> Iterator[tuple[AnswerBranch, Sequence[Ratio]]]:
-    """A turn to which the measure goes with the rates that are told: that with which it sets out, be it from a blow at
-    rest, and those with which it goes on behind the blows and impacts on its way."""
-    for k, node in enumerate(piece.nodes):
-        rate = _rate_of(tree, node, event)
-        if not rate.is_zero():
-            struck = [later.phase for later in piece.nodes[k + 1 :] if later.impact is not None]
-            behind = [tree.to_home(p, p.start_instant.here(rate_of(tree, p, event))) for p in struck]
-            yield piece, (rate, *behind)
-            return
 
 
 def _no_farther(tree: PhaseTree, answer: Answer, event: QuestionEvent, side: int) -> Answer:

@@ -26,6 +26,7 @@ from freebody.study.phases.nodes import PhaseEnd, PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.pieces import watches_of
+from freebody.study.phases.standing import feet_of
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import ROLLING
 from freebody.symbolic.conditions import Condition, require
@@ -72,11 +73,6 @@ def _outwards(tree: PhaseTree, away: Measure, found: Sequence[HappeningCase]) ->
             yield HappeningCase(False, (*case.conditions, Condition(-drive, ">=", outward.purpose)))
         else:
             yield case
-
-
-def is_tipped(feet: Sequence[bool]) -> bool:
-    """Whether some of the places that touched have opened, and others have not."""
-    return any(feet) and not all(feet)
 
 
 _Ends = Iterator[tuple[PhaseWatch | PhaseEnd | None, list[Condition], Chosen]]
@@ -140,7 +136,9 @@ class _Walk:
             meant = set(lasting.of) or begun
             return meant <= {name.partition(".")[0] for name in mode.closed}
         if lasting.kind == "stands":
-            return not any(is_tipped([name in mode.closed for name in feet]) for feet in self._feet(lasting))
+            begun = self.tree.closed | self.tree.moving
+            feet = feet_of(self.tree.system, begun, lasting.of)
+            return not any(each.is_tipped(mode.closed.__contains__) for each in feet)
         rubs = [
             rub
             for rub in node.phase.base.dry_friction
@@ -149,12 +147,6 @@ class _Walk:
         sticking = {name.partition(".")[0] for name, state in mode.states.items() if state == 0}
         sliding = {rub.name.partition(".")[0] for rub in rubs if mode.states.get(rub.name)}
         return not sliding and {rub.name.partition(".")[0] for rub in rubs} <= sticking
-
-    def _feet(self, lasting: Lasting) -> Iterator[list[str]]:
-        """The places of a connection that touch at the start."""
-        begun = sorted(self.tree.closed | self.tree.moving)
-        for connection in lasting.of or dict.fromkeys(name.partition(".")[0] for name in begun):
-            yield [name for name in begun if name.partition(".")[0] == connection]
 
     def _ends(self, way: WayToPhase) -> _Ends:
         """How the last phase of a way ends: by an event that is asked for (its watch), or as the tree knows."""

@@ -22,6 +22,7 @@ from freebody.questions.course import Transition
 from freebody.questions.event import QuestionEvent
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.witness import patience
+from freebody.study.phases.standing import feet_of
 from freebody.study.phases.words import ROLLING
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.system import System
@@ -151,12 +152,13 @@ class _Seen:
             return self._first(np.any(lost, axis=0)) if lost else np.inf
         if lasting.kind == "stands":
             closed = record.states.astype(bool)
-            meant = lasting.of or self.touching
-            feet = [name in self.places for name in record.bounds]
-            names = np.array(
-                [name.partition(".")[0] if foot else "" for name, foot in zip(record.bounds, feet, strict=True)]
-            )
-            tipped = [closed[:, names == c].any(axis=1) & ~closed[:, names == c].all(axis=1) for c in meant]
+            places = {name: k for k, name in enumerate(record.bounds)}
+            begun = [name for name in record.bounds if name in self.places]
+            tipped = list[NDArray[np.bool_]]()
+            for feet in feet_of(self.system, begun, lasting.of):
+                own = closed[:, [places[name] for name in feet.names]]
+                is_held = feet.is_hinged | np.asarray(own.any(axis=1))
+                tipped.append(np.asarray(~own.all(axis=1) & is_held))
             return self._first(np.any(tipped, axis=0)) if tipped else np.inf
         rolling = {rub.name for rub in self.system.dry_friction if rub.row.reaction == ROLLING}
         own = [k for k in self._columns(record.dry_friction, lasting.of) if record.dry_friction[k] not in rolling]

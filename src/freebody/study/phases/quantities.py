@@ -4,10 +4,10 @@ it slides, and nothing where its contact is open."""
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import reduce, singledispatch
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ONE
@@ -27,6 +27,13 @@ from freebody.study.conservation.balance import is_conservative
 from freebody.system.system import System
 
 
+@runtime_checkable
+class Totals(Protocol):
+    """A state that knows a sum of reactions, also where only the sum is unique."""
+
+    def total(self, parts: Sequence[tuple[int, ConstraintRow]]) -> Any: ...
+
+
 def value_in_mode(quantity: Quantity, base: System, system: System, state: State[Any]) -> Any:
     """The quantity at an instant of a mode; `base` is the system with its contacts, `system` the mode."""
     return _value(quantity, base, system, state)
@@ -44,6 +51,11 @@ def _joined(quantity: Joined, base: System, system: System, state: State[Any]) -
 
 @_value.register(ReactionComponent)
 def _component(quantity: ReactionComponent, base: System, system: System, state: State[Any]) -> Any:
+    if quantity.further and isinstance(state, Totals):
+        held = {row.name: row for row in system.constraint_rows}
+        own = [row for row in base.rows if row.name in (quantity.row, *quantity.further)]
+        if not quantity.less and all(row.name in held for row in own):
+            return state.total([(row.sign, held[row.name]) for row in own])
     found = reaction(quantity.row, quantity.less, base, system, state)
     return reduce(operator.add, (_reaction(name, base, system, state) for name in quantity.further), found)
 

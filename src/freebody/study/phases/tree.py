@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from freebody.budgets import allowed
+from freebody.language.expression import n_operations
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import UnilateralConstraint
 from freebody.questions.reading import Question
@@ -47,7 +48,9 @@ MAX_NODES = 24
 MAX_IMPACTS = 2  # one after the other, in formulas
 _BESIDE_IMPACTS = 2  # phases beside those that begin with an impact
 MOST_TERMS = 6  # of a condition behind the jerk of a string
+MOST_OF_A_CONDITION = 10_000  # operations
 MOST_OPERATIONS = 1000  # of a state from which others than the model's own values are followed on
+TOO_LONG = Message("what follows depends on conditions too long to read; simulate the motion")
 MOST_SIGNS = 4  # ways in which the frictions of one mode are pressed
 _EFFORT = 1000  # what an effort is told by
 
@@ -256,6 +259,9 @@ class PhaseTree(Home):
                 phase, needed = phases[cell.label]
                 cuts = [cut for cut in cell.cuts if not any(cut[:2] == check[:2] for check in needed)]
                 conditions = self.conditions([*needed, *((x, relation, "") for x, relation, _p in cuts)], cell.sets)
+                if _has_too_long(conditions):
+                    self.reasons.append(TOO_LONG)
+                    continue
                 node = PhaseNode(phase, [*instant.given, *conditions], cell.sets, depth, is_exact=cell.is_exact)
                 node.impact, node.n_impacts, node.known = instant.impact, instant.n_impacts, instant.known
                 node.began = instant.began
@@ -292,9 +298,12 @@ class PhaseTree(Home):
         except NO_FORM as error:
             node.reason = why(self.system, error)
             return
-        found = (c for o, _given in outcomes for c in self.outcome_conditions(node.phase, o))
+        found = [c for o, _given in outcomes for c in self.outcome_conditions(node.phase, o)]
         if self._came_taut(node) and any(len(c.element.num) > MOST_TERMS for c in found):
             node.reason = Message("what follows on the jerk of the string depends on conditions too long to read")
+            return
+        if _has_too_long(found):
+            node.reason = TOO_LONG
             return
         watched = node.phase.mode.closed | node.phase.closing_again.keys()
         gone = [row.connection for row in ideal_bounds(self.system) if row.name not in watched]
@@ -415,6 +424,11 @@ class PhaseTree(Home):
             other.name for other in edge.first.proved if other.kind == "touches" and other.name not in instant.acting
         ]
         return self._struck(instant, tuple(sorted((watch.name, *together))), edge.sets, node.depth + 1)
+
+
+def _has_too_long(conditions: Sequence[Condition]) -> bool:
+    """Roots and angles of earlier phases stand in each other, and nobody reads what becomes of it."""
+    return any(n_operations(c.element.field.expression(c.element)) > MOST_OF_A_CONDITION for c in conditions)
 
 
 def tree_of(system: System, question: Question | None = None) -> PhaseTree:

@@ -22,6 +22,7 @@ from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.turned_round import first_found
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.evidence import compare
+from freebody.study.phases.first_turns import first_turns
 from freebody.study.phases.happening import happening_cases
 from freebody.study.phases.happening_seen import is_seen
 from freebody.study.phases.pieces import pieces
@@ -45,7 +46,7 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
 
     def attempt(system: System) -> Answer:
         there = tree if system is tree.system else PhaseTree(system)
-        told, is_whole = _formulas(there, asked, quantity)
+        told, is_whole = _formulas(there, asked, quantity) if quantity.of.turn is None else _turns(there, asked)
         found = solved_for(there.home, question, _at_the_start(there, asked, told))
         if not is_whole:
             found.notes.append(Message("cases in which it changes along the motion are left out"))
@@ -73,6 +74,15 @@ def _formulas(tree: PhaseTree, asked: Question, quantity: Wanted) -> tuple[list[
     if untold and (not found or quantity.relation != "="):
         raise untold[0]
     return found, not untold
+
+
+def _turns(tree: PhaseTree, asked: Question) -> tuple[list[tuple[AnswerBranch, Formula]], bool]:
+    """The formulas of how far it gets behind an impact until it first turns."""
+    _question, _rate, found = first_turns(tree, asked)
+    told = [(piece, replace(_formula(tree, own, piece), is_put_back=False)) for own, piece in found]
+    if not told:
+        raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
+    return told, True
 
 
 def _of_happening(tree: PhaseTree, question: Question, happening: Happening) -> Answer:

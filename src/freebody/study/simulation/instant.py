@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+
+import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -11,6 +14,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 
 class SimulatedInstant(Snapshot):
@@ -22,6 +26,7 @@ class SimulatedInstant(Snapshot):
         at = reference.snapshot(q, v, float(course.times[k]))
         super().__init__(reference, at.geometry, q, v, at.t)
         self._course, self._k = course, k
+        self._rows = tuple(motion.rows)
         self._places = {row.name: j for j, row in enumerate(motion.rows)}
 
     @property
@@ -33,6 +38,24 @@ class SimulatedInstant(Snapshot):
         if not self._course.unique[self._k, j]:
             raise CannotAnswer(Message("the {reaction} of {row} is not unique", reaction=row.reaction, row=row.name))
         return float(self._course.multipliers[self._k, j])
+
+    def total(self, parts: Sequence[tuple[int, ConstraintRow]]) -> float:
+        """A sum of multipliers with signs, as what two corners of a box transmit together. With J the rows whose own
+        multipliers are not unique, those that balance the same forces differ by z with J^T z = 0; the sum w z is the
+        same for all of them if and only if w = J x for some x."""
+        unique = self._course.unique[self._k]
+        if all(unique[self._places[row.name]] for _sign, row in parts):
+            return sum(sign * self.multiplier(row) for sign, row in parts)
+        open_ = [row for row in self._rows if not unique[self._places[row.name]]]
+        n = len(self.q)
+        jacobian = np.array([self.reference.jet(self.geometry, row.measure).row(n) for row in open_])
+        share = {row.name: float(sign) for sign, row in parts}
+        wanted = np.array([share.get(row.name, 0.0) for row in open_])
+        x = np.linalg.lstsq(jacobian, wanted, rcond=None)[0]
+        if float(np.abs(jacobian @ x - wanted).max()) > ROUND_OFF:
+            return sum(sign * self.multiplier(row) for sign, row in parts)  # which says what is not unique
+        multipliers = self._course.multipliers[self._k]
+        return float(sum(sign * multipliers[self._places[row.name]] for sign, row in parts))
 
 
 def with_all_held(system: System) -> System:

@@ -21,6 +21,7 @@ from freebody.measures.base import Measure
 from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
+from freebody.study.steady.apart import MOST_ROOTS, nearest, places_apart
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import RHS, Row, solve
@@ -32,8 +33,6 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import zeros_of
-
-MOST_ROOTS = 4
 
 
 @dataclass
@@ -254,17 +253,13 @@ class SteadyMotion:
             rest = equation
             for column in columns:
                 slope = f.partial(equation, column)
-                if slope.generators() & set(columns):
-                    raise CannotAnswer(
-                        Message(
-                            "{name} follows from {n} equations that are not linear in what is unknown: {conditions}",
-                            name=name,
-                            n=len(self.equations),
-                            conditions=further(*self.texts()),
-                        )
-                    )
+                # a sine or cosine of what is unknown has no slope along it in the field, and stands in the rest
+                if f.ingredients(slope) & set(columns):
+                    raise self._not_linear(name)
                 if not slope.is_zero():
                     row[column], rest = slope, rest - slope * f.variable(column)
+            if f.ingredients(rest) & set(columns):
+                raise self._not_linear(name)
             rows.append(row if rest.is_zero() else {**row, RHS: -rest})
         done = solve(f, rows, columns, self.model.samples.vanishes, in_order=True)
         if done.contradictory:
@@ -282,14 +277,30 @@ class SteadyMotion:
         values = {column: f.lowest_terms(total_of(f, row)) for column, row in done.pivots.items()}
         return Solutions(asked, [values.pop(asked)], with_them=values)
 
+    def _not_linear(self, name: str) -> CannotAnswer:
+        return CannotAnswer(
+            Message(
+                "{name} follows from {n} equations that are not linear in what is unknown: {conditions}",
+                name=name,
+                n=len(self.equations),
+                conditions=further(*self.texts()),
+            )
+        )
+
     def at_position(self, c: Coordinate) -> Solutions:
         """The values of a coordinate that stays constant."""
         if not any(c.index in self.model.field.ingredients(x) for x in self.equations):
             raise CannotAnswer(Message("steady motion leaves {x} open", x=c.name))
         if len(self.equations) != 1:
             # what a controller with states settles at: their rates, and the places, together
-            places = [other.index for other in self.others if other is not c and other.index not in self.given]
-            return self._linear([c.index, *places, *(other.speed for other in self.cyclic)], c.name)
+            places = [other for other in self.others if other is not c and other.index not in self.given]
+            apart = places_apart(self.model, self.equations, [c, *places], [other.speed for other in self.cyclic])
+            if apart is not None:
+                own = apart.pop(c.index)
+                with_them = {k: nearest(self.model, k, roots) for k, roots in apart.items()}
+                return self._on_one_side(Solutions(c.index, own, with_them=with_them), c)
+            columns = [c.index, *(other.index for other in places), *(other.speed for other in self.cyclic)]
+            return self._linear(columns, c.name)
         with self.model.samples.apart():  # signs of roots do not matter, since both are among the zeros
             roots = zeros_of(self.model, self.equations[0], c)
         if not roots or len(roots) > MOST_ROOTS:
@@ -313,7 +324,7 @@ class SteadyMotion:
                 kept = [-y if x == -y and is_negative else y for y in kept]
             else:
                 kept.append(x)
-        return Solutions(solutions.index, kept, solutions.notes)
+        return Solutions(solutions.index, kept, solutions.notes, solutions.with_them)
 
     def any_solution(self) -> Solutions | None:
         """Some way to be steady, for evidence; None where every rate is."""

@@ -19,6 +19,7 @@ from typing import Any
 
 import flint
 
+from freebody.errors import FormulaTooLong
 from freebody.language.expression import LAMBERT
 from freebody.symbolic.decide.cells import Interval, Poly, Polynomials, TooLarge, points
 from freebody.symbolic.field import Field, Ratio
@@ -73,8 +74,11 @@ class CellDecomposition:
         self.free: dict[int, Interval] = {}
         self._seen: set[int] = set()
         plain: list[Ratio] = []
-        for x in elements:
-            plain += self._norms(x)
+        try:
+            for x in elements:
+                plain += self._norms(x)
+        except FormulaTooLong as error:
+            raise TooLarge from error
         self._plain = plain
         self._relate()
         self._slots = {g: k for k, g in enumerate((*sorted(self.circles), *sorted(self.free)))}

@@ -1,0 +1,95 @@
+"""How far a motion gets until it first turns, through its phases: the ways on which it does."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.questions.event import Peak, QuestionEvent
+from freebody.questions.reading import Question
+from freebody.study.phases.branch import AnswerBranch
+from freebody.study.phases.nodes import PhaseNode, WayToPhase
+from freebody.study.phases.pieces import at_turning_impacts, pieces
+from freebody.study.phases.reached import rate_of
+from freebody.study.phases.tree import PhaseTree
+from freebody.symbolic.field import Ratio
+
+
+def is_behind_an_impact(question: Question) -> bool:
+    """Whether the motion is meant from an impact or a blow on."""
+    return question.transition is not None and question.transition.kind == "after"
+
+
+def first_turns(tree: PhaseTree, question: Question) -> tuple[Question, Ratio, list[tuple[Question, AnswerBranch]]]:
+    """What is asked where it is told, the rate with which the motion sets out (none behind an impact), and the ways to
+    a first turn, each with the question that it answers."""
+    turn = question.quantity.turn
+    assert turn is not None
+    of, event, side = turn
+    root = tree.roots[0]
+    blow = question.transition
+    behind = is_behind_an_impact(question)
+    question = replace(question, transition=None) if behind else question
+    rate = tree.home.model.field.zero if behind else _rate_of(tree, root, event)
+    open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
+    found: list[tuple[Question, AnswerBranch]] = []
+
+    def take(asked: Question, branches: Iterable[tuple[AnswerBranch, Sequence[Ratio]]]) -> None:
+        nonlocal open_
+        for piece, rates in branches:
+            sets = np.intersect1d(piece.sets, open_)
+            for out in rates:
+                sets = sets[side * tree.numbers(out)[sets] > 0]
+            if len(sets):
+                needed = tree.conditions([(side * out, ">", "") for out in rates], sets)
+                found.append((asked, replace(piece, sets=sets, conditions=[*piece.conditions, *needed])))
+                open_ = np.setdiff1d(open_, sets)
+
+    # an impact may turn it: behind one that does the first place without speed is on the other side
+    asked = replace(question, quantity=of, event=event)
+    with suppress(CannotAnswer):
+        if behind:
+            take(asked, [(p, (_rate_behind(tree, p, event),)) for p in pieces(tree, asked, blow) if p.nodes[0] is root])
+        else:
+            found_first = [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)]
+            take(asked, found_first)
+    struck = replace(question, quantity=of)
+    way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
+    if not isinstance(event, Peak) and not behind:
+        take(struck, [(p, (rate,)) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
+    return question, rate, found
+
+
+def _rate_of(tree: PhaseTree, node: PhaseNode, event: QuestionEvent) -> Ratio:
+    """The rate with which something begins a phase, from rest its acceleration."""
+    phase, model = node.phase, node.phase.model
+    rate = rate_of(tree, phase, event)
+    begins = tree.to_home(phase, phase.start_instant.here(model.in_independent_speeds(rate)))
+    if not begins.is_zero():
+        return begins
+    second = model.field.substitute(model.rate(model.in_independent_speeds(rate)), model.dynamics.solved_accelerations)
+    return tree.to_home(phase, phase.start_instant.here(second))
+
+
+def _rate_behind(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> Ratio:
+    """The rate with which something sets out from the last blow or impact on its way."""
+    struck = [node for node in piece.nodes if node.impact is not None]
+    return _rate_of(tree, struck[-1], event)
+
+
+def _setting_out(
+    tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent
+) -> Iterator[tuple[AnswerBranch, Sequence[Ratio]]]:
+    """A turn to which the measure goes with the rates that are told: that with which it sets out, be it from a blow at
+    rest, and those with which it goes on behind the blows and impacts on its way."""
+    for k, node in enumerate(piece.nodes):
+        rate = _rate_of(tree, node, event)
+        if not rate.is_zero():
+            struck = [later.phase for later in piece.nodes[k + 1 :] if later.impact is not None]
+            behind = [tree.to_home(p, p.start_instant.here(rate_of(tree, p, event))) for p in struck]
+            yield piece, (rate, *behind)
+            return
