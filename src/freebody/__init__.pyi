@@ -569,12 +569,12 @@ class ElasticString(_ElasticString):
     where it is shorter than l0. Without a length it is relaxed at the start. `taut: true` leaves the case of slackness
     out: it stays taut.
 
-    In the plane it also runs round the rims of wheels, `over: [wheel]`, and its way may be a `path` with drums, as that
-    of a `string`. It does not slip on the wheels that it `grips` (default: all bodies that can turn), and over the
-    others it slides without friction (`grips: []` for all). At the start it is evenly stretched; from then on a section
-    between grips has a tension of its own and the stiffness k L/L_section, L the length of all of it at the start, as
-    long as it stretches little: what comes on a wheel and leaves it is not counted. From a drum on, l0 is that of what
-    is off it at the start."""
+    It also runs round the rims of wheels, `over: [wheel]`, and its way may be a `path` with drums, as that of a
+    `string`; in space a joint guides what is at an end in the plane of the wheel beside it. It does not slip on the
+    wheels that it `grips` (default: all bodies that can turn), and over the others it slides without friction (`grips:
+    []` for all). At the start it is evenly stretched; from then on a section between grips has a tension of its own and
+    the stiffness k L/L_section, L the length of all of it at the start, as long as it stretches little: what comes on a
+    wheel and leaves it is not counted. From a drum on, l0 is that of what is off it at the start."""
 
     def __init__(
         self,
