@@ -67,6 +67,7 @@ def test_tooth_forces_and_tensions_at_the_start_are_those_of_a_simulation(name: 
         if isinstance(question.quantity, ReactionComponent)
         and question.event is None
         and isinstance(answer.value, float)
+        and not question.quantity.less  # before a drum with friction, whose force the records do not have
     ]
     if not asked:
         return
@@ -910,6 +911,15 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "slack": "T_0 - 3*M/(8*r)",
         "bearing": "2*T_0",
         "length": "2*d + 2*pi*r",
+    },
+    # 2 T_2 h/sqrt(c^2 + h^2) = F at the idler, T_1 - T_2 = M/r; both runs pull at a bearing, and T_1 <= e^(mu beta) T_2
+    "belt_with_a_tightener": {
+        "slack": "F*sqrt(c**2 + h**2)/(2*h)",
+        "tight": "F*sqrt(c**2 + h**2)/(2*h) + M/r",
+        "motor_bearing": ["-(F*sqrt(c**2 + h**2)/(2*h) + M/r) - F*c/(2*h)", "-F/2"],
+        "mill_bearing": ["F*sqrt(c**2 + h**2)/(2*h) + M/r + F*c/(2*h)", "-F/2"],
+        "friction": "log(1 + 2*M*h/(r*F*sqrt(c**2 + h**2)))/(pi - atan(h/c))",
+        "torque": "r*F*sqrt(c**2 + h**2)/(2*h)*(exp(mu*(pi - atan(h/c))) - 1)",
     },
     # radii p z/(2 pi); L/p = 2 d cos(c)/p + (z_1 + z_2)/2 + c (z_1 - z_2)/pi, sin(c) = p (z_1 - z_2)/(2 pi d)
     "bicycle_chain": {

@@ -199,10 +199,12 @@ class Belt(_Belt):
     the same way, a crossed one opposite ways; bearings or a carrier keep the centres apart. The belt force is the
     difference of the tensions of its two runs, positive when it resists a counter-clockwise turn of the first pulley
     (1 row). With `friction` (in a groove of the `groove_angle`) it slips on the smaller pulley where the force is too
-    large for its `pretension`, the tension of both runs at rest, or for its `largest_tension`, which a tightener keeps
-    in the tight run. The pretension pulls at the bearings, too. `mass_per_length` takes from both at speed. `wrap` is
-    the angle of wrap, without which it follows from the places of the bearings, as the `length` does, which is compared
-    if it is given. In space it runs round pulleys with parallel axes whose bearings are on one body."""
+    large for its `pretension`, the tension of both runs at rest, or for its `largest_tension`, which a tightener
+    keeps in the tight run. The pretension pulls at the bearings, too. `mass_per_length` takes from both at speed.
+    `wrap` is the angle of wrap, without which it follows from the places of the bearings, as the `length` does,
+    which is compared if it is given. In space it runs round pulleys with parallel axes whose bearings are on one
+    body. A tightener that moves, as on a lever with a weight, needs the way of both runs: write a `string` that is
+    wound on one pulley at both ends."""
 
     def __init__(
         self,
@@ -569,12 +571,12 @@ class ElasticString(_ElasticString):
     where it is shorter than l0. Without a length it is relaxed at the start. `taut: true` leaves the case of slackness
     out: it stays taut.
 
-    In the plane it also runs round the rims of wheels, `over: [wheel]`, and its way may be a `path` with drums, as that
-    of a `string`. It does not slip on the wheels that it `grips` (default: all bodies that can turn), and over the
-    others it slides without friction (`grips: []` for all). At the start it is evenly stretched; from then on a section
-    between grips has a tension of its own and the stiffness k L/L_section, L the length of all of it at the start, as
-    long as it stretches little: what comes on a wheel and leaves it is not counted. From a drum on, l0 is that of what
-    is off it at the start."""
+    It also runs round the rims of wheels, `over: [wheel]`, and its way may be a `path` with drums, as that of a
+    `string`; in space a joint guides what is at an end in the plane of the wheel beside it. It does not slip on the
+    wheels that it `grips` (default: all bodies that can turn), and over the others it slides without friction (`grips:
+    []` for all). At the start it is evenly stretched; from then on a section between grips has a tension of its own and
+    the stiffness k L/L_section, L the length of all of it at the start, as long as it stretches little: what comes on a
+    wheel and leaves it is not counted. From a drum on, l0 is that of what is off it at the start."""
 
     def __init__(
         self,

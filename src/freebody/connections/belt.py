@@ -47,10 +47,12 @@ class Belt(Connection, kind="belt"):
     the same way, a crossed one opposite ways; bearings or a carrier keep the centres apart. The belt force is the
     difference of the tensions of its two runs, positive when it resists a counter-clockwise turn of the first pulley
     (1 row). With `friction` (in a groove of the `groove_angle`) it slips on the smaller pulley where the force is too
-    large for its `pretension`, the tension of both runs at rest, or for its `largest_tension`, which a tightener keeps
-    in the tight run. The pretension pulls at the bearings, too. `mass_per_length` takes from both at speed. `wrap` is
-    the angle of wrap, without which it follows from the places of the bearings, as the `length` does, which is compared
-    if it is given. In space it runs round pulleys with parallel axes whose bearings are on one body."""
+    large for its `pretension`, the tension of both runs at rest, or for its `largest_tension`, which a tightener
+    keeps in the tight run. The pretension pulls at the bearings, too. `mass_per_length` takes from both at speed.
+    `wrap` is the angle of wrap, without which it follows from the places of the bearings, as the `length` does,
+    which is compared if it is given. In space it runs round pulleys with parallel axes whose bearings are on one
+    body. A tightener that moves, as on a lever with a weight, needs the way of both runs: write a `string` that is
+    wound on one pulley at both ends."""
 
     called: ClassVar[tuple[str, ...]] = ("band",)
 

@@ -1,5 +1,5 @@
 """Strings as loads: one that stretches, and one that is pulled with a given tension; from point to point, through
-smooth rings and over small pulleys, in the plane and in space, and in the plane round wheels.
+smooth rings, over small pulleys and round wheels, in the plane and in space.
 
 With the length l of straight parts and arcs (see `connections.string.stretching`) the string pulls with one tension S
 on all its way, and its work is -S dl:
@@ -67,13 +67,6 @@ class _OverPoints(Load):
 
     def _way(self, names: Names) -> StretchedWay | None:
         """How it lies round wheels; None with problems noted."""
-        if names.space:
-            told = Message(
-                "in space a string that stretches runs from point to point: write the centre of a wheel for a small "
-                "pulley, as in pulley.center"
-            )
-            names.problem(told, "path" if self.path else "over")
-            return None
         return stretched_way(names, self, self._grips())
 
     def _length(self, names: Names) -> Composed | None:
@@ -105,12 +98,12 @@ class ElasticString(_OverPoints, kind="elastic_string"):
     where it is shorter than l0. Without a length it is relaxed at the start. `taut: true` leaves the case of slackness
     out: it stays taut.
 
-    In the plane it also runs round the rims of wheels, `over: [wheel]`, and its way may be a `path` with drums, as that
-    of a `string`. It does not slip on the wheels that it `grips` (default: all bodies that can turn), and over the
-    others it slides without friction (`grips: []` for all). At the start it is evenly stretched; from then on a section
-    between grips has a tension of its own and the stiffness k L/L_section, L the length of all of it at the start, as
-    long as it stretches little: what comes on a wheel and leaves it is not counted. From a drum on, l0 is that of what
-    is off it at the start."""
+    It also runs round the rims of wheels, `over: [wheel]`, and its way may be a `path` with drums, as that of a
+    `string`; in space a joint guides what is at an end in the plane of the wheel beside it. It does not slip on the
+    wheels that it `grips` (default: all bodies that can turn), and over the others it slides without friction (`grips:
+    []` for all). At the start it is evenly stretched; from then on a section between grips has a tension of its own and
+    the stiffness k L/L_section, L the length of all of it at the start, as long as it stretches little: what comes on a
+    wheel and leaves it is not counted. From a drum on, l0 is that of what is off it at the start."""
 
     called: ClassVar[tuple[str, ...]] = ("rubber band", "bungee cord", "elastic", "spring")
 

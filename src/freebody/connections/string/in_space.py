@@ -134,13 +134,16 @@ def _not_carried(wheel: str) -> Message:
     )
 
 
-def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
-    """How a string runs over the wheels of its way; None with a problem noted."""
-    still = StandingInSpace(names)
+def lie_in_space(
+    names: Names, way: Sequence[StringNode], still: StandingInSpace | None = None, *, may_hang: bool = True
+) -> SpatialRun | None:
+    """How a string runs over the wheels of its way; None with a problem noted. still: as it has been read; may_hang:
+    whether it can keep what hangs on it below a wheel."""
+    still = still or StandingInSpace(names)
     placed = _in_planes(still, way)
     if placed is None:
         return None
-    laying = _Laying(still, placed)
+    laying = _Laying(still, placed, may_hang=may_hang)
     for k in range(len(way) - 1):
         if not laying.lead(k):
             return None
@@ -153,8 +156,9 @@ def lie_in_space(names: Names, way: Sequence[StringNode]) -> SpatialRun | None:
 class _Laying(SwivelLeads):
     """A string in the making: its leads, and in which sense it runs round each wheel."""
 
-    def __init__(self, still: StandingInSpace, way: list[StringNode]) -> None:
+    def __init__(self, still: StandingInSpace, way: list[StringNode], *, may_hang: bool) -> None:
         super().__init__(still, way)
+        self.may_hang = may_hang
         self.fits: dict[int, list[tuple[int, int]]] = {}  # senses with which leads keep their directions
 
     def run(self) -> SpatialRun:
@@ -228,10 +232,17 @@ class _Laying(SwivelLeads):
     def _note_off_plane(self, k: int, aside: float | None) -> None:
         a, b = self.way[k], self.way[k + 1]
         wheel, other = (a, b) if a.plane is not None else (b, a)
-        if aside is None:
+        if aside is None and self.may_hang:
             told = Message(
                 "nothing keeps {other} in the plane of {wheel}, across its axis, where the string runs onto it: guide "
                 "it there (prismatic, revolute, planar), or let it hang on the string alone",
+                other=other.point,
+                wheel=wheel.body,
+            )
+        elif aside is None:
+            told = Message(
+                "nothing keeps {other} in the plane of {wheel}, across its axis, where the string runs onto it: guide "
+                "it there (prismatic, revolute, planar)",
                 other=other.point,
                 wheel=wheel.body,
             )

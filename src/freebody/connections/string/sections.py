@@ -78,15 +78,8 @@ def sections_of(run: StringRun, grips: Container[str]) -> list[StringSection]:
     if way[0].way == "drum":
         terms += wound(negate(arms[0]), way[0])
     for k, direction in enumerate(leads):
-        a, b = way[k], way[k + 1]
-        if direction is not None:
-            terms += [(ONE, Displacement(b.point, a.point, direction)), *run.held_turn(k)]
-        elif len(a.point.offset) > 2 and a.radius == b.radius == ZERO:
-            terms.append((ONE, Distance(a.point, b.point)))  # in space
-        else:
-            rho, plane = add(arms[k + 1], negate(arms[k])), a.plane or b.plane
-            in_plane = None if plane is None else LeadInPlane(a.point, b.point, rho, plane.along, plane.side)
-            terms.append((ONE, in_plane or Lead(a.point, b.point, rho)))
+        b = way[k + 1]
+        terms += lead_terms(run, k)
         last = k + 1 == len(way) - 1
         marked = (not last and b.body in grips and b.radius != ZERO) or (last and b.way == "drum")
         if marked:
@@ -98,6 +91,18 @@ def sections_of(run: StringRun, grips: Container[str]) -> list[StringSection]:
         else:
             passages.append(DrumPassage(b, tuple(terms), arms[k + 1], run.turns[k + 1], (direction, leads[k + 1])))
     return found
+
+
+def lead_terms(run: StringRun, k: int) -> list[tuple[Expr, Measure]]:
+    """l - rho a of a lead, or its length where that is all."""
+    direction, a, b = run.leads[k], run.way[k], run.way[k + 1]
+    if direction is not None:
+        return [(ONE, Displacement(b.point, a.point, direction)), *run.held_turn(k)]
+    if len(a.point.offset) > 2 and a.radius == b.radius == ZERO:
+        return [(ONE, Distance(a.point, b.point))]  # in space
+    rho, plane = add(run.arms[k + 1], negate(run.arms[k])), a.plane or b.plane
+    in_plane = None if plane is None else LeadInPlane(a.point, b.point, rho, plane.along, plane.side)
+    return [(ONE, in_plane or Lead(a.point, b.point, rho))]
 
 
 def wound(arm: Expr, wheel: StringNode) -> list[tuple[Expr, Measure]]:

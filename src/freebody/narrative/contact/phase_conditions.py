@@ -94,8 +94,9 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
         parts = [way.home(leg, f.lowest_terms(here(friction))) for friction in frictions]
         symbol, force = symbols[0], parts[0]
         known = way.tree.numbers(force)[way.piece.sets]
-        # against slip that grows the force is negative, F >= -c N, against the other way F <= c' N
+        # against slip that grows the force of the row is negative, F >= -c N, against the other way F <= c' N
         falls, rises = bool((known < 0).all()), not bool((known < 0).any())
+        counted = names[rub.name].sign  # of the symbol, as the row counts it
         if rub.across is not None:  # by its size in the plane
             square = force.field.lowest_terms(sum((x * x for x in parts), force.field.zero))
             (written, most), size = carried(1), readable(way.tree.home.state.sqrt(square))
@@ -104,7 +105,7 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
             signs: tuple[Sign, ...] = ("=", "≤")
         elif falls or rises or rub.static_back is None:
             shown = readable(-force if falls else force)
-            written, limit_force = strongest(-1 if rises else 1)
+            written, limit_force = strongest(-counted if rises else counted)
             most = readable(limit_force)
             if falls or rises:
                 solved = _solved(way, limit_force + (force if falls else -force))
@@ -112,7 +113,7 @@ def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryF
             then = (Call("abs", symbol), shown if falls or rises else Call("abs", shown), most)
             signs = ("=", "≤")
         else:
-            (back, least), (ahead, most) = carried(1), carried(-1)
+            (back, least), (ahead, most) = carried(counted), carried(-counted)
             first = (negate(back), symbol, ahead)
             then = (negate(least), readable(force), most)
             signs = ("≤", "≤")
