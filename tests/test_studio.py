@@ -14,11 +14,13 @@ import signal
 import socket
 import subprocess
 import sys
+import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from email.message import Message
 from http.client import HTTPConnection
 from importlib.resources import files
+from io import BytesIO
 from pathlib import Path
 from threading import Thread
 from time import process_time, sleep
@@ -30,6 +32,7 @@ pytest.importorskip("starlette")
 
 from freebody.errors import InputError
 from freebody.language.document import Document
+from freebody.studio.asking import exported
 from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.changing import changes
 from freebody.studio.editing import add, edit, suggest
@@ -43,7 +46,7 @@ from freebody.studio.reading import read
 from freebody.studio.server import LARGEST
 from freebody.studio.wire.around import Call, Opening, Reply, SaveRequest
 from freebody.studio.wire.motions import MarksRequest, MotionAnswer, MotionRequest, Range, SweepAnswer
-from freebody.studio.wire.studies import ShareRequest
+from freebody.studio.wire.studies import ExportRequest, ShareRequest
 from freebody.studio.wire.texts import AddRequest, EditRequest, ReadAnswer, ReadRequest, SuggestRequest
 from freebody.studio.work import Lane
 from freebody.studio.work import done as done_by_worker
@@ -1021,6 +1024,24 @@ def test_a_sweep_that_cannot_be_read_is_refused_in_words(given: dict[str, Any], 
     reply = done("sweep", request)
     assert reply.status == "refused"
     assert words in reply.message
+
+
+# -- files ----------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", ["html", "tex", "md", "ipynb", "txt"])
+def test_a_report_is_one_file_in_which_all_is_found_that_it_names(name: Any) -> None:
+    """Browsers put what they are given side by side, so that figures in folders would not be found."""
+    request = ExportRequest(text=PENDULUM, name="explain", format=name)
+    (file,) = exported(request).files
+    content = base64.b64decode(file.content)
+    assert file.name == ("explain.md.zip" if name == "md" else f"explain.{name}")
+    if name != "md":
+        return
+    assert content == base64.b64decode(exported(request).files[0].content)
+    with zipfile.ZipFile(BytesIO(content)) as packed:
+        named = re.findall(r"\]\(([^)#]+\.svg)\)", packed.read("explain.md").decode())
+        assert named
+        assert sorted(packed.namelist()) == sorted(["explain.md", *named])
+        assert all(packed.read(figure).startswith(b"<svg") for figure in named)
 
 
 # -- a page to share --------------------------------------------------------------------------

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import tempfile
+import zipfile
 from base64 import b64encode
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -68,8 +70,11 @@ def exported(request: ExportRequest) -> FilesAnswer:
         text = json.dumps(finite(found.to_plain()), indent=2, ensure_ascii=False)
         return FilesAnswer(files=[File(name=f"{request.name}.json", content=_coded(text))])
     with tempfile.TemporaryDirectory(prefix="freebody-") as folder:
-        written = found.write(Path(folder) / f"{request.name}.{request.format}")
-        return FilesAnswer(files=[File(name=path.name, content=_coded(path.read_bytes())) for path in written])
+        first, *others = found.write(Path(folder) / f"{request.name}.{request.format}")
+        if not others:
+            return FilesAnswer(files=[File(name=first.name, content=_coded(first.read_bytes()))])
+        packed = _packed(Path(folder), [first, *others])
+        return FilesAnswer(files=[File(name=f"{first.name}.zip", content=_coded(packed))])
 
 
 def motion_file(request: PageRequest) -> FilesAnswer:
@@ -83,6 +88,19 @@ def motion_file(request: PageRequest) -> FilesAnswer:
         else:
             found.animate(path)
         return FilesAnswer(files=[File(name=path.name, content=_coded(path.read_bytes()))])
+
+
+def _packed(folder: Path, paths: list[Path]) -> bytes:
+    """Files that name each other, where they name each other: a browser puts what it is given side by side."""
+    buffer = BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as out:
+        for path in paths:
+            entry = zipfile.ZipInfo(
+                path.relative_to(folder).as_posix()
+            )  # without a date
+            entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
+            out.writestr(entry, path.read_bytes())
+    return buffer.getvalue()
 
 
 def _found(request: StudyRequest) -> Result:
