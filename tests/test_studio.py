@@ -793,6 +793,41 @@ def test_a_motion_that_passes_by_waits_for_no_accurate_one() -> None:
     asyncio.run(moved())
 
 
+def test_no_answer_waits_for_a_file_that_takes_its_time() -> None:
+    request = {"text": CHAIN, "name": "explain", "options": {"question": "far"}}
+
+    async def asked() -> None:
+        lanes = Lanes()
+        try:
+            slow = asyncio.create_task(lanes.ask(Call(kind="export", topic="file", request=request)))
+            await asyncio.sleep(0)
+            answer = Call(kind="study", topic="answer", request={"text": PENDULUM, "name": "solve"})
+            assert Reply.model_validate_json(await asyncio.wait_for(lanes.ask(answer), 60)).status == "done"
+            assert not slow.done()
+            lanes.cancel("file")
+            assert Reply.model_validate_json(await slow).status == "cancelled"
+        finally:
+            await lanes.end()
+
+    asyncio.run(asked())
+
+
+def test_whatever_goes_wrong_with_a_worker_is_a_message_and_the_next_request_is_answered(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Such as an answer that is longer than what is read at once."""
+
+    async def run() -> None:
+        worker = Worker(Lane("test", 30))
+        with monkeypatch.context() as patched:
+            patched.setattr("freebody.studio.lanes._LONGEST", 64)
+            assert await asyncio.wait_for(status_of(worker, call_of("a")), 30) == "crashed"
+        assert await asyncio.wait_for(status_of(worker, call_of("a")), 30) == "done"
+        await worker.end()
+
+    asyncio.run(run())
+
+
 def test_a_hand_that_moves_something_lets_all_others_stand_aside(monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[str] = []
     monkeypatch.setattr(Worker, "stand_aside", lambda worker: told.append(worker.lane.name))

@@ -95,9 +95,7 @@ def _packed(folder: Path, paths: list[Path]) -> bytes:
     buffer = BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as out:
         for path in paths:
-            entry = zipfile.ZipInfo(
-                path.relative_to(folder).as_posix()
-            )  # without a date
+            entry = zipfile.ZipInfo(path.relative_to(folder).as_posix())  # without a date
             entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
             out.writestr(entry, path.read_bytes())
     return buffer.getvalue()
