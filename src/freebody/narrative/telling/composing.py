@@ -46,7 +46,7 @@ def report_of(explanation: WorkedSolutions) -> Report:
     title = system.title or "freebody"
     solution = catalogue.word("report.worked_solution")
     report = Report(title, catalogue.language, solution, tuple(blocks), catalogue.report_words)
-    return in_style(report, system.style)
+    return in_style(report, system.style, catalogue.decimal)
 
 
 def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:

@@ -31,7 +31,7 @@ View = tuple[float, float] | None  # azimuth and elevation; nothing: from where 
 
 
 def _decimal_of(system: System) -> str:
-    return system.style.decimal
+    return system.style.decimal or "."
 
 
 @in_words
