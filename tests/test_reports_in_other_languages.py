@@ -225,3 +225,18 @@ def test_a_german_message_has_a_decimal_comma_also_for_a_power_of_ten() -> None:
 def test_a_german_house_can_keep_the_decimal_point() -> None:
     system = fb.System.from_text(SHORT_ROD + "style: {decimal: point}\n")
     assert "-5.886 rad/s" in system.explain(language="de").to_text()
+
+
+@pytest.mark.parametrize("name", ["double_pendulum", "spinning_top"])
+def test_the_page_on_which_a_motion_plays_is_told_in_german(name: str, tmp_path: Path) -> None:
+    system = fb.System.load(EXAMPLES / f"{name}.yaml")
+    german, english = (system.simulate(0.1, language=lang).animate(tmp_path / f"{lang}.html") for lang in ("de", "en"))
+    told, other = german.read_text("utf-8"), english.read_text("utf-8")
+    data = re.compile(r'<script type="application/json" id="data">.*?</script>', re.DOTALL)
+    assert data.findall(told) == data.findall(other)
+    assert '<html lang="de">' in told
+    for words in ("Abspielen", "Bewegung von", "über 0,1 s", "Körper:", "Achsen [length] m lang", "Die Leertaste"):
+        assert words in told
+    for words in (">Play<", "Animation of", "; bodies: ", "Space plays", "One frame", "Points to trace"):
+        assert words in other
+        assert words not in told

@@ -30,7 +30,6 @@ from freebody.studio.wire.studies import (
 )
 from freebody.study.pictures.picture import free_body, picture
 from freebody.study.simulation.files import SUFFIXES, write
-from freebody.study.simulation.simulate import simulate
 
 
 def drawn(request: PictureRequest) -> PictureAnswer:
@@ -80,7 +79,8 @@ def exported(request: ExportRequest) -> FilesAnswer:
 def motion_file(request: PageRequest) -> FilesAnswer:
     """The motion as a file. Raises CannotAnswer where it cannot begin, InputError where an extra is not installed."""
     system = checked_system(request.text)
-    found = simulate(system, request.until, every=request.until / (request.frames - 1))
+    every = request.until / (request.frames - 1)
+    found = STUDIES["simulate"].function(system, request.until, every=every, language=request.language)
     with tempfile.TemporaryDirectory(prefix="freebody-") as folder:
         path = Path(folder) / f"motion.{request.format}"
         if path.suffix in SUFFIXES:

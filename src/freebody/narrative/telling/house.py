@@ -37,7 +37,7 @@ def in_style(part: Part, style: HouseStyle, decimal: Literal[".", ","] = ".") ->
     if replace(style, decimal="").is_plain and style.decimal == ".":
         return part
     made = _House(style).written(part)
-    return cast("Part", replace(made, decimal=style.decimal) if isinstance(made, Report) else made)
+    return cast("Part", replace(made, decimal=style.decimal or decimal) if isinstance(made, Report) else made)
 
 
 class _House:
