@@ -32,7 +32,7 @@ pytest.importorskip("starlette")
 
 from freebody.errors import InputError
 from freebody.language.document import Document
-from freebody.studio.asking import exported
+from freebody.studio.asking import drawn, exported
 from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.changing import changes
 from freebody.studio.editing import add, edit, suggest
@@ -46,7 +46,7 @@ from freebody.studio.reading import read
 from freebody.studio.server import LARGEST
 from freebody.studio.wire.around import Call, Opening, Reply, SaveRequest
 from freebody.studio.wire.motions import MarksRequest, MotionAnswer, MotionRequest, Range, SweepAnswer
-from freebody.studio.wire.studies import ExportRequest, ShareRequest
+from freebody.studio.wire.studies import ExportRequest, PictureRequest, ShareRequest
 from freebody.studio.wire.texts import AddRequest, EditRequest, ReadAnswer, ReadRequest, SuggestRequest
 from freebody.studio.work import Lane
 from freebody.studio.work import done as done_by_worker
@@ -1077,6 +1077,13 @@ def test_a_report_is_one_file_in_which_all_is_found_that_it_names(name: Any) -> 
         assert named
         assert sorted(packed.namelist()) == sorted(["explain.md", *named])
         assert all(packed.read(figure).startswith(b"<svg") for figure in named)
+
+
+def test_values_in_a_german_picture_have_a_decimal_comma() -> None:
+    """A weight of 2 kg: 19.6 N."""
+    request = {"text": PENDULUM, "free": ["rod"], "at": 0.1, "show": ["force"]}
+    for language, value in (("de", "= 19,6 N"), ("en", "= 19.6 N")):
+        assert value in base64.b64decode(drawn(PictureRequest(language=language, **request)).content).decode()
 
 
 # -- a page to share --------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from freebody.errors import InputError
+from freebody.language.notation.parts import decimals_with
 from freebody.messages import Message
 from freebody.model.noting import did_you_mean
 from freebody.present.report.formats.html import html_content
@@ -18,6 +19,7 @@ from freebody.present.report.results import Result, finite
 from freebody.studies import STUDIES, Study
 from freebody.studio.meanings import meanings
 from freebody.studio.reading import checked_system
+from freebody.studio.telling import decimal_of
 from freebody.studio.wire.studies import (
     ExportRequest,
     File,
@@ -36,7 +38,8 @@ def drawn(request: PictureRequest) -> PictureAnswer:
     """The model as it stands, or bodies of it cut free."""
     system = checked_system(request.text)
     options: dict[str, Any] = {"at": request.at, "show": request.show}
-    made = free_body(system, *request.free, **options) if request.free else picture(system, **options)
+    with decimals_with(decimal_of(request.language)):
+        made = free_body(system, *request.free, **options) if request.free else picture(system, **options)
     content: str | bytes
     match request.format:
         case "svg":
