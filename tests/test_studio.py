@@ -793,6 +793,25 @@ def test_a_motion_that_passes_by_waits_for_no_accurate_one() -> None:
     asyncio.run(moved())
 
 
+@pytest.mark.skipif(os.name != "posix", reason="sockets are given to a process otherwise there")
+def test_a_worker_whose_server_is_gone_ends_and_says_nothing() -> None:
+    """Also one that has just found an answer: the terminal is somebody else's by then."""
+    own, its = socket.socketpair()
+    socket_of_it = f"socket.socket(fileno={its.fileno()})"
+    code = f"import socket; from freebody.studio.worker import work; work({socket_of_it}, 'reading', 0, ())"
+    command = [sys.executable, "-c", code]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, pass_fds=[its.fileno()], text=True) as worker:
+        its.close()
+        request = {"text": PENDULUM, "language": "de"}
+        call = json.dumps({"kind": "read", "request": request}).encode() + b"\n"
+        own.sendall(call)
+        assert own.recv(1)  # it works
+        own.sendall(call)
+        own.close()
+        assert worker.communicate(timeout=60)[1] == ""
+    assert worker.returncode == 0
+
+
 def test_no_answer_waits_for_a_file_that_takes_its_time() -> None:
     request = {"text": CHAIN, "name": "explain", "options": {"question": "far"}}
 
