@@ -192,3 +192,51 @@ def test_what_pictures_show_is_told_in_german(tmp_path: Path) -> None:
         "Freikörperbild von disk. Gewichtskraft m g, nach unten; Normalkraft N, unter 60 Grad"
         in alternative.replace("\u2009", " ")
     )
+
+
+SHORT_ROD = """parameters: {L: 1.25 m, m: 2.5 kg, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {A: {pin: [ground.A, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of rod}}
+start: {theta: -60 deg}
+questions: [{id: first, find: acceleration of theta}]
+"""
+
+
+@pytest.mark.parametrize("study", ["solve", "explain"])
+def test_german_has_a_decimal_comma_and_plain_data_keep_the_point(study: str) -> None:
+    """theta'' = -3/2 g/L cos(theta) = -5.886 rad/s^2 at -60 degrees."""
+    system = fb.System.from_text(SHORT_ROD)
+    english, german = (getattr(system, study)(language=language) for language in ("en", "de"))
+    assert "-5.886 rad/s" in english.to_text()
+    assert "-5,886 rad/s" in german.to_text()
+    assert re.search(r"\d\.\d", german.to_text()) is None
+    assert german.to_plain()["answers"] == english.to_plain()["answers"]
+    assert "5.886" in str(german.to_plain())
+
+
+def test_a_german_message_has_a_decimal_comma_also_for_a_power_of_ten() -> None:
+    gap = Message("{x} to {y:.3g} m", x=Message("{gap:.2g} m", gap=0.031), y=1.25e-9)
+    assert Catalogue("de").said(gap) == "0,031 m to 1,25e-09 m"
+    assert Catalogue("en").said(gap) == "0.031 m to 1.25e-09 m"
+
+
+def test_a_german_house_can_keep_the_decimal_point() -> None:
+    system = fb.System.from_text(SHORT_ROD + "style: {decimal: point}\n")
+    assert "-5.886 rad/s" in system.explain(language="de").to_text()
+
+
+@pytest.mark.parametrize("name", ["double_pendulum", "spinning_top"])
+def test_the_page_on_which_a_motion_plays_is_told_in_german(name: str, tmp_path: Path) -> None:
+    system = fb.System.load(EXAMPLES / f"{name}.yaml")
+    german, english = (system.simulate(0.1, language=lang).animate(tmp_path / f"{lang}.html") for lang in ("de", "en"))
+    told, other = german.read_text("utf-8"), english.read_text("utf-8")
+    data = re.compile(r'<script type="application/json" id="data">.*?</script>', re.DOTALL)
+    assert data.findall(told) == data.findall(other)
+    assert '<html lang="de">' in told
+    for words in ("Abspielen", "Bewegung von", "über 0,1 s", "Körper:", "Achsen [length] m lang", "Die Leertaste"):
+        assert words in told
+    for words in (">Play<", "Animation of", "; bodies: ", "Space plays", "One frame", "Points to trace"):
+        assert words in other
+        assert words not in told

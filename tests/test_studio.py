@@ -14,11 +14,13 @@ import signal
 import socket
 import subprocess
 import sys
+import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from email.message import Message
 from http.client import HTTPConnection
 from importlib.resources import files
+from io import BytesIO
 from pathlib import Path
 from threading import Thread
 from time import process_time, sleep
@@ -30,6 +32,7 @@ pytest.importorskip("starlette")
 
 from freebody.errors import InputError
 from freebody.language.document import Document
+from freebody.studio.asking import drawn, exported
 from freebody.studio.beforehand import moved_beforehand
 from freebody.studio.changing import changes
 from freebody.studio.editing import add, edit, suggest
@@ -43,7 +46,7 @@ from freebody.studio.reading import read
 from freebody.studio.server import LARGEST
 from freebody.studio.wire.around import Call, Opening, Reply, SaveRequest
 from freebody.studio.wire.motions import MarksRequest, MotionAnswer, MotionRequest, Range, SweepAnswer
-from freebody.studio.wire.studies import ShareRequest
+from freebody.studio.wire.studies import ExportRequest, PictureRequest, ShareRequest
 from freebody.studio.wire.texts import AddRequest, EditRequest, ReadAnswer, ReadRequest, SuggestRequest
 from freebody.studio.work import Lane
 from freebody.studio.work import done as done_by_worker
@@ -790,6 +793,60 @@ def test_a_motion_that_passes_by_waits_for_no_accurate_one() -> None:
     asyncio.run(moved())
 
 
+@pytest.mark.skipif(os.name != "posix", reason="sockets are given to a process otherwise there")
+def test_a_worker_whose_server_is_gone_ends_and_says_nothing() -> None:
+    """Also one that has just found an answer: the terminal is somebody else's by then."""
+    own, its = socket.socketpair()
+    socket_of_it = f"socket.socket(fileno={its.fileno()})"
+    code = f"import socket; from freebody.studio.worker import work; work({socket_of_it}, 'reading', 0, ())"
+    command = [sys.executable, "-c", code]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, pass_fds=[its.fileno()], text=True) as worker:
+        its.close()
+        request = {"text": PENDULUM, "language": "de"}
+        call = json.dumps({"kind": "read", "request": request}).encode() + b"\n"
+        own.sendall(call)
+        assert own.recv(1)  # it works
+        own.sendall(call)
+        own.close()
+        assert worker.communicate(timeout=60)[1] == ""
+    assert worker.returncode == 0
+
+
+def test_no_answer_waits_for_a_file_that_takes_its_time() -> None:
+    request = {"text": CHAIN, "name": "explain", "options": {"question": "far"}}
+
+    async def asked() -> None:
+        lanes = Lanes()
+        try:
+            slow = asyncio.create_task(lanes.ask(Call(kind="export", topic="file", request=request)))
+            await asyncio.sleep(0)
+            answer = Call(kind="study", topic="answer", request={"text": PENDULUM, "name": "solve"})
+            assert Reply.model_validate_json(await asyncio.wait_for(lanes.ask(answer), 60)).status == "done"
+            assert not slow.done()
+            lanes.cancel("file")
+            assert Reply.model_validate_json(await slow).status == "cancelled"
+        finally:
+            await lanes.end()
+
+    asyncio.run(asked())
+
+
+def test_whatever_goes_wrong_with_a_worker_is_a_message_and_the_next_request_is_answered(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Such as an answer that is longer than what is read at once."""
+
+    async def run() -> None:
+        worker = Worker(Lane("test", 30))
+        with monkeypatch.context() as patched:
+            patched.setattr("freebody.studio.lanes._LONGEST", 64)
+            assert await asyncio.wait_for(status_of(worker, call_of("a")), 30) == "crashed"
+        assert await asyncio.wait_for(status_of(worker, call_of("a")), 30) == "done"
+        await worker.end()
+
+    asyncio.run(run())
+
+
 def test_a_hand_that_moves_something_lets_all_others_stand_aside(monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[str] = []
     monkeypatch.setattr(Worker, "stand_aside", lambda worker: told.append(worker.lane.name))
@@ -1021,6 +1078,31 @@ def test_a_sweep_that_cannot_be_read_is_refused_in_words(given: dict[str, Any], 
     reply = done("sweep", request)
     assert reply.status == "refused"
     assert words in reply.message
+
+
+# -- files ----------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", ["html", "tex", "md", "ipynb", "txt"])
+def test_a_report_is_one_file_in_which_all_is_found_that_it_names(name: Any) -> None:
+    """Browsers put what they are given side by side, so that figures in folders would not be found."""
+    request = ExportRequest(text=PENDULUM, name="explain", format=name)
+    (file,) = exported(request).files
+    content = base64.b64decode(file.content)
+    assert file.name == ("explain.md.zip" if name == "md" else f"explain.{name}")
+    if name != "md":
+        return
+    assert content == base64.b64decode(exported(request).files[0].content)
+    with zipfile.ZipFile(BytesIO(content)) as packed:
+        named = re.findall(r"\]\(([^)#]+\.svg)\)", packed.read("explain.md").decode())
+        assert named
+        assert sorted(packed.namelist()) == sorted(["explain.md", *named])
+        assert all(packed.read(figure).startswith(b"<svg") for figure in named)
+
+
+def test_values_in_a_german_picture_have_a_decimal_comma() -> None:
+    """A weight of 2 kg: 19.6 N."""
+    request = {"text": PENDULUM, "free": ["rod"], "at": 0.1, "show": ["force"]}
+    for language, value in (("de", "= 19,6 N"), ("en", "= 19.6 N")):
+        assert value in base64.b64decode(drawn(PictureRequest(language=language, **request)).content).decode()
 
 
 # -- a page to share --------------------------------------------------------------------------

@@ -223,3 +223,22 @@ def test_it_fits_on_320_pixels(page: Firefox) -> None:
             assert_it_fits(page, panel)
     finally:
         page.zoom(1.0)
+
+
+def test_a_shared_page_moves_without_a_server(firefox: Firefox, tmp_path: Path) -> None:
+    file, shared = tmp_path / "pendulum.yaml", tmp_path / "shared.html"
+    file.write_text(PENDULUM, encoding="utf-8")
+    command = [sys.executable, "-m", "freebody", "studio", str(file), "--export", str(shared), "--until", "1 s"]
+    subprocess.run([*command, "--vary", "L=0.5..2 m:4"], check=True, capture_output=True)
+    firefox.size(1500, 1000)
+    firefox.open(shared.as_uri())
+    firefox.wait_for(IS_DRAWN)
+    before = firefox.evaluate("return document.querySelector('.view canvas').toDataURL()")
+    firefox.evaluate("document.querySelector('.sliders input[type=range]').focus()")
+    firefox.press("End")
+    firefox.wait_for("document.querySelector('.sliders .number').textContent === '2 m'")
+    # -3/2 g/L cos(-60 deg)
+    firefox.wait_for("/3[.,]6787 rad.s²/.test(document.querySelector('.sliders .values dd').textContent)")
+    firefox.wait_for("document.querySelector('.view canvas').toDataURL() !== arguments[0]", before)
+    asked = firefox.evaluate("return performance.getEntriesByType('resource').map((entry) => entry.name)")
+    assert [address for address in asked if address.startswith("http")] == []

@@ -931,7 +931,7 @@ def test_a_shared_page_answers_without_a_server(browser: Any, tmp_path: Path) ->
     slider.focus()
     page.keyboard.press("End")
     page.locator(".sliders .number:has-text('2 m')").wait_for()
-    page.locator(".values dd:has-text('-3.678')").wait_for()  # -3/2 g/L cos(-60 deg)
+    page.locator(".values dd:has-text('−3.6787 rad/s²')").wait_for()  # -3/2 g/L cos(-60 deg)
     page.locator(".sliders >> text=numbers in reports, are those of the file").wait_for()
     assert page.evaluate(PICTURE) != before
     page.keyboard.press("Home")

@@ -21,7 +21,11 @@ export class Latest {
       while (this.next) {
         const work = this.next;
         this.next = null;
-        await work();
+        try {
+          await work();
+        } catch (error) {
+          reportError(error); // the next one comes all the same
+        }
       }
     } finally {
       this.isRunning = false;

@@ -45,6 +45,8 @@ export class Studio {
   text = $state("");
   read = $state.raw<ReadAnswer | null>(null);
   readText = $state("");
+  /** The text that the reader gave no answer to. */
+  unread = $state<string | null>(null);
   model = $state.raw<ReadAnswer | null>(null);
   modelText = $state("");
   parameters = $state.raw<Parameter[]>([]);
@@ -145,6 +147,10 @@ export class Studio {
   get isCurrent(): boolean {
     return this.model !== null && this.modelText === this.text;
   }
+  /** Whether what follows from the text as it stands is on its way: not that of a text that is no model, or could not be read. */
+  get isAwaited(): boolean {
+    return this.read?.is_model !== false && this.unread !== this.text;
+  }
   get element(): Element | null {
     return this.read?.elements.find((e) => e.path.join(".") === this.selected) ?? null;
   }
@@ -206,7 +212,10 @@ export class Studio {
       // the first motion of a text is asked for together with what it says: a picture waits for the longer of both
       const motion = !this.read && text.trim() ? this.askedMotion(text) : undefined;
       const told = await this.asked("read", { text, language: this.language });
-      if (!told?.answer || text !== this.text) return;
+      if (text !== this.text) return; // it is asked for again
+      this.unread = told?.answer ? null : text;
+      if (told && !told.answer) this.failure = this.reason(told);
+      if (!told?.answer) return;
       [this.read, this.readText] = [told.answer, text];
       this.parameters = told.answer.parameters;
       if (!told.answer.is_model) return void this.learn(); // there is no picture to come first

@@ -81,7 +81,7 @@ class Sweeping {
     return this.answer !== null && (this.answered !== this.wanted || !studio.isCurrent || studio.read?.is_model === false);
   }
   get isDue(): boolean {
-    return this.isFollowing && this.answer !== null && this.canAsk && studio.read?.is_model !== false && (this.sought !== this.wanted || !studio.isCurrent);
+    return this.isFollowing && this.answer !== null && this.canAsk && studio.isAwaited && (this.sought !== this.wanted || !studio.isCurrent);
   }
   /** Where the file has the parameter, in the unit of what is shown. */
   get own(): number | null {

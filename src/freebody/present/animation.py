@@ -78,7 +78,7 @@ def film_of(
 class Film:
     """A motion that can be shown. times: (n_times,) [s] at which it is given; speed: seconds of motion in a second of
     showing; show, page: of so many frames the drawing with their times, equally spaced, and the page that plays them;
-    fewest: frames of a page, at least."""
+    fewest: frames of a page, at least; tell: a message in the language of the page"""
 
     times: Array
     title: str
@@ -86,6 +86,8 @@ class Film:
     show: Callable[[int], tuple[Show, Array]]
     page: Callable[[int], Pages]
     fewest: int = FEWEST + 1
+    tell: Callable[[str], str] = str
+    language: str = "en"
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.speed) and self.speed > 0):
@@ -110,7 +112,8 @@ class Film:
 
     def text(self) -> str:
         """The text of a page that plays it."""
-        return self.page(min(N_FRAMES, max(self.fewest, self.n_frames(RATE)))).text(self.title, self.speed)
+        page = self.page(min(N_FRAMES, max(self.fewest, self.n_frames(RATE))))
+        return page.text(self.title, self.speed, self.tell, self.language)
 
     def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
         """A figure, and an iterator that brings it to one frame after the other, at a rate [1/s]."""

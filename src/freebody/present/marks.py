@@ -13,6 +13,7 @@ from freebody.language.expression import Expr
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Point
+from freebody.messages import Message
 from freebody.model.elements import UnilateralConstraint
 from freebody.present.figures import Array, Heading, Place
 from freebody.present.places import Places
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 OPEN, PRESSES, STICKS, SLIPS = range(4)
 STYLES = "", "presses", "sticks", "slips"  # of the states
-MEANING = "Where bodies touch: a full dot sticks, an empty one slips, a small one has no friction."
+MEANING = Message("Where bodies touch: a full dot sticks, an empty one slips, a small one has no friction.")
 _SIZES = 0.0, 0.28, 0.4, 0.4
 _MOST = 400  # places that ever touch; more would hide each other
 

@@ -11,13 +11,14 @@ import html
 import json
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
 
 from freebody.language.plain_text import plain
+from freebody.messages import Message
 from freebody.present.assets import asset
 from freebody.present.figures import Array, Place
 from freebody.present.scene import Scene
@@ -25,14 +26,28 @@ from freebody.present.theme import THEMES
 
 ANGLE_DIGITS = 4
 _THEMES = {name: asdict(theme) for name, theme in THEMES.items()}
-_KEYS = (
-    "Space plays and pauses, {step}, Home and End go to the ends; {turn}the wheel or plus and minus come nearer, "
-    "a double click or 0 goes back."
+_KEYS_OF_PLANE = Message(
+    "Space plays and pauses, the arrow keys step, Home and End go to the ends; drag the picture to move it, the wheel "
+    "or plus and minus come nearer, a double click or 0 goes back."
 )
-_KEYS_OF_PLANE = {"step": "the arrow keys step", "turn": "drag the picture to move it, "}
-_KEYS_OF_SPACE = {
-    "step": "comma and full stop step",
-    "turn": "drag the picture or use the arrow keys to turn the view, ",
+_KEYS_OF_SPACE = Message(
+    "Space plays and pauses, comma and full stop step, Home and End go to the ends; drag the picture or use the arrow "
+    "keys to turn the view, the wheel or plus and minus come nearer, a double click or 0 goes back."
+)
+_WORDS = {  # of the page itself; the script fills what is in brackets
+    "play": Message("Play"),
+    "pause": Message("Pause"),
+    "playback": Message("Playback"),
+    "back": Message("One frame back"),
+    "on": Message("One frame on"),
+    "time": Message("Time"),
+    "speed": Message("Speed"),
+    "repeat": Message("repeat"),
+    "names": Message("names"),
+    "traces": Message("Traces"),
+    "to_trace": Message("Points to trace"),
+    "axes": Message("axes [length] m long"),
+    "seconds": Message("[t] seconds"),
 }
 _PART = re.compile(r"\{\{(\w+)\}\}")
 
@@ -62,19 +77,23 @@ class Pages:
     distance: float = 0.0  # [m] of the viewer, 0 for infinite
     has_lengths: bool = True
 
-    def text(self, title: str, speed: float) -> str:
-        """The text of the page."""
+    def text(self, title: str, speed: float, tell: Callable[[str], str] = str, language: str = "en") -> str:
+        """The text of the page. tell: a message in a language"""
         steps = ("ArrowLeft", "ArrowRight") if self.is_planar else ("Comma", "Period")
-        over = f"{self.times[-1] - self.times[0]:.4g} s"
-        turned = "" if self.is_planar else " The view can be turned with the arrow keys."
+        turned = "" if self.is_planar else Message("The view can be turned with the arrow keys.")
+        seen = Message("Animation of {what}, over {t:.4g} s.", what=self.description, t=self.times[-1] - self.times[0])
+        words = {name: tell(word) for name, word in _WORDS.items()}
         parts = {
             "title": html.escape(plain(title)),
-            "description": html.escape(plain(f"Animation of {self.description}, over {over}.{turned}")),
-            "note": html.escape(f"{self.note} " if self.note else ""),
-            "keys": html.escape(_KEYS.format(**(_KEYS_OF_PLANE if self.is_planar else _KEYS_OF_SPACE))),
+            "description": html.escape(plain(f"{tell(seen)} {tell(turned)}".strip())),
+            "note": html.escape(f"{tell(self.note)} " if self.note else ""),
+            "keys": html.escape(tell(_KEYS_OF_PLANE if self.is_planar else _KEYS_OF_SPACE)),
             "back_key": steps[0],
             "next_key": steps[1],
+            "language": language,
             "data": _embedded(self.data(speed)),
+            "words": _embedded(words),
+            **{f"word_{name}": html.escape(word) for name, word in words.items()},
             "script": asset("player.js"),
         }
         return _PART.sub(lambda found: parts[found[1]], asset("page.html"))

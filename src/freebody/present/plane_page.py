@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from freebody.messages import Message, in_turn
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Place
 from freebody.present.marks import MEANING
@@ -37,7 +38,7 @@ def page(drawing: Drawing, times: Array, title: str) -> Pages:
     }
     ground = np.zeros((1, 3)), np.eye(3)[None]
     bounds = drawing.low, drawing.high
-    description = f"{title}; bodies: {', '.join(drawing.scene.names)}"
+    description = Message("{title}; bodies: {names}", title=title, names=", ".join(drawing.scene.names))
     note = note_on(drawing)
     return Pages(
         drawing.scene, times, columns, digits, bounds, _ALONG_Z, ground, own, description, note, is_planar=True
@@ -49,8 +50,10 @@ def note_on(drawing: Drawing) -> str:
     notes = [MEANING] if drawing.marks else []
     if drawing.moved:
         moved = ", ".join(drawing.moved)
-        notes.append(f"Drawn aside by a constant amount, because the model does not say where: {moved}.")
-    return " ".join(notes)
+        notes.append(
+            Message("Drawn aside by a constant amount, because the model does not say where: {moved}.", moved=moved)
+        )
+    return in_turn(notes, "{first} {second}")
 
 
 def _marks(drawing: Drawing) -> Iterator[tuple[Stroke, list[int]]]:

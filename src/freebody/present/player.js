@@ -714,11 +714,13 @@ function corner() {
     write("+", [x + r + 7, y - 0.6 * r], ink);
   }
   pen.textAlign = "left";
-  if (data.has_lengths) write(shown.axes(Number(length.toPrecision(1))), [x + right, y + 8], theme().muted);
+  const told = data.has_lengths ? shown.axes(Number(length.toPrecision(1))) : "";
+  write(told, [x + right, y + 8], theme().muted);
+  const beside = x + right + Math.max(130, pen.measureText(told).width + 18);
   if (data.gravity) {
     const down = [dot(camera.axes[0], data.gravity), -dot(camera.axes[1], data.gravity)];
-    arrow([x + right + 130, y - 20], down.map((c) => 38 * c), theme().force);
-    write("g", [x + right + 138, y - 4], ink);
+    arrow([beside, y - 20], down.map((c) => 38 * c), theme().force);
+    write("g", [beside + 8, y - 4], ink);
   }
 }
 function arrow([x, y], [dx, dy], paint) {

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import tempfile
+import zipfile
 from base64 import b64encode
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 from freebody.errors import InputError
+from freebody.language.notation.parts import decimals_with
 from freebody.messages import Message
 from freebody.model.noting import did_you_mean
 from freebody.present.report.formats.html import html_content
@@ -16,6 +19,7 @@ from freebody.present.report.results import Result, finite
 from freebody.studies import STUDIES, Study
 from freebody.studio.meanings import meanings
 from freebody.studio.reading import checked_system
+from freebody.studio.telling import decimal_of
 from freebody.studio.wire.studies import (
     ExportRequest,
     File,
@@ -28,14 +32,14 @@ from freebody.studio.wire.studies import (
 )
 from freebody.study.pictures.picture import free_body, picture
 from freebody.study.simulation.files import SUFFIXES, write
-from freebody.study.simulation.simulate import simulate
 
 
 def drawn(request: PictureRequest) -> PictureAnswer:
     """The model as it stands, or bodies of it cut free."""
     system = checked_system(request.text)
     options: dict[str, Any] = {"at": request.at, "show": request.show}
-    made = free_body(system, *request.free, **options) if request.free else picture(system, **options)
+    with decimals_with(decimal_of(request.language)):
+        made = free_body(system, *request.free, **options) if request.free else picture(system, **options)
     content: str | bytes
     match request.format:
         case "svg":
@@ -68,14 +72,18 @@ def exported(request: ExportRequest) -> FilesAnswer:
         text = json.dumps(finite(found.to_plain()), indent=2, ensure_ascii=False)
         return FilesAnswer(files=[File(name=f"{request.name}.json", content=_coded(text))])
     with tempfile.TemporaryDirectory(prefix="freebody-") as folder:
-        written = found.write(Path(folder) / f"{request.name}.{request.format}")
-        return FilesAnswer(files=[File(name=path.name, content=_coded(path.read_bytes())) for path in written])
+        first, *others = found.write(Path(folder) / f"{request.name}.{request.format}")
+        if not others:
+            return FilesAnswer(files=[File(name=first.name, content=_coded(first.read_bytes()))])
+        packed = _packed(Path(folder), [first, *others])
+        return FilesAnswer(files=[File(name=f"{first.name}.zip", content=_coded(packed))])
 
 
 def motion_file(request: PageRequest) -> FilesAnswer:
     """The motion as a file. Raises CannotAnswer where it cannot begin, InputError where an extra is not installed."""
     system = checked_system(request.text)
-    found = simulate(system, request.until, every=request.until / (request.frames - 1))
+    every = request.until / (request.frames - 1)
+    found = STUDIES["simulate"].function(system, request.until, every=every, language=request.language)
     with tempfile.TemporaryDirectory(prefix="freebody-") as folder:
         path = Path(folder) / f"motion.{request.format}"
         if path.suffix in SUFFIXES:
@@ -83,6 +91,17 @@ def motion_file(request: PageRequest) -> FilesAnswer:
         else:
             found.animate(path)
         return FilesAnswer(files=[File(name=path.name, content=_coded(path.read_bytes()))])
+
+
+def _packed(folder: Path, paths: list[Path]) -> bytes:
+    """Files that name each other, where they name each other: a browser puts what it is given side by side."""
+    buffer = BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as out:
+        for path in paths:
+            entry = zipfile.ZipInfo(path.relative_to(folder).as_posix())  # without a date
+            entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
+            out.writestr(entry, path.read_bytes())
+    return buffer.getvalue()
 
 
 def _found(request: StudyRequest) -> Result:

@@ -113,7 +113,12 @@ class Worker:
         while self.waiting:
             self.current = piece = self.waiting.pop(0)
             piece.begun = asyncio.get_running_loop().time()
-            reply = await self._done(piece)
+            try:
+                reply = await self._done(piece)
+            except Exception as error:  # whatever it is, whoever waits is told, and the next one has a new process
+                if self.running is not None:
+                    self._kill(self.running)
+                reply = _said(Reply(status="crashed", message=f"{type(error).__name__}: {error}"))
             self.current, self.busy = None, ""
             if not piece.reply.done():
                 piece.reply.set_result(reply)
@@ -225,7 +230,8 @@ class Lanes:
             self.workers[MOVING.name].leave(call.topic)  # the motion of the text before
         if worker.lane not in (READING, MOVING, PASSING):  # the page goes on to what comes after its first picture
             for other in self.workers.values():
-                other.begin()
+                if other.lane.is_ready:
+                    other.begin()
         return await worker.ask(call)
 
     def cancel(self, topic: str) -> None:

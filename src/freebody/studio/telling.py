@@ -14,6 +14,11 @@ def told(message: str, language: str) -> str:
     return message if language == "en" else _catalogue(language).said(message)
 
 
+def decimal_of(language: str) -> str:
+    """The sign of decimals."""
+    return "." if language == "en" else _catalogue(language).decimal
+
+
 @cache
 def _catalogue(language: str) -> Catalogue:
     from freebody.narrative.telling.catalogue import Catalogue  # models in English are shown without it

@@ -41,20 +41,22 @@ from freebody.studio.wire.texts import (
 @dataclass(frozen=True)
 class Lane:
     """Work that shares a process. seconds: that one piece of it may take. courtesy: how far it lets other processes go
-    first, as `os.nice` counts"""
+    first, as `os.nice` counts; is_ready: its process is there before the first request for it"""
 
     name: str
     seconds: float
     courtesy: int = 0
+    is_ready: bool = True
 
 
-READING, MOVING, PASSING, COUNTING, MARKING, STUDYING = (
+READING, MOVING, PASSING, COUNTING, MARKING, STUDYING, EXPORTING = (
     Lane("reading", 60),
     Lane("moving", 90),
     Lane("passing", 90),  # motions while a hand moves something: they wait for no accurate one
     Lane("counting", 90, courtesy=5),
     Lane("marking", 120, courtesy=15),
     Lane("studying", 600, courtesy=10),
+    Lane("exporting", 600, courtesy=10, is_ready=False),  # no answer waits for a file that takes its time
 )
 
 
@@ -100,9 +102,9 @@ WORK: dict[str, Work] = {
     "count": Work(StudyRequest, "asking", "studied", COUNTING),
     "study": Work(StudyRequest, "asking", "studied", STUDYING),
     "sweep": Work(SweepRequest, "sweeping", "swept", STUDYING),
-    "export": Work(ExportRequest, "asking", "exported", STUDYING),
-    "page": Work(PageRequest, "asking", "motion_file", STUDYING),
-    "share": Work(ShareRequest, "sharing", "share", STUDYING),
+    "export": Work(ExportRequest, "asking", "exported", EXPORTING),
+    "page": Work(PageRequest, "asking", "motion_file", EXPORTING),
+    "share": Work(ShareRequest, "sharing", "share", EXPORTING),
 }
 
 

@@ -53,15 +53,16 @@ def work(calls: socket.socket, lane: str, courtesy: int, folders: Sequence[str])
             lines.flush()
 
     threading.Thread(target=_tell_progress, args=(say,), daemon=True).start()
-    while line := lines.readline():
-        call = json.loads(line)
-        is_awaited = bool(call["request"].get("is_passing"))  # by a hand that moves something
-        if is_awaited:
-            gc.disable()
-        say(done(call["kind"], call["request"]).model_dump_json())
-        if is_awaited:
-            gc.enable()
-            gc.collect(1)
+    with suppress(BrokenPipeError, ConnectionResetError):  # the server is gone, and nobody reads what is said of that
+        while line := lines.readline():
+            call = json.loads(line)
+            is_awaited = bool(call["request"].get("is_passing"))  # by a hand that moves something
+            if is_awaited:
+                gc.disable()
+            say(done(call["kind"], call["request"]).model_dump_json())
+            if is_awaited:
+                gc.enable()
+                gc.collect(1)
 
 
 class _StandingAside:
@@ -111,5 +112,6 @@ def _tell_progress(say: Callable[[str], None]) -> None:
     while True:
         if (busy := now()) != told:
             told = busy
-            say(json.dumps({"busy": busy}))
+            with suppress(OSError, ValueError):  # the server is gone
+                say(json.dumps({"busy": busy}))
         time.sleep(_PAUSE)

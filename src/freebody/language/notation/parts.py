@@ -158,6 +158,11 @@ def in_decimals_of(sign: Callable[[First], str]) -> Callable[[Written[First, P, 
     return decorated
 
 
+def sign_of_decimals() -> str:
+    """As it is meanwhile."""
+    return _SIGN.get()
+
+
 def with_sign(decimal: str, *, comma: str = ",") -> str:
     """A decimal with the sign that is wanted. comma: how a format writes one."""
     return decimal if _SIGN.get() == "." else decimal.replace(".", comma)

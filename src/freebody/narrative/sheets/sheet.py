@@ -38,7 +38,14 @@ class Sheet(SheetContent):
             title = catalogue.tell(Sentence("sheet.variant", {"n": n}))
             blocks.append(Section(title, (table,)) if self.variants > 1 else table)
         title = catalogue.word("sheet.key_title")
-        return Report(title, catalogue.language, catalogue.word("sheet.sheet"), tuple(blocks), catalogue.report_words)
+        return Report(
+            title,
+            catalogue.language,
+            catalogue.word("sheet.sheet"),
+            tuple(blocks),
+            catalogue.report_words,
+            decimal=catalogue.decimal,
+        )
 
     def write(self, path: str | Path) -> list[Path]:
         """Writes the sheet as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix, and the answer key beside it as

@@ -62,9 +62,8 @@ class SheetWriter:
             blocks.append(Section((catalogue.word("sheet.solutions"),), tuple(solutions)))
         if sheet.solutions != "none":
             blocks.append(Section((catalogue.word("sheet.key_title"),), (key_table(catalogue, sheet.key(self.n)),)))
-        return Report(
-            catalogue.word("sheet.title"), catalogue.language, self._subtitle(), tuple(blocks), catalogue.report_words
-        )
+        title, language, words = catalogue.word("sheet.title"), catalogue.language, catalogue.report_words
+        return Report(title, language, self._subtitle(), tuple(blocks), words, decimal=catalogue.decimal)
 
     def _counted_set(self, exercise: Variant, number: int) -> tuple[Block, ...]:
         set_ = self._set(exercise, number)
@@ -79,7 +78,7 @@ class SheetWriter:
                 numbers |= options_in_numbers(system, question, answer)
         figure, room = self.n_figures + 1, self.sheet.room
         statement = ExerciseStatement(system, self.catalogue, number, figure, room=room, numbers=numbers)
-        return in_style(statement.blocks(), system.style)
+        return in_style(statement.blocks(), system.style, self.catalogue.decimal)
 
     def _name_line(self) -> Paragraph:
         points = self.sheet.points

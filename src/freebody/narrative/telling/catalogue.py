@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from functools import cache
 from itertools import takewhile
-from typing import Any, cast
+from typing import Any, Literal, cast
 
 from freebody.errors import InputError
 from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
@@ -117,6 +117,11 @@ class Catalogue:
 
     def word(self, key: str) -> str:
         return self.template(key)
+
+    @property
+    def decimal(self) -> Literal[".", ","]:
+        """The sign of decimals."""
+        return "," if self.word("report.decimal") == "," else "."
 
     @property
     def report_words(self) -> dict[str, str]:

@@ -6,6 +6,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import FreebodyError
+from freebody.language.notation.parts import decimals_with
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.lines.script import DerivationStage, Sentence, ready
 from freebody.narrative.sheets.asking import headline
@@ -31,7 +32,8 @@ def report_of(explanation: WorkedSolutions) -> Report:
         from freebody.study.pictures.picture import free_body, picture
 
         try:
-            return free_body(system, *bodies, told=told) if bodies else picture(system, turning=turning)
+            with decimals_with(catalogue.decimal):
+                return free_body(system, *bodies, told=told) if bodies else picture(system, turning=turning)
         except FreebodyError:  # a derivation without its picture is better than none
             return None
 
@@ -46,7 +48,7 @@ def report_of(explanation: WorkedSolutions) -> Report:
     title = system.title or "freebody"
     solution = catalogue.word("report.worked_solution")
     report = Report(title, catalogue.language, solution, tuple(blocks), catalogue.report_words)
-    return in_style(report, system.style)
+    return in_style(report, system.style, catalogue.decimal)
 
 
 def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
-from typing import Any, TypeVar, cast
+from typing import Any, Literal, TypeVar, cast
 
 from freebody.language.expression import (
     Call,
@@ -20,21 +20,24 @@ from freebody.language.expression import (
     multiply,
     substitute,
 )
+from freebody.language.notation import Stated
+from freebody.messages import Message, Shown
 from freebody.model.style import HouseStyle
 from freebody.narrative.principles.sides import positive_first
 from freebody.present.report.blocks import Emphasis, Formula, Report, Side
 
-_DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?![\w.])")
+_DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?=[eE][-+]?\d|(?!\.?\w))")
 _EXPRESSIONS = (Number, Symbol, Sum, ProductOf, PowerOf, Call)
 Part = TypeVar("Part")
 
 
-def in_style(part: Part, style: HouseStyle) -> Part:
-    """A report, or a part of one."""
-    if style.is_plain:
+def in_style(part: Part, style: HouseStyle, decimal: Literal[".", ","] = ".") -> Part:
+    """A report, or a part of one. decimal: the sign of decimals where the style has none."""
+    style = replace(style, decimal=style.decimal or decimal)
+    if replace(style, decimal="").is_plain and style.decimal == ".":
         return part
     made = _House(style).written(part)
-    return cast("Part", replace(made, decimal=style.decimal) if isinstance(made, Report) else made)
+    return cast("Part", replace(made, decimal=style.decimal or decimal) if isinstance(made, Report) else made)
 
 
 class _House:
@@ -48,8 +51,12 @@ class _House:
         match part:
             case Formula():
                 return replace(part, sides=tuple(self.side(side) for side in part.sides))
-            case Emphasis(_words, "strong"):  # the number of a question, say
+            case Emphasis(_words, "strong" | "code"):  # the number of a question, say; what stands in a file
                 return part
+            case Shown() | Stated():  # a formula
+                return part
+            case Message() if all(isinstance(value, str) for value in part.arguments.values()):
+                return Message(part.template, **{name: self.written(value) for name, value in part.arguments.items()})
             case str():
                 return _DECIMAL.sub(rf"\1{self.style.decimal}\2", part)
             case tuple():

@@ -86,8 +86,11 @@ class TextPattern:
 class Phrases:
     """The phrases of a language, in the order in which they are tried."""
 
-    def __init__(self, phrases: tuple[TextPattern, ...], messages: Mapping[str, Mapping[str, str]]) -> None:
+    def __init__(
+        self, phrases: tuple[TextPattern, ...], messages: Mapping[str, Mapping[str, str]], decimal: str = "."
+    ) -> None:
         self.messages = messages
+        self.decimal = decimal
         ordered = sorted(phrases, key=lambda p: -p.n_own)
         self.kinds: dict[str, list[TextPattern]] = {}
         for p in ordered:
@@ -143,7 +146,7 @@ class Phrases:
         value = value.words if isinstance(value, Stated) else value
         if isinstance(value, Message):
             return self._told(value, form) or value
-        return self._inside(value, form) if isinstance(value, str) else format(value, form)
+        return self._inside(value, form) if isinstance(value, str) else format(value, form).replace(".", self.decimal)
 
     def _find(self, text: str, kind: str) -> str | None:
         if kind == GENERAL and (several := self._listed(text, strict=True)) is not None:
@@ -211,12 +214,14 @@ def phrases_of(language: str) -> Phrases:
     """The phrases of a language, from all of its files; none for the language in which they are handed over."""
     found: list[TextPattern] = []
     messages: dict[str, dict[str, str]] = {}
+    decimal = "."
     for tables in tables_of(language):
         found += _flat(tables.get(TABLE, {}), GENERAL)
+        decimal = tables.get("report", {}).get("decimal", decimal)
         found += [TextPattern(key, text, REACTION) for key, text in tables.get(REACTION, {}).items()]
         for p in _flat(tables.get(MESSAGES, {}), GENERAL):
             messages.setdefault(p.kind, {})[p.english] = p.text
-    return Phrases(tuple(found), messages)
+    return Phrases(tuple(found), messages, decimal)
 
 
 def _flat(table: Mapping[str, Any], kind: str) -> Iterator[TextPattern]:

@@ -11,7 +11,9 @@ from dataclasses import dataclass, replace
 
 from freebody.language.notation import Stated
 from freebody.language.sentences import Message
+from freebody.model.style import HouseStyle
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.house import in_style
 from freebody.narrative.telling.pictures import told_picture
 from freebody.present.report.blocks import (
     Block,
@@ -46,7 +48,7 @@ class ReportTeller:
     def tell(self, report: Report) -> Report:
         catalogue = Catalogue(self.language)
         words = _Words(catalogue)
-        return replace(
+        told = replace(
             report,
             title=words.said(report.title),
             subtitle=words.said(report.subtitle),
@@ -54,6 +56,7 @@ class ReportTeller:
             words={**catalogue.report_words, **report.words},
             blocks=words.blocks(report.blocks),
         )
+        return in_style(told, HouseStyle(), catalogue.decimal)
 
     def said(self, text: str) -> str:
         """A text that is drawn."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freebody.language.notation.parts import with_sign
 from freebody.present.figures import Array
 from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.label import Label, Run, beside
@@ -154,14 +155,15 @@ def labelled(force: ShownForce) -> Label:
         force.label,
         Label(
             (Run(f"{shown(size)} {unit}"),),
-            rf"{shown(size)}\,\mathrm{{{unit.replace(' ', chr(92) + ',')}}}",
+            rf"{shown(size, comma='{,}')}\,\mathrm{{{unit.replace(' ', chr(92) + ',')}}}",
         ),
         " = ",
     )
 
 
-def shown(value: float) -> str:
-    return f"{value:.3g}".replace("-", "\u2212")
+def shown(value: float, comma: str = ",") -> str:
+    """In the decimals of the picture. comma: how a format writes one."""
+    return with_sign(f"{value:.3g}", comma=comma).replace("-", "\u2212")
 
 
 def axes_cross(at: Array, size: float = 20.0) -> Iterator[Shape | Wish]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from freebody.language.notation.parts import with_sign
 from freebody.present.corner import round_length
 from freebody.present.figures import Array
 from freebody.present.picture.label import Label, Run, words
@@ -41,7 +42,7 @@ def add_vectors(
         way = along / float(np.hypot(*along))
         sketch.add(arrow(foot, foot + along, ink, 1.5))
         places = tuple((foot + along, turn) for turn in (way, across(way), -across(way)))
-        value = f"{sizes[body]:.3g} {unit}"
+        value = f"{with_sign(f'{sizes[body]:.3g}')} {unit}"
         label = Label((Run(letter, is_italic=True), Run(f" = {value}")), rf"{letter} = {_latex(sizes[body], unit)}")
         sketch.wish(Wish(label, places, 9.5, ink, is_needed=False, weight=4.0))
     _add_scale(sketch, per_point, ink, unit)
@@ -54,7 +55,7 @@ def _add_scale(sketch: Sketch, per_point: float, ink: Ink, unit: str) -> None:
     start = np.array((high[0] - value / per_point, low[1] - 14.0))
     end = start + np.array((value / per_point, 0.0))
     sketch.add(arrow(start, end, ink, 1.5))
-    label = Label((Run(f"{value:g} {unit}"),), _latex(value, unit))
+    label = Label((Run(f"{with_sign(f'{value:g}')} {unit}"),), _latex(value, unit))
     sketch.wish(
         Wish(label, (((start + end) / 2, np.array((0.0, -1.0))), (start, np.array((-1.0, 0.0)))), 9.0, ink, weight=9.0)
     )
@@ -62,7 +63,7 @@ def _add_scale(sketch: Sketch, per_point: float, ink: Ink, unit: str) -> None:
 
 def _latex(value: float, unit: str) -> str:
     symbols = {"m/s": r"m/s", "m/s²": r"m/s^2", "N": "N", "N m": r"N\,m"}[unit]
-    return rf"{value:.3g}\,\mathrm{{{symbols}}}"
+    return rf"{with_sign(f'{value:.3g}', comma='{,}')}\,\mathrm{{{symbols}}}"
 
 
 def add_centres(sketch: Sketch, centres: Sequence[tuple[str, Array]]) -> None:

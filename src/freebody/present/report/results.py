@@ -23,6 +23,9 @@ R = TypeVar("R", bound="Result")
 class Teller(Protocol):
     """Who tells a report in another language."""
 
+    @property
+    def language(self) -> str: ...
+
     def tell(self, report: Report) -> Report: ...
     def said(self, text: str) -> str: ...
 

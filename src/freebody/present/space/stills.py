@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from freebody.messages import Message
 from freebody.present.names import Painted
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import SpatialDrawing
@@ -11,7 +12,8 @@ from freebody.present.stage import Show
 
 def description(scene: Scene) -> str:
     """What a picture shows, in words."""
-    return f"{scene.title}, drawn in space; bodies: {', '.join(form.name for form in scene.figures)}"
+    names = ", ".join(form.name for form in scene.figures)
+    return Message("{title}, drawn in space; bodies: {names}", title=scene.title, names=names)
 
 
 def show_of_space(drawing: SpatialDrawing, angles: tuple[float, float], *, perspective: bool) -> Show:

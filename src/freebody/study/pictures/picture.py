@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
-from freebody.language.notation.parts import in_decimals_of
+from freebody.language.notation.parts import in_decimals_of, sign_of_decimals, with_sign
 from freebody.language.sentences import Message
 from freebody.model.glyphs import Coil, ForceArrow, MomentArrow
 from freebody.model.noting import did_you_mean
@@ -31,7 +31,7 @@ View = tuple[float, float] | None  # azimuth and elevation; nothing: from where 
 
 
 def _decimal_of(system: System) -> str:
-    return system.style.decimal
+    return system.style.decimal or sign_of_decimals()
 
 
 @in_words
@@ -55,7 +55,7 @@ def picture(
     found = instant_of(system, at, in_motion=bool(set(show) & {"acceleration", "force"}), at_rest=not show)
     if at is None and not show:
         found = general_position(system) or found
-    title = system.title if not at else f"{system.title}, t = {at:g} s"
+    title = system.title if not at else f"{system.title}, t = {with_sign(f'{at:g}')} s"
     moving = [body.name for body in system.moving]
     acting: Sequence[ShownForce] = ()
     if moving:

@@ -98,6 +98,10 @@ class Simulation(MeasuredMotion, Result):
 
     def film(self, *, speed: float = 1.0) -> Film:
         """The motion as a film. speed: seconds of motion in a second of showing."""
+        language = "en" if self._teller is None else self._teller.language
+        return replace(self._film(speed), tell=self.in_language, language=language)
+
+    def _film(self, speed: float) -> Film:
         from freebody.present import animation as plane
         from freebody.present.marks import ContactTrack
         from freebody.present.scene import Scene

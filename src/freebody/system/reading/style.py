@@ -25,8 +25,8 @@ def read_style(source: Source) -> HouseStyle:
         return HouseStyle()
     entry = cast("dict[str, Any]", entry)
     known_keys(names, entry, _KEYS, "style", "style")
-    decimal = entry.get("decimal", "point")
-    if decimal not in _DECIMALS:
+    decimal = entry.get("decimal")
+    if decimal is not None and decimal not in _DECIMALS:
         names.problem(Message("decimal is point or comma"), "style", "decimal")
     renamed: object = entry.get("names") or {}
     if not isinstance(renamed, dict):
@@ -43,7 +43,7 @@ def read_style(source: Source) -> HouseStyle:
     n = 3 if names.space else 2
     if axes and len(axes) not in (n, 3):
         names.problem(Message("axes are the names of {n} unit vectors", n=n), "style", "axes")
-    return HouseStyle(given, axes, order, _DECIMALS.get(str(decimal), "."))
+    return HouseStyle(given, axes, order, _DECIMALS.get(str(decimal), ""))
 
 
 def _listed(source: Source, entry: dict[str, Any], key: str) -> Iterator[str]:
