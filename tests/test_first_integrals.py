@@ -157,6 +157,26 @@ def test_elliptic_integrals_are_those_of_scipy_whose_parameter_is_the_square_of_
             complete(k)
 
 
+@pytest.mark.parametrize("degrees", [61.5, 75.5])
+def test_the_period_of_a_rod_from_an_angle_of_which_a_sine_is_no_root(degrees: float) -> None:
+    """4 sqrt(2 L/(3 g)) K(sin(theta_0/2)), whose modulus is a number that no root of a rational number is."""
+    [answer] = fb.solve(
+        System.from_text(
+            f"""
+parameters: {{m: 2 kg, L: 1.25 m, g: 9.81 m/s^2}}
+bodies: {{rod: {{rod: {{mass: m, length: L}}}}}}
+connections: {{hinge: {{pin: [ground.O, rod.start]}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{theta: {{angle of rod from down}}}}
+start: {{theta: -{degrees} deg, rate(theta): 0}}
+questions: [period of theta]
+"""
+        )
+    ).answers
+    modulus = math.sin(math.radians(degrees) / 2.0)
+    assert answer.value == pytest.approx(4.0 * math.sqrt(2.0 * 1.25 / (3.0 * 9.81)) * ellipk(modulus**2), rel=1e-12)
+
+
 def test_the_period_of_a_pendulum_is_the_tabulated_multiple_of_that_of_small_oscillations() -> None:
     # 2 K(sin 45 deg)/pi = 1.18034 for an amplitude of 90 degrees: Nelson & Olsson, Am. J. Phys. 54, 1986, 112
     half_turn = SIMPLE.replace("theta_0: 50 deg", "theta_0: 90 deg")

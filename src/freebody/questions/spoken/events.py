@@ -320,6 +320,8 @@ def _stops(names: Names, who: str, other: str) -> Groups:
     if who in names.measures:
         yield [f"rate({who}) = 0"] if not other else []
         return
+    if not other and losing.damped(names) and lookup.springs(names):
+        return  # where it turns back, or where it comes to rest for good
     if not other and not can_change(names) and who not in names.connections:  # where it turns back, or comes near to
         yield poses.turning(names, who)
         return

@@ -292,7 +292,8 @@ def _between(
     if strange:  # the grammar says what the model lacks
         yield [f"{head} of {strange[0]}"]
         return
-    if of == [GROUND] and kind == "reaction" and lookup.presses_on_ground(names):
+    is_ground = of == [GROUND] or (len(of) == 1 and _is_bare_point_of_ground(names, of[0]))
+    if is_ground and kind == "reaction" and lookup.presses_on_ground(names):
         return  # what springs and dampers press with is not in a reaction
     first, second = (*of, "", "")[:2]
     joints = joining.joints(names, first, second, "tooth force" if kind.endswith(" tooth force") else kind)
@@ -321,6 +322,11 @@ def _between(
     yield [f"{head} of {joint}{f' on {target}' if target else ''}{ends}" for joint in joints]
     if len(of) == 1 and kind == "tension":
         yield [f"tension of {joint} at {of[0]}" for joint in joints]
+
+
+def _is_bare_point_of_ground(names: Names, name: str) -> bool:
+    """Whether a point of the ground has a name, and no connection holds anything there."""
+    return name.startswith(f"{GROUND}.") and all(name not in joining.ends_of(names, one) for one in names.connections)
 
 
 def _striking(names: Names, of: list[str]) -> list[str]:

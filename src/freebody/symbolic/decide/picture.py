@@ -20,7 +20,7 @@ from typing import Any
 import flint
 
 from freebody.errors import FormulaTooLong
-from freebody.language.expression import LAMBERT
+from freebody.language.expression import ELLIPTIC, LAMBERT
 from freebody.symbolic.decide.cells import Interval, Poly, Polynomials, TooLarge, points
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import is_positive
@@ -58,9 +58,19 @@ class BallFunctions:
         def function(first: Any, *others: Any) -> Any:
             if name in LAMBERT:
                 return _flint.arb(first).lambertw(branch=-LAMBERT.index(name))
+            if name in ELLIPTIC:
+                return _elliptic(first, *others)
             return getattr(_flint.arb, name)(_flint.arb(first), *map(_flint.arb, others))
 
         return function
+
+
+def _elliptic(*arguments: Any) -> Any:
+    """K(k), or F(phi, k), on balls; flint has them of m = k^2, as complex functions."""
+    *angle, modulus = map(_flint.arb, arguments)
+    parameter = _flint.acb(modulus * modulus)
+    value = _flint.acb.elliptic_f(_flint.acb(angle[0]), parameter) if angle else parameter.elliptic_k()
+    return value.real
 
 
 class CellDecomposition:
