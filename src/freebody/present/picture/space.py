@@ -305,6 +305,8 @@ def free_body_in_space(
         own = {form.index for form in part.figures}
         pieces = [p for p in whole.pieces if p.look in OF_BODIES and p.turn in own and p.place.body in own]
         drawing = replace(whole, scene=part, pieces=[p for p in pieces if p.end is None])
+    if not drawing.pieces:  # of a body without a shape the planes are seen
+        drawing = SpatialDrawing.of(replace(part, planes=scene.planes), *poses)
     sketch = SpaceSketch(drawing, angles, _ROOM_FREE, perspective=perspective, with_names=False)
     index = {form.name: form.index for form in part.figures}
 

@@ -18,6 +18,7 @@ from freebody.present.figures import Array, Pair, hull
 
 _SLIVER = 1e-6  # overlaps with less than this share of the smaller piece are none
 _LEVEL = 1e-6  # depths nearer than this, by the size of the pieces, are one: round-off orders nothing
+EDGE_ON = 1e-9  # of the normal of a face towards the viewer: below it the face is seen from its edge, and not looked at
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ def seen_solid(points: Array, normals: Array, corners: Array) -> Seen:
     steep = np.abs(normals[:, 2]) > 1e-6 * np.linalg.norm(normals, axis=1)
     n, p = normals[steep], corners[steep]
     rows = np.column_stack((-n[:, 0], -n[:, 1], (n * p).sum(axis=1))) / n[:, 2:]
-    is_front = n[:, 2] > 0
+    is_front = n[:, 2] > EDGE_ON
     return Seen(hull(points[:, :2]), float(points[:, 2].mean()), rows[is_front], rows[~is_front])
 
 

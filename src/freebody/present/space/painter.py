@@ -18,7 +18,7 @@ from freebody.present.names import Painted
 from freebody.present.picture.shapes import Shape, area, line
 from freebody.present.space.drawing import SpatialDrawing
 from freebody.present.space.looks import LOOKS, OF_BODIES, Look
-from freebody.present.space.order import Seen, back_to_front, seen_ball, seen_solid
+from freebody.present.space.order import EDGE_ON, Seen, back_to_front, seen_ball, seen_solid
 from freebody.present.space.pieces import Piece
 from freebody.present.view import View
 
@@ -40,7 +40,7 @@ class Shot:
     @property
     def fronts(self) -> NDArray[np.bool_]:
         """(n_faces,) whether each looks at the viewer."""
-        return self.normals[:, 2] > 0.0
+        return self.normals[:, 2] > EDGE_ON
 
 
 def shots(drawing: SpatialDrawing, frame: int, view: View) -> list[Shot]:
@@ -48,8 +48,8 @@ def shots(drawing: SpatialDrawing, frame: int, view: View) -> list[Shot]:
     taken = [_shot(drawing, piece, frame, view) for piece in drawing.pieces]
     flats = [shot for shot in taken if shot.piece.look == "plane"]
     rest = [shot for shot in taken if shot.piece.look != "plane"]
-    below = [shot for shot in flats if shot.normals[0, 2] > 0]
-    above = [shot for shot in flats if shot.normals[0, 2] <= 0]
+    below = [shot for shot in flats if shot.normals[0, 2] > EDGE_ON]
+    above = [shot for shot in flats if shot.normals[0, 2] <= EDGE_ON]
     return [*below, *(rest[k] for k in back_to_front([shot.seen for shot in rest])), *above]
 
 
