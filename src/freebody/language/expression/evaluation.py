@@ -144,7 +144,7 @@ def _evaluate_function(expr: Call, values: Mapping[str, Any], functions: Mapping
 
 def value_of_given(call: GivenCall, argument: Any, functions: Mapping[str, Any]) -> Any:
     """A function that is given in numbers, by its form."""
-    if _COMPUTED in functions:  # the form is one node, whatever its place is
+    if functions.get(_COMPUTED) is not None:  # the form is one node, whatever its place is
         functions = {name: f for name, f in functions.items() if name != _COMPUTED}
     place = _evaluate(call.place, {PLACE.name: argument}, functions)
     return _evaluate(call.forms[0], {PLACE.name: place}, functions)
