@@ -36,16 +36,18 @@ def runs_down(names: Names) -> list[str]:
 
 def comes_to_roll(names: Names) -> bool:
     """Whether what moves is one round body that slips on the one rough thing there is, and is not driven."""
-    one = len(lookup.massive(names)) == 1 and len(joining.rough(names, "")) == 1
-    driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
-    return one and joining.rolls(names) and not lookup.rests(names) and not driven and not joining.goes_on(names)
+    return _slides_by_itself(names) and joining.rolls(names)
 
 
 def comes_to_rest(names: Names) -> bool:
     """Whether what moves is one body that slides on the one rough thing there is, cannot roll, and is not driven."""
+    return _slides_by_itself(names) and not joining.rolls(names)
+
+
+def _slides_by_itself(names: Names) -> bool:
     one = len(lookup.massive(names)) == 1 and len(joining.rough(names, "")) == 1
     driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
-    return one and not joining.rolls(names) and not lookup.rests(names) and not driven and not joining.goes_on(names)
+    return one and not lookup.rests(names) and not driven and not joining.goes_on(names)
 
 
 def clutches(names: Names) -> list[str]:
