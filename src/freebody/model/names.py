@@ -192,6 +192,7 @@ class Names(Formulas):
         self.constraint_rows: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.impulses: frozenset[str] = frozenset()  # the loads that act in no time
+        self.strikes: tuple[AppliedLoad, ...] = ()  # what they push, and by which impulse
         self.struck_at_start: frozenset[str] = frozenset()  # what closes and strikes at the start
         self.closing_later: frozenset[str] = frozenset()  # connections that close in mid-motion
         self.applied_loads: list[

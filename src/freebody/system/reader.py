@@ -74,7 +74,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     validities = read_validities(names, connections, loads)
     mode = read_mode(source)
     names.constraint_rows = [*held, *later, *rows_to_ask_for(contacts, limits, brakes)]
-    names.impulses = frozenset(push.load for push in impulses)
+    names.impulses, names.strikes = frozenset(push.load for push in impulses), impulses
     names.closing_later = frozenset(closing)
     closed = {row.connection for row in held if row.closes}
     names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})

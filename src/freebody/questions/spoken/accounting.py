@@ -144,4 +144,6 @@ def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
         return True
     if parameter in joining.drive_parameters(names):  # the speed of what turns
         kinds += [given.KIND_OF["angular velocity"]] if given.KIND_OF["speed"] in kinds else []
+    if given.KIND_OF["impulse"] in kinds:  # of what turns, an angular one
+        kinds += [given.KIND_OF["angular impulse"]]
     return any(kind.has(names.parameters[parameter]) for kind in kinds)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
 from freebody.language.expression import Symbol, free_symbols, multiply, negate
-from freebody.language.units import ACCELERATION, DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
+from freebody.language.units import ACCELERATION, DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE, Parameter
 from freebody.model.solids import BOX, ROD
@@ -62,6 +62,8 @@ KINDS = (
     ParameterKind(("force", "tension", "driving force"), dimension=FORCE, ends_rest=True),
     ParameterKind(("reaction",), dimension=FORCE),
     ParameterKind(("torque", "moment", "driving torque"), dimension=TORQUE, ends_rest=True),
+    ParameterKind(("impulse",), dimension=FORCE * TIME),
+    ParameterKind(("angular impulse",), dimension=TORQUE * TIME),
     ParameterKind(("speed", "velocity"), ("fast",), dimension=LENGTH / TIME, ends_rest=True),
     ParameterKind(("acceleration",), dimension=ACCELERATION, ends_rest=True),
     ParameterKind(("angular velocity",), dimension=DIMENSIONLESS / TIME, ends_rest=True),
@@ -114,6 +116,12 @@ def stiffness(names: Names, spring: str) -> str | None:
     laws = [load.law if load.one_sided is None else load.one_sided.law for load in own]
     found = parameters(names, "stiffness", "")
     return next((k for k in found if laws and all(law == negate(multiply(Symbol(k), VALUE)) for law in laws)), None)
+
+
+def exerts(names: Names, load: str, kind: str) -> bool:
+    """Whether what a load exerts is of a kind: a torque, an impulse."""
+    struck = (ENERGY / push.measure.dimension * TIME for push in names.strikes if push.load == load)
+    return KIND_OF[kind].dimension == next(struck, names.loads.get(load))
 
 
 def of_kind(names: Names, kind: str) -> list[str]:
@@ -192,6 +200,9 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
         found = [name for name in found if all(name not in free_symbols(place) for place in aside)]
         laws = frozenset[str]().union(*(free_symbols(load.law) for load in names.applied_loads))
         found = [name for name in found if name not in laws]  # the radius of a curve, of which only a force knows
+    if kind in (KIND_OF["impulse"], KIND_OF["angular impulse"]):
+        struck = [push for push in names.strikes if push.load in of] or names.strikes
+        return [name for name in found if any(name in free_symbols(push.law) for push in struck)]
     if kind.is_push:
         exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
         loads = [load for load in exerted if load.load in of] or exerted

@@ -35,6 +35,7 @@ _CONTINUOUS = (
         "distance",
     ),
     *("kinetic energy", "potential energy", "total energy", "energy", "linear momentum", "angular momentum"),
+    *("rotational energy", "translational energy"),
 )
 _PLACES = {
     "at the top": poses.tops,

@@ -5,6 +5,7 @@ Gives groups of texts in the words of the grammar, the likeliest first.
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, rewording, turning_round
@@ -36,6 +37,7 @@ _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at star
 _WHILE = Word("mark", "while")
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _SO_THAT = Word("mark", "so_that")
+_WHETHER = re.compile(r"(?:does|is|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b")
 _FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
@@ -44,7 +46,14 @@ _AS_LARGE = {Word("ask", what): Word("ask", "large") for what in ("small", "flat
 
 
 def meanings(names: Names, words: list[Word]) -> Groups:
-    """What words can ask for, as they stand; then with their parts put in the order of the grammar."""
+    """What words can ask for, as they stand; then with their parts put in the order of the grammar. Whether something
+    is so is told by no quantity, but by which way something goes."""
+    asks_whether = words[:1] == [Word("filler", "does")] and Word("preposition", "and") not in words
+    for group in _in_all_orders(names, words):
+        yield [text for text in group if _WHETHER.match(text)] if asks_whether else group
+
+
+def _in_all_orders(names: Names, words: list[Word]) -> Groups:
     yield from _as_they_stand(names, words)
     said = [word for word in words if word.kind != "filler"]
     if not any(word.kind == "other" or _leads_nowhere(said, k) or _asks_more(said, k) for k, word in enumerate(said)):
@@ -347,7 +356,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield [f"does it tip or slide as {grown[0]} grows"]
     doing = set(whole.all("verb"))
     is_enough = "suffice" in doing <= {"hold", "suffice"} or (doing == {"slide", "suffice"} and whole.has("not"))
-    is_held = doing == {"hold"} and main.words[:1] == [Word("verb", "hold")]  # does friction hold it
+    holding = (Word("verb", "hold"), Word("quantity", "friction force"))
+    is_held = doing == {"hold"} and main.words[:1] and main.words[0] in holding  # does friction hold it
     is_plain = whole.only("verb", "quantity", "mark", "name", "not", *SILENT) and set(whole.all("quantity")) in _HOLDS
     if (is_enough or is_held) and is_plain and lookup.rests(names):
         yield ["does it hold"]

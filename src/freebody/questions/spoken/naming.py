@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 MOST = 96  # ways in which the words of one text may be meant: more are no question
 _COMPONENT = re.compile(r"(\w+?)(_[xyhvXYHV])")
 _LONGEST = 4  # words of a name
+_SHORTEST_PLURAL = 4  # letters of a word that may be one
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _OF_WHAT_IS_LIGHT = ("element", "member", "part")
@@ -120,7 +121,7 @@ def elements_of(names: Names) -> Elements:
         for name in (name for name in names.connections if "link" in names.called.get(name, ())):
             found.add(name, _ROPES)
     found.fields = {name for name in names.loads if "gravity" in names.called.get(name, ())}
-    for name in names.loads:
+    for name in (*names.loads, *sorted(names.impulses)):
         said = (*names.called.get(name, ()), *_stems(name))
         found.add(name, (*said, *_alike(name, *said), *(_ROPES if {*_ROPES} & {*said, name.lower()} else ())))
     for name in (name for name in names.loads if name.lower().startswith("brake")):  # of which a braking torque is one
@@ -296,6 +297,9 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
         own = own or [e for e in of_kind if len(e.name) > 2 and words[0].endswith(e.name.lower())]  # turntable
         own = own or [e for e in of_kind if words[0] in _alike(e.name)]  # the elevator among them is the cabin
         yield from ((element.name, INFERRED) for element in own or of_kind)
+        if not (meant or of_kind) and words[0].endswith("s") and len(words[0]) > _SHORTEST_PLURAL:
+            of_one = list(_named(elements, [written[0][:-1]]))  # the hinges of a door that has one
+            yield from ((name, INFERRED) for name, _ in of_one if len(of_one) == 1)
     for k in range(1, len(words)):  # a name beside the word for its kind; `the bead lift off` has a verb
         behind = [] if is_verb(words[k]) else [(written[:k], words[k:])]
         for rest, kind in (*behind, (written[k:], words[:k])):

@@ -46,6 +46,9 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity in ("tension", "axial force") and pulled:
         yield from _in_spring(names, quantity, rest)
         return
+    if quantity == "force" and (pushing := _along_guide(names, [name for _, name in rest.names])):
+        yield [f"force in {name}" for name in pushing]
+        return
     if rods := _rods(names, quantity, rest):
         yield [f"axial force of {rod}" for rod in rods]
         return
@@ -340,6 +343,18 @@ def _ends_of(names: Names, joint: str) -> list[str]:
     """Where the tensions of a string are, if it has several."""
     found = strings.spans(names, joint)
     return [f" {span}" for span in found] if len(found) > 1 else [""]
+
+
+def _along_guide(names: Names, of: list[str]) -> list[str]:
+    """The springs that push a body which nothing else than a guide holds: the force on the jumper is that of the cord,
+    and not that of the guide along which he falls."""
+    if len(of) != 1 or of[0] not in names.bodies:
+        return []
+    joints = [name for name in names.connections if joining.touches(names, name, of[0])]
+    is_guided = bool(joints) and all("guide" in names.called.get(name, ()) for name in joints)
+    own = {load.load for load in names.applied_loads if of[0] in load.measure.bodies()}
+    rough = any(joint in joining.rough(names, "") for joint in joints)
+    return [name for name in lookup.springs(names) if name in own] if is_guided and not rough else []
 
 
 @said_of("spring force")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 _IN_PASSING = re.compile(  # a parameter and a value behind a word that says for what
     r"\b(?:if|for|with|when|where|at|given|knowing that|let|wenn|falls|für|mit|bei|gegeben) "
     r"(?P<name>\w+)(?: ?= ?| is| equals| was| of| ist| von|) ?"
-    r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*)?)(?=[ ,.?!]|$)",
+    r"(?P<value>\d+(?:\.\d+)?(?: ?[A-Za-z°][A-Za-z0-9/^]*(?: (?:m|s)(?:\^?2)?(?:/[a-z]+)?(?!\w))*)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
 _STARTED = re.compile(  # a value of the only parameter that has it: if released from 60 deg, with 250 N

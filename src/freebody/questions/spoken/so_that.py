@@ -33,7 +33,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         return
     if (
         verbs
-        and verbs <= {"reach", "rise", "move", "turn"}
+        and (verbs <= {"reach", "rise", "move", "turn"} or (verbs <= {"slide", "stop", "move"} and clause.has("value")))
         and (len(of) >= 1 or clause.has("pronoun"))
         and not clause.has("quantity")
         and not negated
@@ -144,13 +144,19 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
     of = of or [""]
     if (
         len(values) == 1
-        and clause.only("verb", "name", "value", "part", *SILENT)
+        and clause.only("verb", "name", "value", "part", "updown", *SILENT)
         and set(clause.all("part")) <= {"only"}
     ):
         just = " just" if clause.has("part", "only") else ""
         is_angle = dimensions.is_angle(values[0])
         measures = [*lookup.angles(names, of[0]), *lookup.hung(names, of[0])] if is_angle else lookup.ways(names, of[0])
         measures = [of[0]] if of[0] in names.measures else list(dict.fromkeys(measures))
+        if way := {"up": 1, "down": -1}.get(next(iter(clause.all("updown")), "")):
+            risen = {measure for measure, sense in lookup.inclined(names, of[0]) if sense * way > 0}
+            measures = [measure for measure in measures if measure in risen]
+        if clause.has("verb", "stop"):
+            yield [f"{measure} = {values[0]} when rate({measure}) = 0" for measure in measures]
+            return
         yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
 
 

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
-from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, poses
 from freebody.questions.spoken.composing import SILENT, Groups
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _RESTS = ("it stays at rest", "it does not slip", "nothing slips")
+_EXERTED = ("torque", "impulse", "angular impulse")  # what a load may exert that is no force
 _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 
 
@@ -45,7 +45,8 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     for parameter in chosen:
         for group in so(names, relation, whole):
             for text in group:
-                if text.partition(" = ")[0] in names.measures and not text.endswith(" in steady motion"):
+                is_timed = text.endswith(" in steady motion") or " when " in text
+                if text.partition(" = ")[0] in names.measures and not is_timed:
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
                 yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
@@ -287,15 +288,17 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if of_speed and not named and is_marked:
         found = _speeds(names, asked[0], others)  # the speed that the bullet must have
         return (found, rest, end) if len(found) == 1 else None
+    if asked == ["impulse"] and not given.of_kind(names, "impulse"):  # of what turns about a hinge
+        asked = ["angular impulse"]
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
-    loads = [name for name in others if name in names.loads]
+    loads = [name for name in others if name in names.loads or name in names.impulses]
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque
-        kind = "torque" if names.loads[loads[0]] == TORQUE else "force"
-    if not named and loads == others != [] and kind in ("force", "torque", "moment"):  # the torque of the motor
+        kind = next((word for word in _EXERTED if given.exerts(names, loads[0], word)), "force")
+    if not named and loads == others != [] and kind in ("force", "moment", *_EXERTED):  # the torque of the motor
         found = given.chosen(names, given.KIND_OF[kind], loads)
         return (found, rest, end) if len(found) == 1 else None
     if head.has("ask", "extended") and not named and not asked:

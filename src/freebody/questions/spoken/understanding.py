@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
@@ -67,6 +67,7 @@ _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
+_OF_EVERY_TURN = ("repeated motion", "structure", "linkage")
 _TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
 _GENERAL = {"askable", "form", "forms"}  # what messages list where nothing of a text could be read
 
@@ -235,6 +236,12 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
     return []
 
 
+def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
+    """Whether what is asked of an instant has a value there: a stroke, or a period, is that of a whole turn."""
+    timed = [one for one in asked if one.event is not None or one.transition is not None]
+    return not timed or not (words.startswith("stroke of ") or any(x.quantity.scope in _OF_EVERY_TURN for x in timed))
+
+
 def _fits_event(asked: Asked) -> bool:
     """Whether what is asked can be meant when it is said to be: a period has no instant."""
     is_timed = asked.event is not None or asked.transition is not None
@@ -317,6 +324,7 @@ def _nearest(
         for wordings in meaning.texts:
             tried = {words: _read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
+            here = {words: asked for words, asked in here.items() if _have_instants(words, asked)}
             here = {words: asked for words, asked in here.items() if is_kept(names, meaning.words, words)}
             here = {words: asked for words, asked in here.items() if not loses_joint(names, text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}

@@ -31,7 +31,8 @@ from freebody.questions.spoken.lexicon import (
 from freebody.questions.spoken.naming import plain_names
 
 _NUMBER = r"\d+(?:\.\d+)?(?:e[+-]?\d+)?"
-_UNIT = r"(?: ?(?:[A-Za-zµ°%Ω][\w/^*²³·«»]*))"
+_FACTOR = r"(?: (?:[kcm]?[mgsNJW]|rad)(?:\^?[23]|[²³])?(?:/[a-z]+(?:\^?[23]|[²³])?)*(?![\w’'«(]))"  # 20 N m
+_UNIT = rf"(?: ?(?:[A-Za-zµ°%Ω][\w/^*²³·«»]*){_FACTOR}*)"
 _OPERAND = rf"(?:{_NUMBER}|{MARKED}|[a-z]+\([^()]*\)|\([^()]*\)|pi\b)"
 _TOKEN = re.compile(
     rf"(?P<rate>rate\({MARKED}\))"
@@ -273,7 +274,10 @@ def _tokens(text: str) -> Iterator[str | Word]:
         elif found["number"] is None:
             yield Word("value" if found["formula"] else "other", plain_names(found[0]))
         else:
-            unit = plain_names(found["unit"] or "").strip()
+            said_unit = found["unit"] or ""
+            while " " in said_unit.strip() and not _is_unit(plain_names(said_unit).strip()):
+                said_unit = said_unit.rpartition(" ")[0]  # 5 s m is said of 5 s
+            at, unit = found.end("number") + len(said_unit), plain_names(said_unit).strip()
             if _TURNS.match(unit):
                 yield Word("turns", found["number"])
             elif unit in _NO_UNITS or not _is_unit(unit):
