@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 MOST = 96  # ways in which the words of one text may be meant: more are no question
 _COMPONENT = re.compile(r"(\w+?)(_[xyhvXYHV])")
+_GAIN = re.compile(r"[kK]_?([pdiPDI])")
+_GAINS = {"p": "proportional", "d": "derivative", "i": "integral"}
 _LONGEST = 4  # words of a name
 _SHORTEST_PLURAL = 4  # letters of a word that may be one
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
@@ -131,6 +133,8 @@ def elements_of(names: Names) -> Elements:
         found.add(name, (*_LINE_WORDS, *_alike(name), *(_WALL_WORDS if _is_upright(names, name) else ())))
     for name in (*names.measures, *names.parameters):
         found.add(name)
+        if gain := _GAIN.fullmatch(name):  # as control engineers write them
+            found.add(name, said=f"{_GAINS[gain[1].lower()]} gain", distance=INFERRED)
     for name in joining.planets(names):
         found.add(name, ("planet", "planets"))
     heavy = [name for name in found.bodies if names.bodies[name].mass != ZERO]

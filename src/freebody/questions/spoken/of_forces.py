@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import free_symbols
 from freebody.language.notation import to_python
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
@@ -45,6 +46,11 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     pulled = [name for _, name in rest.names if name in lookup.springs(names) and names.loads[name] != TORQUE]
     if quantity in ("tension", "axial force") and pulled:
         yield from _in_spring(names, quantity, rest)
+        return
+    bare = [name for _, name in rest.names if name == GROUND or _is_bare_point_of_ground(names, name)]
+    if quantity == "force" and len(bare) == len(rest.names) == 1 and (pressing := _through_springs(names)):
+        whole = " + ".join(f"force in {name}" for name in pressing)
+        yield [f"steady amplitude of ({whole})" if lookup.is_forced(names) else whole]
         return
     if quantity == "force" and (pushing := _along_guide(names, [name for _, name in rest.names])):
         yield [f"force in {name}" for name in pushing]
@@ -345,10 +351,20 @@ def _ends_of(names: Names, joint: str) -> list[str]:
     return [f" {span}" for span in found] if len(found) > 1 else [""]
 
 
+def _through_springs(names: Names) -> list[str]:
+    """The springs and dampers with which what a guide leads presses on the ground, all in its one direction."""
+    joints = [name for name in names.connections if joining.touches(names, name, GROUND)]
+    pressing = [p for p in names.applied_loads if GROUND in p.measure.bodies()]
+    pressing = [p for p in pressing if not free_symbols(p.law) <= names.parameters.keys() | {"t"}]
+    is_guided = bool(joints) and all("guide" in names.called.get(name, ()) for name in joints)
+    is_one_way = all(p.measure == pressing[0].measure for p in pressing)
+    return list(dict.fromkeys(p.load for p in pressing)) if is_guided and is_one_way else []
+
+
 def _along_guide(names: Names, of: list[str]) -> list[str]:
     """The springs that push a body which nothing else than a guide holds: the force on the jumper is that of the cord,
     and not that of the guide along which he falls."""
-    if len(of) != 1 or of[0] not in names.bodies:
+    if len(of) != 1 or of[0] not in names.bodies or of[0] == GROUND:
         return []
     joints = [name for name in names.connections if joining.touches(names, name, of[0])]
     is_guided = bool(joints) and all("guide" in names.called.get(name, ()) for name in joints)

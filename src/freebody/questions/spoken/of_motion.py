@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import joining, lookup, losing
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
@@ -324,3 +325,6 @@ def _distance(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     if len(of) == 2 and rest.only("name", *SILENT):
         yield [f"distance from {of[0]} to {of[1]}"]
+    elif len(of) < 2 and rest.only("name", *SILENT):  # from the sun: of what the file measures it
+        measured = {name: m for name, m in names.measures.items() if isinstance(m, Distance)}
+        yield [name for name, m in measured.items() if not of or of[0] in (m.start.name, m.end.name)]
