@@ -37,6 +37,10 @@ _CONTINUOUS = (
     *("kinetic energy", "potential energy", "total energy", "energy", "linear momentum", "angular momentum"),
     *("rotational energy", "translational energy"),
 )
+_OF_WHAT_MOVES = (
+    *("velocity", "speed", "angular velocity", "kinetic energy", "linear momentum", "angular momentum"),
+    *("rotational energy", "translational energy"),
+)
 _PLACES = {
     "at the top": poses.tops,
     "at the bottom": poses.lowermost,
@@ -273,6 +277,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
             tails.append([" when it hits"])
             main = main.without("instant", "in the impact")
+        elif instant == "in equilibrium" and (main.has("quantity", *_OF_WHAT_MOVES) or main.has("ask", "fast")):
+            of = next((name for _, name in main.names), "")  # as it passes there; at rest it has none
+            tails.append([f" when {text}" for text in losing.in_balance(names, of)])
         elif instant == "in equilibrium":
             tails.append([" in equilibrium"])
     main = main.without("instant", "at start", *_TIMED, *_PLACES, *_BLOWS, "at the impact", "in equilibrium")

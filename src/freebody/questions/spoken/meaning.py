@@ -109,6 +109,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             geared,
             per_turn,
             timed,
+            _at_extreme,
         ):
             yield from told(names, sentence)
     yield from time_between(names, said)
@@ -401,6 +402,23 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if verbs & {"tip"} and verbs & {"slide"} and len(verbs - {"start", "move"}) == 2:
         grows = [name for name in of if name in names.parameters]
         yield [f"does it tip or slide as {name} grows" for name in grows]
+
+
+def _at_extreme(names: Names, sentence: Sentence) -> Groups:
+    """When, where or at which angle something is greatest or least: the time, or the place, when it is."""
+    words = sentence.main.words
+    asks = [w.what for w in words if w.kind == "ask"]
+    ends = [w for w in words if w.kind == "degree" and w.what in ("greatest", "least")]
+    if sentence.others or len(asks) != 1 or words[0].kind != "ask" or len(ends) != 1 or ends[0] != words[-1]:
+        return
+    said = [k for k, w in enumerate(words) if w.kind == "quantity"]
+    if asks[0] in ("when", "soon") and len(said) == 1:
+        yield from time(names, Sentence(Clause([Word("ask", "when")]), [("when", Clause(words[1:]))]))
+    elif asks[0] == "where" and len(said) == 1:
+        yield from timed(names, Sentence(Clause([Word("quantity", "position")]), [("when", Clause(words[1:]))]))
+    elif asks[0] in ("with", "for") and len(said) == 2 and words[said[0]].what in ("angle", "position"):
+        place, rest = words[1 : said[1]], words[said[1] :]
+        yield from timed(names, Sentence(Clause(place), [("when", Clause(rest))]))
 
 
 def _which_way(names: Names, sentence: Sentence) -> Groups:
