@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.questions.spoken import lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import conditions
 from freebody.questions.spoken.lexicon import Word
@@ -24,6 +25,7 @@ _MOVES = {"move", "fall", "rise"}  # verbs that say no more than that it is unde
 def time_between(names: Names, words: list[Word]) -> Groups:
     """In which a time is asked for, of which the ends are given by measures."""
     said = [word for word in words if word.kind != "filler"]
+    yield from _way_back(names, Clause(said))
     opening = next((k for k, word in enumerate(said) if word in _OPENS), None)
     if opening is None:
         return
@@ -43,3 +45,13 @@ def time_between(names: Names, words: list[Word]) -> Groups:
     for begin in conditions(names, first):
         for end in conditions(names, last):
             yield [f"time between {a} and {b}" for a in begin for b in end]
+
+
+def _way_back(names: Names, said: Clause) -> Groups:
+    """How long it takes from where it turns back to where it started."""
+    of = [name for _, name in said.names]
+    asks = said.has("ask", "long") or said.has("quantity", "time")
+    plain = said.only("ask", "quantity", "name", *SILENT) and set(said.all("quantity")) <= {"way back", "time"}
+    if said.has("quantity", "way back") and asks and plain and len(of) <= 1:
+        ways = lookup.ways(names, of[0] if of else "")
+        yield [f"time between rate({way}) = 0 and {way} = 0" for way in ways]

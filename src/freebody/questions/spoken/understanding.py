@@ -154,7 +154,12 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             names,
             " ".join((text, *_concepts(names, text))),
             _near(names, text),
-            lambda question: None if isinstance(asked := _read_quietly(names, question, read), Unread) else asked,
+            lambda question: (
+                None
+                if isinstance(asked := _read_quietly(names, question, read), Unread)
+                or not _have_instants(question, asked)
+                else asked
+            ),
         )
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
@@ -239,7 +244,7 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
 def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
     """Whether what is asked of an instant has a value there: a stroke, or a period, is that of a whole turn."""
     timed = [one for one in asked if one.event is not None or one.transition is not None]
-    return not timed or not (words.startswith("stroke of ") or any(x.quantity.scope in _OF_EVERY_TURN for x in timed))
+    return not timed or not (words.startswith(("stroke of ", "phase lag of ")) or any(x.quantity.scope in _OF_EVERY_TURN for x in timed))
 
 
 def _fits_event(asked: Asked) -> bool:
