@@ -67,7 +67,7 @@ _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
-_OF_EVERY_TURN = ("repeated motion", "structure")
+_OF_EVERY_TURN = ("repeated motion", "small motion", "structure")
 _TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
 _GENERAL = {"askable", "form", "forms"}  # what messages list where nothing of a text could be read
 
