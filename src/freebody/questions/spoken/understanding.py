@@ -435,7 +435,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
 def _passed_over(names: Names, text: str, language: str) -> list[Word]:
     """Bodies that a text names, which means nothing else in the language, and that are not marked in it as such."""
     plain = set(re.findall(r"[\w.]+", re.sub(MARKED, " ", text)))
-    return [Word("name", body) for body in lookup.moving(names) if body in plain and not phrases_at(body, 0, language)]
+    return [Word("name", body) for body in names.bodies if body in plain and not phrases_at(body, 0, language)]
 
 
 def _hangs_on_another(text: str, words: list[Word], language: str) -> bool:
