@@ -75,9 +75,7 @@ class Reactions:
 
         return self._unique(self._balanced(rest, here), row)
 
-    def in_pose(
-        self, row: ConstraintRow, here: Callable[[Ratio], Ratio], accelerations: Mapping[int, Ratio]
-    ) -> Ratio:
+    def in_pose(self, row: ConstraintRow, here: Callable[[Ratio], Ratio], accelerations: Mapping[int, Ratio]) -> Ratio:
         """The multiplier of a row at one instant, made in its pose alone. here: an element at the instant;
         accelerations: of the coordinates there. Raises as `multiplier`."""
 
