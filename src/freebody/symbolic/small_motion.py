@@ -295,8 +295,9 @@ def _adjugate(A: list[list[Ratio]]) -> list[list[Ratio]]:
 
 
 def free_oscillations(model: SymbolicModel, start: StartState, rest: ClosedFormRest | None = None) -> FreeOscillations:
-    """About the equilibrium that is stable (else nearest to the start). rest: that, where it is known. Raises CannotAnswer where there is none in
-    closed form, or where forces that are linear in the speeds and do no work mix the motions."""
+    """About the equilibrium that is stable (else nearest to the start). rest: that, where it is known. Raises
+    CannotAnswer where there is none in closed form, or where forces that are linear in the speeds and do no work mix
+    the motions."""
     if not model.coordinates:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
     notes: list[str] = []

@@ -83,6 +83,7 @@ def _turning(
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")
 
+        is_start = (x - setup.start_instant.value(measure)).is_zero()
         kept = kept_on_the_way(setup, found)
         kept += [Condition(part, relation, Message("it turns")) for part, relation in found.conditions]
 
@@ -92,7 +93,7 @@ def _turning(
         def read(world: World) -> float:
             if not is_so(world):
                 raise SaysNothing(Message("the motion is another one there"))
-            return extent_in_numbers(world.draw, measure, side)
+            return extent_in_numbers(world.draw, measure, side, turns=not is_start)
 
         symbol = asked_as(context, question, read)
         script.add(asked_entry(symbol, question))
