@@ -217,6 +217,15 @@ def test_root_of_a_square_is_the_size(x: Ratio, at: dict[str, float]) -> None:
     assert root * root == x * x
 
 
+def test_root_of_a_quotient_whose_product_has_a_relation_is_its_root() -> None:
+    # with d^2 = 1 + a b (a b + 2) the product (d + 1) (d - 1) a is a^2 b (a b + 2): a comes forth once more
+    s = Setting()
+    d = s.field.sqrt(1 + s.a * s.b * (s.a * s.b + 2) + s.a * s.b * s.q * s.q)
+    x = (s.a * s.b + 2 + s.q * s.q) * (d + 1) / (s.a * (d - 1))
+    root = s.field.sqrt(x, lambda _factor: False)
+    assert s.field.lowest_terms(root * root - x).is_zero()
+
+
 @quick
 @given(st.integers(1, 400), st.integers(1, 60))
 def test_roots_of_fractions(n: int, d: int) -> None:

@@ -54,6 +54,44 @@ bodies: {block: {particle: {mass: m}}, weight: {particle: {mass: M}}, pulley: {d
 connections: {rope: {rope: [block, pulley, weight]}AXLE}
 loads: {w: {gravity: g}}
 """
+DRUM = """
+parameters: {m: 1 kg, M: 2 kg, R: 0.2 m, g: 9.81 m/s^2}
+bodies: {drum: {disk: {mass: M, radius: R}}, load: {particle: {mass: m}}}
+connections: {axle: {pin: [ground.A, drum]}, rope: {string: {from: END, to: load}}}
+loads: {w: {gravity: g}}
+"""
+SPATIAL_DRUM = """
+space: {up: z}
+parameters: {m: 1 kg, M: 2 kg, R: 0.2 m, k: 1 kN/m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0, 0]}}
+bodies: {drum: {disk: {mass: M, radius: R, axis: y}}, load: {particle: {mass: m}, at: [0, 0, -1 m]}}
+connections: {axle: {revolute: {first: ground.A, second: drum, about: y}}}
+loads: {w: {gravity: g}, rope: {elastic_string: {path: [load, END], stiffness: k, length: 1 m}}}
+"""
+HEAVY = """
+parameters: {m: 4 kg, L: 10 m, M: 6 kg, R: 0.25 m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], B: [1 m, 0]}}
+bodies: {drum: {disk: {mass: M, radius: R}}, chain: {rope: {mass: m, length: L}}}
+connections:
+  axle: {pin: [ground.A, drum]}
+  rope: {heavy_rope: {rope: chain, from: drum, over: [ground.B], leads: [right, down]}}
+loads: {w: {gravity: g}}
+"""
+BLOCK = """
+parameters: {m: 1 kg, M: 2 kg, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], B: [0.05 m, 0]}}
+bodies:
+  load: {particle: {mass: M}}
+  one: {disk: {mass: m, radius: 5 cm}}
+  other: {disk: {mass: m, radius: 5 cm}, at: [0, -1 m]}
+  weight: {particle: {mass: m}}
+connections:
+  axle: {pin: [ground.A, one]}
+  hook: {pin: [other, load]}
+  rope: {string: {path: [other, over one, under other, ground.B]}}
+  second: {string: {path: [one, weight]}}
+loads: {w: {gravity: g}}
+"""
 CAM = """
 parameters: {h: 8 mm, r: 60 mm}
 bodies:
@@ -154,6 +192,9 @@ def warned(text: str) -> list[tuple[str, str]]:
         (PENDULUM.replace("ANGLE", "30 rad"), "many turns", "write 30 deg"),
         (SLOPE.replace("ANGLE", "20 deg, mu: 0.1"), "unused", "mu is used nowhere in the model"),
         (PULLEY.replace("AXLE", ""), "loose pulley", "hold it, e.g. axle: {pin: [ground.A, pulley]}"),
+        (DRUM.replace("END", "drum"), "tied at the axle", "write wound on drum in place of drum; else drum.center"),
+        (SPATIAL_DRUM.replace("END", "drum"), "tied at the axle", "write wound on drum in place of drum"),
+        (HEAVY, "tied at the axle", "write wound_on: drum in place of drum"),
         (WALL.replace("PLACE", "0.45 m"), "inside a wall", "{contact: {between: [ball, wall]}}"),
         (LADDER.replace("WAY", "up"), "inside a wall", "ladder starts inside wall, which is solid on the right"),
         (CEILING.replace("WAY", "right"), "out of reach", "top never touches: the gap is 0.9 m at the start"),
@@ -198,6 +239,9 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
         PENDULUM.replace("ANGLE", "720 deg"),
         WALL.replace("PLACE", "0.3 m"),
         PULLEY.replace("AXLE", ", axle: {pin: [ground.A, pulley]}"),
+        DRUM.replace("END", "drum.center"),
+        DRUM.replace("END", "wound on drum"),
+        BLOCK,
         LADDER.replace("WAY", "down"),
         CEILING.replace("WAY", "up"),
         CRANK.replace("GUIDE", SLOT),

@@ -273,13 +273,16 @@ connections: {c1: {planar: {body: p, normal: x}}, c0: {pin: [ground.origin, p]}}
         ("slider: {body: collar, along: [1, 2, -2]}", "of a particle or of one point of a body point_on_line"),
         ("slot: {pin: collar, along: x}", "the guide of a point is point_on_line"),
         ("pin: [ground.A, collar]", "a hinge is revolute"),
+        ("rolling: {body: collar, on: drum, crossed: true}", "for a rim on another body there is no connection"),
     ],
 )
 def test_a_guide_of_the_plane_is_told_what_it_is_called_in_space(kind: str, instead: str) -> None:
     text = f"""
 space: {{up: z}}
 ground: {{points: {{A: [0, 0, 3]}}}}
-bodies: {{collar: {{particle: {{mass: 2}}}}}}
+bodies:
+  collar: {{{"disk: {mass: 2, radius: 1, axis: y}" if "rolling" in kind else "particle: {mass: 2}"}}}
+  drum: {{cylinder: {{mass: 50, radius: 1, length: 3, axis: x}}, fixed: true, at: [0, 0, 0]}}
 connections: {{rod: {{{kind}}}}}
 """
     with pytest.raises(fb.ModelError, match="is a connection of the plane: in space .*" + re.escape(instead)):

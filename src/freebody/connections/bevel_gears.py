@@ -71,14 +71,14 @@ connections:
         if len(found) < len(pairs):
             return []
         flank = 0 if self._slope(names) == ZERO else -1 if self.other_flank else 1
-        measure = shared([self._mesh(names, pair) for pair in found])
+        measure, other = (shared([self._mesh(names, pair, side) for pair in found]) for side in (flank, -flank))
         turns = {wheel.held.body: wheel.turn() for pair in found for wheel in pair}
-        teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, pressed=flank_of(flank))
+        teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, pressed=flank_of(flank, other))
         return [teeth, *self.alike(names, turns)]
 
-    def _mesh(self, names: Names, wheels: tuple[BornWheel, BornWheel]) -> Combination:
+    def _mesh(self, names: Names, wheels: tuple[BornWheel, BornWheel], flank: int) -> Combination:
         """The way by which the flanks of two wheels would pass into each other."""
-        apex, slope, flank = self._apex(names, wheels), self._slope(names), -1 if self.other_flank else 1
+        apex, slope = self._apex(names, wheels), self._slope(names)
         one, two = (self._away(names, wheel, apex) for wheel in wheels)
         a1, a2 = one.axis.components, two.axis.components
         sine, cosine = self._half_angle(names, a1, a2)

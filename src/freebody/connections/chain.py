@@ -80,8 +80,8 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
         if lean is None:
             return [ConstraintRow("chain", "chain force", rolled, sign=-1)]
         side = -1 if self.other_run else 1
-        tight = Combination((*rolled.terms, (side * lean, distance)), LENGTH)
-        return [ConstraintRow("chain", "chain force", tight, sign=-1, pressed=TightRun(side))]
+        tight, other = (Combination((*rolled.terms, (s * lean, distance)), LENGTH) for s in (side, -side))
+        return [ConstraintRow("chain", "chain force", tight, sign=-1, pressed=TightRun(side, other))]
 
     def loads_bearings(self, names: Names) -> Mapping[str, str]:
         if self._loop(names).lean is not None:

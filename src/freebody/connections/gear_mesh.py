@@ -66,20 +66,24 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         # teeth of a ring gear pull the two centres together
         parting = slope if self.internal == (flank > 0) else -slope
         terms: list[tuple[Expr, Measure]] = []
+        apart: list[tuple[Expr, Measure]] = []
         centers: list[ConstraintRow] = []
         for k, (one, other) in enumerate(self._pairs(names)):
             distance, total, rolled = touching(one.center, radii[0], other.center, radii[1], internal=self.internal)
             if k == 0:
                 self._look_at_distance(names, (first, second), radii, total)
-            terms += [*rolled.terms, *([] if slope == ZERO else [(parting, distance)])]
+            terms += rolled.terms
+            apart += [] if slope == ZERO else [(parting, distance)]
             name = "centers" if k == 0 else f"centers {k + 1}"
             centers.append(ConstraintRow(name, "radial force", distance, total, if_needed=True))
         teeth = ConstraintRow(
             "teeth",
             "tooth force",
-            Combination(gathered(terms), LENGTH),
+            Combination(gathered([*terms, *apart]), LENGTH),
             sign=-1,
-            pressed=None if slope == ZERO else Flank(flank),
+            pressed=None
+            if slope == ZERO
+            else Flank(flank, Combination(gathered([*terms, *((negate(c), d) for c, d in apart)]), LENGTH)),
         )
         turns = {name: Angle(name) for pair in self.pairs_of_gears(names) for name in pair}
         return [teeth, *self.alike(names, turns), *centers]

@@ -70,6 +70,8 @@ class HeavyRope(Connection, kind="heavy_rope"):
 
     in_plane = True
     lets_hang: ClassVar[bool] = True
+    path: ClassVar[list[str]] = []  # its way is written by its ends and what it runs over
+    under: ClassVar[list[str]] = []
     example = """
 bodies: {chain: {rope: {mass: 1 kg, length: 2 m}}}
 connections: {it: {heavy_rope: {rope: chain, over: [ground.edge], leads: [right, down]}}}

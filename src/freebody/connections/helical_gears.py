@@ -79,16 +79,16 @@ connections:
             return []
         self._look_at_distance(names, found[0], names.positive(self, "radius", LENGTH))
         flank = 0 if read_pressure_angle(names, self) is None else -1 if self.other_flank else 1
-        measure = shared([self._mesh(names, pair) for pair in found])
+        measure, other = (shared([self._mesh(names, pair, side) for pair in found]) for side in (flank, -flank))
         turns = {wheel.held.body: wheel.turn() for pair in found for wheel in pair}
-        teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, pressed=flank_of(flank))
+        teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, pressed=flank_of(flank, other))
         return [teeth, *self.alike(names, turns)]
 
-    def _mesh(self, names: Names, wheels: tuple[BornWheel, BornWheel]) -> Combination:
+    def _mesh(self, names: Names, wheels: tuple[BornWheel, BornWheel], flank: int) -> Combination:
         """The way by which the flanks of two wheels would pass into each other."""
         axis, outwards = wheels[0].axis.components, self._outwards(names, wheels)
         alpha, beta = read_pressure_angle(names, self), self._helix(names)
-        radius, flank = names.positive(self, "radius", LENGTH), -1 if self.other_flank else 1
+        radius = names.positive(self, "radius", LENGTH)
         hand = number(-1 if self.left_handed else 1)
         along = combined((ONE, vector_product(axis, outwards)), (negate(hand * Call("tan", beta)), axis))
         if alpha is not None:

@@ -62,13 +62,15 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         arm = self._arm(names, pinion, rack, along)
         terms: list[tuple[Expr, Measure]] = [(ONE, travel), (arm, Angle(pinion.name, along.body))]
         slope = parting_slope(read_pressure_angle(names, self))
-        flank = -1 if self.other_flank else 1
+        flank, pressed = -1 if self.other_flank else 1, None
         if slope != ZERO:  # the pinion is on the left of the rack's direction, with the rack below it
             is_above = self._is_above(names, pinion, rack, along)
             parting = slope if is_above == (flank > 0) else -slope
-            terms.append((parting, Displacement(pinion.center, rack.center, along.normal())))
+            apart = Displacement(pinion.center, rack.center, along.normal())
+            pressed = Flank(flank, Combination((*terms, (negate(parting), apart)), LENGTH))
+            terms.append((parting, apart))
         rolled = Combination(tuple(terms), LENGTH)
-        return [ConstraintRow("teeth", "tooth force", rolled, sign=-1, pressed=None if slope == ZERO else Flank(flank))]
+        return [ConstraintRow("teeth", "tooth force", rolled, sign=-1, pressed=pressed)]
 
     def parts(self, names: Names) -> dict[str, Expr]:
         return parts_of_tooth_force(read_pressure_angle(names, self))

@@ -58,6 +58,10 @@ class Rolling(Connection, kind="rolling"):
     crossed: bool = False
 
     has_contact_point = True
+    in_space_take: ClassVar[Message | None] = Message(
+        "a sphere rolls on planes, spheres and cylinders, a cylinder on planes and along or across a cylinder, a disk, "
+        "a ring or a cone on planes only: for a rim on another body there is no connection"
+    )
     elsewhere: ClassVar[Mapping[str, str]] = {
         "friction": Message(
             "what rolls here never slips; where friction may be too little write contact: {{between: [wheel, floor], "

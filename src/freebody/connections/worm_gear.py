@@ -21,7 +21,7 @@ from freebody.connections.base import Connection
 from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing
 from freebody.connections.standing import is_near, number_of
 from freebody.connections.teeth import read_pressure_angle
-from freebody.language.expression import ONE, Call, Expr, divide, negate, number
+from freebody.language.expression import ONE, ZERO, Call, Expr, divide, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.combination import Combination
@@ -81,13 +81,14 @@ connections:
         if wheels is None:
             return []
         place, apart, e = self._pitch_point(names, wheels)
-        alpha, flank = read_pressure_angle(names, self), -1 if self.other_flank else 1
-        along = self._normal(names, wheels, e)
-        if alpha is not None:
-            radial = divide(Call("tan", alpha), Call("cos", self._lead(names)))
-            along = combined((ONE, along), (negate(number(flank) * radial), apart))
-        flank = 0 if alpha is None else flank
-        return [ConstraintRow("teeth", "tooth force", meshing(wheels, place, along), sign=-1, pressed=flank_of(flank))]
+        alpha, along = read_pressure_angle(names, self), self._normal(names, wheels, e)
+        flank = 0 if alpha is None else -1 if self.other_flank else 1
+        radial = ZERO if alpha is None else divide(Call("tan", alpha), Call("cos", self._lead(names)))
+        measure, other = (
+            meshing(wheels, place, combined((ONE, along), (negate(number(side) * radial), apart)) if side else along)
+            for side in (flank, -flank)
+        )
+        return [ConstraintRow("teeth", "tooth force", measure, sign=-1, pressed=flank_of(flank, other))]
 
     def _normal(self, names: Names, wheels: tuple[BornWheel, BornWheel], e: Components) -> Components:
         """Across the thread in the plane that touches both pitch surfaces, its part along the worm of length 1."""

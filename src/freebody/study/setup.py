@@ -176,6 +176,11 @@ class Setup:
         """Whether nothing can rest, and small motions are those beside a motion with constant acceleration."""
         return self.place_of_small_motion().moves_evenly
 
+    @property
+    def rest_of_small_motion(self) -> ClosedFormRest | None:
+        """The equilibrium that is stable, if it can be; None where nothing moves."""
+        return self.place_of_small_motion() if self.model.coordinates else None
+
     def place_of_small_motion(self, *, stable_first: bool = True) -> ClosedFormRest:
         """The equilibrium; where there is none and the equations are linear, the start, about which they are as they
         are about any motion with constant acceleration."""

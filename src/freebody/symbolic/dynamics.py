@@ -9,7 +9,7 @@ Source: Kane & Levinson, Dynamics: Theory and Applications (1985), ch. 6.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 
@@ -143,12 +143,16 @@ class SymbolicDynamics:
     @cached_property
     def solved_accelerations(self) -> Mapping[int, Ratio]:
         """du/dt in coordinates, speeds and time, by acceleration generator."""
+        return self.accelerations_in(lambda x: x)
+
+    def accelerations_in(self, here: Callable[[Ratio], Ratio]) -> Mapping[int, Ratio]:
+        """du/dt where elements are as `here` has them: in one pose short where they are long in general."""
         accelerations = self._speeds.accelerations
         rows: list[Row] = []
         for line, force in zip(self.mass_matrix, self.forcing, strict=True):
-            row: Row = {a: m for a, m in zip(accelerations, line, strict=True) if not m.is_zero()}
-            if not force.is_zero():
-                row[RHS] = force
+            row: Row = {a: x for a, m in zip(accelerations, line, strict=True) if not (x := here(m)).is_zero()}
+            if not (x := here(force)).is_zero():
+                row[RHS] = x
             rows.append(row)
         solved = solve(self.field, rows, accelerations, self._samples.vanishes)
         if solved.free:

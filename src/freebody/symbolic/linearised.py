@@ -121,11 +121,24 @@ class Linearised:
         """Along a coordinate, what follows it through loops following it; at rest, where elements are shorter."""
         m, f = self.model, self.model.field
         x = f.follow(x, dict.fromkeys((d.speed for d in (*m.coordinates, *m.dependent)), f.zero))
-        total = f.derivative(x, c.index)
-        for d in m.dependent:
-            if d.index in f.ingredients(x):
-                total = total + f.derivative(x, d.index) * f.partial(m.dependent_speed(d), c.speed)
-        return self.here(total)
+        own, inside = f.derivative(x, c.index), f.ingredients(x)
+        following = [(d, f.derivative(x, d.index)) for d in m.dependent if d.index in inside]
+        try:  # in the pose, where each part is short
+            parts = (self.here(slope) * self._ratio(d, c) for d, slope in following)
+            return f.lowest_terms(sum(parts, self.here(own)))
+        except ZeroDivisionError:  # of parts that have a value there only together
+            wholes = (slope * f.partial(m.dependent_speed(d), c.speed) for d, slope in following)
+            return self.here(sum(wholes, own))
+
+    def _ratio(self, d: Coordinate, c: Coordinate) -> Ratio:
+        """How fast what loops bind runs there with the speed 1 of a coordinate."""
+        if (d.index, c.index) not in self._ratios:
+            self._ratios[d.index, c.index] = self.here(self.model.field.partial(self.model.dependent_speed(d), c.speed))
+        return self._ratios[d.index, c.index]
+
+    @cached_property
+    def _ratios(self) -> dict[tuple[int, int], Ratio]:
+        return {}
 
     def speed_slope(self, x: Ratio, c: Coordinate) -> Ratio:
         """Along the speed of a coordinate, at rest."""

@@ -200,7 +200,16 @@ class PolynomialRing:
             unit, factors = self.irreducible(remaining)
         except OverflowError:  # without factors it is as true
             return content, [*found, (remaining, 1)]
-        return content * unit, [*found, *factors]
+        for (
+            factor,
+            exponent,
+        ) in factors:  # what relations bring forth of the rest may be one of the common symbols again
+            k = next((k for k, (known, _exponent) in enumerate(found) if known == factor), None)
+            if k is None:
+                found.append((factor, exponent))
+            else:
+                found[k] = factor, found[k][1] + exponent
+        return content * unit, found
 
     def homogeneous(self, poly: Poly, pair: tuple[int, int]) -> Poly | None:
         """The polynomial with all terms of one degree in the cosine and sine of an angle, by 1 = c^2 + s^2, so that

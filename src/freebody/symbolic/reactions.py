@@ -4,7 +4,7 @@ Impulses of a blow follow in the same way, from what changes the momentum of eve
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, FormulaTooLong
@@ -45,7 +45,8 @@ class Reactions:
         """What they come to, or that it is too long, which takes as long to find out."""
 
         def rest(body: str) -> Parts:
-            changing, wrench = self._changing(body), self._loads.wrenches[body]
+            changing = self._changing(body, self._dynamics.solved_accelerations)
+            wrench = self._loads.wrenches[body]
             return tuple(p - w for p, w in zip(changing, wrench, strict=True))
 
         try:
@@ -74,6 +75,16 @@ class Reactions:
 
         return self._unique(self._balanced(rest, here), row)
 
+    def in_pose(self, row: ConstraintRow, here: Callable[[Ratio], Ratio], accelerations: Mapping[int, Ratio]) -> Ratio:
+        """The multiplier of a row at one instant, made in its pose alone. here: an element at the instant;
+        accelerations: of the coordinates there. Raises as `multiplier`."""
+
+        def rest(body: str) -> Parts:
+            changing, wrench = self._changing(body, accelerations), self._loads.wrenches[body]
+            return tuple(here(p) - here(w) for p, w in zip(changing, wrench, strict=True))
+
+        return self._unique(self._balanced(rest, here), row)
+
     def _balanced(self, rest: Callable[[str], Parts], here: Callable[[Ratio], Ratio]) -> Solved:
         """J^T lambda = rest, body by body."""
         by_slot = self._slopes(here)
@@ -97,9 +108,8 @@ class Reactions:
                 found.setdefault(slot, {})[self._columns[row.name]] = here(slope)
         return found
 
-    def _changing(self, body: str) -> Parts:
-        """M A of a body and what its turning adds, along its slots."""
-        solved = self._dynamics.solved_accelerations
+    def _changing(self, body: str, solved: Mapping[int, Ratio]) -> Parts:
+        """M A of a body and what its turning adds, along its slots. solved: accelerations of coordinates."""
         accelerations = [self.field.substitute(a, solved) for a in self._kinematics.body_accelerations[body]]
         return self._dynamics.inertia_force(body, accelerations)
 

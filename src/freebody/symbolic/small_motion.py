@@ -35,7 +35,7 @@ from freebody.measures.base import Measure
 from freebody.symbolic.equilibrium import GYROSCOPIC, ClosedFormRest, find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
-from freebody.symbolic.linear import determinant
+from freebody.symbolic.linear import determinant, solve
 from freebody.symbolic.linearised import Linearised, swing_of
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
@@ -180,19 +180,32 @@ class FreeOscillations:
         return [f.follow(f.derivative(value, c.index), at) for c in self.model.coordinates]
 
     def swinging_with(self, slopes: Sequence[Ratio]) -> tuple[int, ...]:
-        """The places of the modes that oscillate in which a sum of the coordinates moves; of all that oscillate, where
-        several have one frequency. slopes: of that sum."""
-        try:
-            shapes = {k: self.shape(self.modes[k]) for k in self.swinging}
-        except CannotAnswer:
-            return self.swinging
-        found: list[int] = []
-        for k, shape in shapes.items():
-            mode = self.modes[k]
-            parts = [mode.residues.at(x, mode.square) for x in shape]
-            if not self.linear.vanishes(sum((a * b for a, b in zip(slopes, parts, strict=True)), 0 * mode.square)):
-                found.append(k)
-        return tuple(found)
+        """The places of the modes that oscillate in which a sum of the coordinates moves. slopes: of that sum."""
+        return tuple(k for k in self.swinging if self._moves(self.modes[k], slopes))
+
+    def _moves(self, mode: Mode, slopes: Sequence[Ratio]) -> bool:
+        """Whether a sum of the coordinates moves in a mode, or in any of those that have its frequency; so it is taken
+        to be where these are not known."""
+        if mode.factor.times > 1 and mode.factor.degree == 1:
+            shapes = self._shapes_with(mode.square)
+        else:
+            try:
+                shapes = [[mode.residues.at(x, mode.square) for x in self.shape(mode)]]
+            except CannotAnswer:
+                return True
+        zero = 0 * mode.square
+        sums = (sum((a * b for a, b in zip(slopes, shape, strict=True)), zero) for shape in shapes)
+        return not all(map(self.linear.vanishes, sums))
+
+    def _shapes_with(self, square: Ratio) -> list[list[Ratio]]:
+        """Independent solutions of (K - s M) v = 0 for a squared frequency without roots."""
+        f, columns = self.model.field, [c.index for c in self.model.coordinates]
+        rows = [dict(zip(columns, map(f.lowest_terms, row), strict=True)) for row in self.linear.pencil(square)]
+        solved = solve(f, rows, columns, self.linear.vanishes)
+        return [
+            [f.one if c == free else solved.pivots.get(c, {}).get(free, f.zero) for c in columns]
+            for free in solved.free
+        ]
 
     # -- shapes -------------------------------------------------------------------------------
     def shape(self, mode: Mode) -> list[Coefficients]:
@@ -281,13 +294,14 @@ def _adjugate(A: list[list[Ratio]]) -> list[list[Ratio]]:
     return [[cofactor(j, k) for j in range(n)] for k in range(n)]
 
 
-def free_oscillations(model: SymbolicModel, start: StartState) -> FreeOscillations:
-    """About the equilibrium that is stable (else nearest to the start). Raises CannotAnswer where there is none in
-    closed form, or where forces that are linear in the speeds and do no work mix the motions."""
+def free_oscillations(model: SymbolicModel, start: StartState, rest: ClosedFormRest | None = None) -> FreeOscillations:
+    """About the equilibrium that is stable (else nearest to the start). rest: that, where it is known. Raises
+    CannotAnswer where there is none in closed form, or where forces that are linear in the speeds and do no work mix
+    the motions."""
     if not model.coordinates:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
     notes: list[str] = []
-    rest = small_motion_about(model, start)
+    rest = small_motion_about(model, start) if rest is None else rest
     if rest.moves_evenly:
         notes.append(Message("there is no rest: these are the vibrations beside a motion with constant acceleration"))
     if not _is_start(model, rest, start):

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import (
     Expr,
     PowerOf,
@@ -84,7 +85,26 @@ class SymbolicState:
         return tuple(map(self.here, along))
 
     def multiplier(self, row: ConstraintRow) -> Ratio:
-        return self.here(self.model.reactions.multiplier(row))
+        try:
+            return self.here(self.model.reactions.multiplier(row))
+        except FormulaTooLong:
+            if not self._is_one_pose:
+                raise
+            return self.model.reactions.in_pose(row, self._made_short, self._accelerations)
+
+    @property
+    def _is_one_pose(self) -> bool:
+        """Whether everything has a value here, what loops bind too."""
+        known = (*self.model.coordinates, *self.model.dependent)
+        return all(c.index in self.values for c in known)
+
+    def _made_short(self, x: Ratio) -> Ratio:
+        return self.model.field.lowest_terms(self.here(x))
+
+    @cached_property
+    def _accelerations(self) -> Mapping[int, Ratio]:
+        """Of the coordinates in this pose."""
+        return self.model.dynamics.accelerations_in(self._made_short)
 
     def impulse(self, row: ConstraintRow) -> Ratio:
         return self.blow.impulse(row)

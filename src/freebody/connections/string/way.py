@@ -88,6 +88,19 @@ def is_round(names: Names, text: str) -> bool:
     return bool(found["way"]) and body is not None and (found["radius"] is not None or body.radius is not None)
 
 
+def runs_round(of: GivenWay) -> set[str]:
+    """The bodies round which a way is written to run."""
+    found = (_NODE.fullmatch(" ".join(text.split())) for text, _field in places_given(of))
+    return {match["what"] for match in found if match and (match["wound"] or match["way"])}
+
+
+def is_tied_to(of: GivenWay) -> list[tuple[str, tuple[str | int, ...]]]:
+    """What its ends name and is not wound on, and where in the model each is written."""
+    places = places_given(of)
+    ends = [(text.strip(), field) for text, field in (*places[:1], *places[1:][-1:])]
+    return [(text, field) for text, field in ends if text not in runs_round(of)]
+
+
 def named_on(texts: Iterable[str]) -> set[str]:
     """The bodies that a way names."""
     found = (_NODE.fullmatch(" ".join(text.split())) for text in texts)

@@ -13,6 +13,7 @@ from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
+from freebody.narrative.questions.extreme_of_swing import tell_swing
 from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.questions.base import Quantity
@@ -23,6 +24,7 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.extent import extent_in_numbers, goes_one_way, kept_on_the_way, turn_of
+from freebody.study.answering.modal_extremes import wave_of
 from freebody.study.answering.solve import solve
 from freebody.study.answering.uniform_extremes import instant_of_turn
 from freebody.symbolic.conditions import Condition
@@ -55,7 +57,8 @@ def _of_extent(
     setup = context.setup
     if (turned := _evenly(quantity.of_motion, context, question, method)) is not None:
         return turned
-    if not setup.model.coordinates or not goes_one_way(setup, quantity.measure):
+    swings = wave_of(setup, quantity.of_motion.of) is not None
+    if swings or not setup.model.coordinates or not goes_one_way(setup, quantity.measure):
         return _extreme(quantity.of_motion, context, question, answer, method)
     return _turning(quantity, context, question, answer, method)
 
@@ -80,6 +83,7 @@ def _turning(
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")
 
+        is_start = (x - setup.start_instant.value(measure)).is_zero()
         kept = kept_on_the_way(setup, found)
         kept += [Condition(part, relation, Message("it turns")) for part, relation in found.conditions]
 
@@ -89,7 +93,7 @@ def _turning(
         def read(world: World) -> float:
             if not is_so(world):
                 raise SaysNothing(Message("the motion is another one there"))
-            return extent_in_numbers(world.draw, measure, side)
+            return extent_in_numbers(world.draw, measure, side, turns=not is_start)
 
         symbol = asked_as(context, question, read)
         script.add(asked_entry(symbol, question))
@@ -130,6 +134,8 @@ def _extreme(
     """Of a quantity over the motion; what a drive keeps going makes one turn after the other."""
     if (turned := _evenly(q, context, question, method)) is not None:
         return turned
+    if (swing := wave_of(context.setup, q.of)) is not None:
+        return tell_swing(context, question, q, swing, method)
     if context.setup.model.coordinates:
         return tell_extreme(context, question, q, method)
     from freebody.narrative.steady.steady import derive as of_turn

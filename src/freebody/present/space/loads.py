@@ -14,7 +14,7 @@ from freebody.present.scene import Scene
 from freebody.present.space.cuts import Cuts
 from freebody.present.space.figures import Poses, upright
 from freebody.present.space.pieces import Piece, ball
-from freebody.present.space.ropes import is_wound, rope_pieces
+from freebody.present.space.ropes import free_lead, is_wound, rope_pieces
 from freebody.present.space.shells import Shells
 from freebody.present.space.solids import basis, box, prism
 from freebody.present.space.stands import Stands
@@ -49,7 +49,9 @@ class Loads:
                 yield from rope_pieces(rope, self.poses, 0.1 * self.u)
                 yield from self.stands.held(nodes[0].place, nodes[-1].place)
             case Rope(nodes):
-                yield from self._string([place for place, _same in groupby(node.place for node in nodes)])
+                way = [place for place, _same in groupby(node.place for node in nodes)]
+                yield from self._string(way)
+                yield from free_lead(shown.sign, way, self.poses, 0.1 * self.u)
             case Spring(first, second, is_spring, is_damper):
                 yield from self._spring(first, second, is_spring=is_spring, is_damper=is_damper)
             case ForceArrow(at, along) | Tether(at, along):

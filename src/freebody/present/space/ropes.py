@@ -6,7 +6,7 @@ Where both ends of a lead are in one plane, d = C_2 - C_1 = l e + rho n x e with
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -32,6 +32,19 @@ def rope_pieces(rope: Rope, poses: Poses, radius: float) -> Iterator[Piece]:
         yield from (_piece(a, b, radius) for a, b in pairwise(arc))
     for one, other in pairwise(places):
         yield _piece(one[-1], other[0], radius)
+    yield from free_lead(rope, [place for arc in places for place in arc], poses, radius)
+
+
+def free_lead(rope: Rope, way: Sequence[Place], poses: Poses, radius: float) -> Iterator[Piece]:
+    """Of a rope with a free first end what is left of its length before its way, in a still picture: in motion it grows
+    shorter, which no piece that is fixed in a body does."""
+    if rope.comes is None or rope.whole is None or poses.n_times > 1:
+        return
+    points = [poses.place(place, 0) for place in way]
+    left = rope.whole - sum(float(np.linalg.norm(b - a)) for a, b in pairwise(points))
+    if left > 0.0:
+        end = points[0] - left * poses.heading(rope.comes, 0)
+        yield _piece(Place(way[0].body, *poses.back(way[0].body, end, 0)), way[0], radius)
 
 
 def _piece(a: Place, b: Place, radius: float) -> Piece:
@@ -45,7 +58,7 @@ def _on_node(rope: Rope, k: int, poses: Poses) -> Iterator[Place]:
         yield node.place
         return
     n, center = poses.heading(node.axis, 0), poses.place(node.place, 0)
-    into = None if k == 0 else _heading(rope, k - 1, poses)
+    into = _heading(rope, k - 1, poses) if k else None if rope.comes is None else poses.heading(rope.comes, 0)
     out = None if k == len(rope.leads) else _heading(rope, k, poses)
     sense = np.sign(node.arm)
     if into is None or out is None:

@@ -36,7 +36,7 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
     from freebody.study.answering import at_equilibrium
 
     model = setup.model
-    found = free_oscillations(model, setup.start)
+    found = free_oscillations(model, setup.start, setup.rest_of_small_motion)
     f = model.field
     resting = needs_of_rest(setup, found.rest, ">")
     squares, notes = [found.squares[k] for k in found.swinging], list(found.notes)

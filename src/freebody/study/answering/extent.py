@@ -65,7 +65,9 @@ def find(setup: Setup, question: str, measure: Measure, side: int, name: str) ->
         kept = [*taken, *(c for c in kept if c.purpose != TAKEN)]  # told of all of the motion, in parameters
     conditions += kept
     check = CrossCheck(question, Message("numerical integration until it has turned on both sides"), MOTION_TOLERANCE)
-    evidence = checked(setup, check, x, conditions, lambda draw: extent_in_numbers(draw, measure, side))
+    evidence = checked(
+        setup, check, x, conditions, lambda draw: extent_in_numbers(draw, measure, side, turns=not is_start)
+    )
     if evidence is None:
         needs = ", ".join(broken(setup, conditions))
         raise NotHere(Message("it does not turn so at the model's own values: that needs {x}", x=needs))
@@ -115,8 +117,9 @@ def _real_turns(turns: list[float], values: dict[float, float]) -> list[float]:
     return known
 
 
-def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
-    """The farthest of the start and the first two turns."""
+def extent_in_numbers(draw: Draw, measure: Measure, side: int, *, turns: bool = False) -> float:
+    """The farthest of the start and the first two turns. turns: it is known to turn there, so that a motion which has
+    not done so yet says nothing."""
     start, reference = draw.start(), draw.reference
     watches = [EngineWatch("turn", measure, 1, size=least_rate(start, measure))]
 
@@ -124,19 +127,21 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int) -> float:
 
     def followed(share: float) -> tuple[Engine, Trajectory, list[float]]:
         engine, course = run(reference, start, np.array([start.t, start.t + share * longest]), watches)
-        turns = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t]
-        seen = dict(zip(course.times, snapshots(reference, engine, course, start), strict=False)) if turns else {}
-        return engine, course, _real_turns(turns, {t: s.value(measure) for t, s in seen.items()})[:_N_TURNS]
+        at = [h.time for h in course.events if h.kind in ("rising", "falling") and h.time > start.t]
+        seen = dict(zip(course.times, snapshots(reference, engine, course, start), strict=False)) if at else {}
+        return engine, course, _real_turns(at, {t: s.value(measure) for t, s in seen.items()})[:_N_TURNS]
 
     in_short = (seen for share in SHORTER if len((seen := followed(share))[2]) == _N_TURNS)
-    engine, course, turns = next(in_short, None) or followed(1.0)
+    engine, course, at = next(in_short, None) or followed(1.0)
     goes_on = course.status in (Status.FINISHED, Status.TOO_LONG)
-    if not turns:  # it only goes away from there
-        seen = list(snapshots(reference, engine, course, start)) if goes_on else []
+    if not at:  # it only goes away from there
+        seen = list(snapshots(reference, engine, course, start)) if goes_on and not turns else []
         if seen and side * (seen[-1].value(measure) - start.value(measure)) <= 0.0:
             return start.value(measure)
         raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
     # in small steps, so that an angle of a line is counted on through more than half a turn; turns are among them
-    engine, course = run(reference, start, np.linspace(start.t, turns[-1], _N_STEPS), watches)
-    values = [side * s.value(measure) for s in snapshots(reference, engine, course, start)]
-    return side * max(side * start.value(measure), *values)
+    engine, course = run(reference, start, np.linspace(start.t, at[-1], _N_STEPS), watches)
+    farthest = max(side * s.value(measure) for s in snapshots(reference, engine, course, start))
+    if turns and len(at) < _N_TURNS and farthest <= side * start.value(measure):  # it has turned on the other side only
+        raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
+    return side * max(side * start.value(measure), farthest)

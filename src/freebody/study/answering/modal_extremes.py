@@ -85,8 +85,8 @@ def _size_at(setup: Setup, mean: Ratio, size: Ratio, side: int, conditions: list
     return gap if is_apart else f.zero
 
 
-def find(setup: Setup, question: str, of: Quantity, swing: Swing, sides: Sequence[int]) -> Finding:
-    """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted."""
+def value_of(setup: Setup, swing: Swing, side: int, conditions: list[Condition]) -> Ratio:
+    """The extreme on a side; what it needs is added to the conditions."""
     f, wave = setup.model.field, swing.wave
     if wave.cosine.is_zero() or wave.sine.is_zero():
         size = setup.state.absolute(wave.cosine if wave.sine.is_zero() else wave.sine)
@@ -94,18 +94,29 @@ def find(setup: Setup, question: str, of: Quantity, swing: Swing, sides: Sequenc
     else:
         inside = wave.cosine * wave.cosine + wave.sine * wave.sine / wave.square
         size = f.sqrt(f.lowest_terms(inside), setup.model.samples.is_negative)
-    conditions = list(held_throughout(setup))
     if swing.is_size:
-        values = tuple(_size_at(setup, wave.mean, size, side, conditions) for side in sides)
-    else:
-        values = tuple(f.lowest_terms(wave.mean + side * size) for side in sides)
+        return _size_at(setup, wave.mean, size, side, conditions)
+    return f.lowest_terms(wave.mean + side * size)
+
+
+def in_numbers(setup: Setup, draw: Draw, of: Quantity, swing: Swing) -> tuple[float, float]:
+    """The least and the greatest value over a period, by integration."""
+    f = setup.model.field
+    square = setup.model.samples.numbers(draw.sample(draw.start()))
+    period = 2 * np.pi / np.sqrt(float(f.evaluate(swing.wave.square, square)))
+    low, high = extremes_between(setup, draw, of, 0.0, 1.5 * float(period))
+    if swing.is_size and low * low <= MOTION_TOLERANCE * high * high:
+        low = 0.0  # seen by its square: a size has a kink where it vanishes
+    return low, high
+
+
+def find(setup: Setup, question: str, of: Quantity, swing: Swing, sides: Sequence[int]) -> Finding:
+    """The closed form. sides: -1 for the least value, +1 for the greatest, in the order in which they are wanted."""
+    conditions = list(held_throughout(setup))
+    values = tuple(value_of(setup, swing, side, conditions) for side in sides)
 
     def numbers(draw: Draw) -> tuple[float, ...]:
-        square = setup.model.samples.numbers(draw.sample(draw.start()))
-        period = 2 * np.pi / np.sqrt(float(f.evaluate(wave.square, square)))
-        low, high = extremes_between(setup, draw, of, 0.0, 1.5 * float(period))
-        if swing.is_size and low * low <= MOTION_TOLERANCE * high * high:
-            low = 0.0  # seen by its square: a size has a kink where it vanishes
+        low, high = in_numbers(setup, draw, of, swing)
         return tuple(low if side < 0 else high for side in sides)
 
     check = CrossCheck(question, Message("numerical integration over a cycle of the motion"), MOTION_TOLERANCE)

@@ -69,11 +69,12 @@ class FreeBody:
         labels: Mapping[str, str] | None = None,
         told: Collection[str] = (),
         symbols: Mapping[str, ReactionSymbol] | None = None,
+        other_sides: frozenset[str] = frozenset(),
     ) -> None:
         self.snapshot = snapshot
         self.system = snapshot.reference.system
         self.bodies = checked_bodies(self.system, bodies)
-        self.closed = closed
+        self.closed, self.other_sides = closed, other_sides
         own = {name: label for name, label in self.system.looks.labels.items() if name in self.system.loads}
         self.labels = own | dict(labels or {})  # of loads as their author has them
         self.told = frozenset(told)
@@ -135,7 +136,11 @@ class FreeBody:
         bounds = [bound.row for bound in self.system.bounds if bound.name in self.closed]
         rubs = [rub for rub in self.system.dry_friction if not rub.of or rub.of in self.closed]
         dry_friction = [row for rub in rubs for row in rub.rows]
-        held = (row for row in self.system.constraint_rows if row.transmits and row.name not in self.idle)
+        own = (row for row in self.system.constraint_rows if row.transmits and row.name not in self.idle)
+        held = (
+            replace(row, measure=row.pressed.other) if row.pressed and row.name in self.other_sides else row
+            for row in own
+        )
         return (*held, *bounds, *dry_friction)
 
     @cached_property

@@ -14,6 +14,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
+from freebody.study.simulation.pressed_sides import left_sides
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -26,11 +27,13 @@ _AT_ONCE = 1e-6  # [s] a motion of which only the start is wanted
 @dataclass(frozen=True)
 class Instant:
     """accelerations: [m/s^2] of mass centres by body; reactions: [N] or [N m] by the name of the row, without those
-    that are not unique. Both are empty at a start that was not set in motion."""
+    that are not unique. Both are empty at a start that was not set in motion. other_sides: the rows that bear on
+    another side than the one that the model states."""
 
     snapshot: Snapshot
     accelerations: Mapping[str, Array] = field(default_factory=dict[str, "Array"])
     reactions: Mapping[str, float] = field(default_factory=dict[str, float])
+    other_sides: frozenset[str] = frozenset()
 
 
 def start_of(system: System, *, at_rest: bool = False) -> Instant:
@@ -103,4 +106,7 @@ def instant_along(result: Simulation, k: int) -> Instant:
             for j, row in enumerate(result.rows)
             if course.unique[k, j]
         },
+        frozenset(row.name for _j, row, away in left_sides(result) if k % len(course.times) in away)
+        if result.follows_sides
+        else frozenset(),
     )

@@ -59,7 +59,7 @@ def picture(
     moving = [body.name for body in system.moving]
     acting: Sequence[ShownForce] = ()
     if moving:
-        free = FreeBody(found.snapshot, moving)
+        free = FreeBody(found.snapshot, moving, other_sides=found.other_sides)
         acting = free.loads() if at else (*free.loads(), *free.impulses())
     whole: Whole
     if system.space:
@@ -104,7 +104,8 @@ def free_body(
     found = instant_of(system, at, in_motion="force" in show, at_rest=True)
     if at is None and not show:
         found = general_position(system) or found
-    forces = FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot), labels=labels, told=told).forces()
+    closed, sides = closed_bounds(found.snapshot), found.other_sides
+    forces = FreeBody(found.snapshot, bodies, closed=closed, labels=labels, told=told, other_sides=sides).forces()
     if "force" in show:
         forces = tuple(_valued(force, found) for force in forces)
     title = Message("{title}: {bodies} cut free", title=system.title, bodies=", ".join(bodies))
@@ -177,7 +178,7 @@ def _check_view(system: System, view: View, *, perspective: bool) -> None:
 
 def _valued(force: ShownForce, found: Instant) -> ShownForce:
     """A force with its value in an instant, where it is unique."""
-    free = FreeBody(found.snapshot, [force.body])
+    free = FreeBody(found.snapshot, [force.body], other_sides=found.other_sides)
     is_reaction = force.kind == "reaction"
     value = free.reaction_values(found.reactions).get(force.name) if is_reaction else free.load_value(force.name)
     return replace(force, value=value)

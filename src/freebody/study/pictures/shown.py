@@ -70,7 +70,8 @@ def forces_in_numbers(found: Instant, symbols: Mapping[str, ReactionSymbol] | No
     symbols: `drawn_symbols` of the system, where many instants have the same"""
     system = found.snapshot.reference.system
     moving = [body.name for body in system.moving]
-    free = FreeBody(found.snapshot, moving, closed=closed_bounds(found.snapshot), symbols=symbols)
+    closed, sides = closed_bounds(found.snapshot), found.other_sides
+    free = FreeBody(found.snapshot, moving, closed=closed, symbols=symbols, other_sides=sides)
     valued: list[ShownForce] = []
     reactions = free.reaction_values(found.reactions)
     seen: set[str] = set()

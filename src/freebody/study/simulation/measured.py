@@ -19,7 +19,7 @@ from freebody.study.simulation.contact_series import final_states
 from freebody.study.simulation.energy import EnergyBalance, energy_balance
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
-from freebody.tolerances import ROUND_OFF
+from freebody.study.simulation.pressed_sides import left_sides
 
 
 class MeasuredMotion(SimulatedMotion):
@@ -86,15 +86,7 @@ class MeasuredMotion(SimulatedMotion):
     @property
     def other_flanks(self) -> tuple[tuple[ConstraintRow, float], ...]:
         """The meshes whose teeth come to bear on another flank than the one that the model says, and when first [s]."""
-        found: list[tuple[ConstraintRow, float]] = []
-        for k, row in enumerate(self.rows):
-            if row.pressed is None:
-                continue
-            pressed = row.pressed.sign * row.sign * self.course.multipliers[:, k]
-            away = np.flatnonzero(pressed < -ROUND_OFF * np.abs(pressed).max(initial=0.0))
-            if len(away):
-                found.append((row, float(self.course.times[away[0]])))
-        return tuple(found)
+        return tuple((row, float(self.course.times[away[0]])) for _k, row, away in left_sides(self))
 
     @property
     def not_valid(self) -> tuple[tuple[str, float], ...]:

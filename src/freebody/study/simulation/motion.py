@@ -26,6 +26,7 @@ class SimulatedMotion:
     options: SimulationOptions
     trusted_until: float | None = None  # with `verify`: from here on two tolerances disagree
     steps: Stepped | None = field(default=None, repr=False)  # of time stepping: what the contacts did
+    follows_sides: bool = False  # the reactions are those of the flanks that bear, also where the model states others
     phases: tuple[PhaseRecord, ...] = field(default=(), repr=False)  # with their steps, where these are kept
 
     @property

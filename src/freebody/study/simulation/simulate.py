@@ -20,6 +20,7 @@ from freebody.present.report.blocks import Report
 from freebody.present.report.results import Result, summary
 from freebody.study.simulation.at_rest import is_unstable_rest, staying
 from freebody.study.simulation.measured import MeasuredMotion
+from freebody.study.simulation.pressed_sides import on_the_sides_that_bear
 from freebody.study.simulation.simulator import Progress, Simulator
 from freebody.study.simulation.told import motion_blocks
 from freebody.study.worded import in_words
@@ -217,7 +218,9 @@ def _simulated(
     if options.verify:
         finer = simulator.run(until, options.finer, **going_on)
         trusted = _trusted_until(simulator, course, finer)
-    return Simulation(system, simulator, course, options, trusted, phases=tuple(phases))
+    found = Simulation(system, simulator, course, options, trusted, phases=tuple(phases))
+    on_their_sides = None if keep else on_the_sides_that_bear(found)
+    return found if on_their_sides is None else replace(found, course=on_their_sides, follows_sides=True)
 
 
 def _output_times(start: float, until: float, every: float | None, at: Sequence[float]) -> Array:

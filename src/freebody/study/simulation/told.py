@@ -69,7 +69,7 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
         yield entry(Message("not unique"), told)
     for row, time in result.other_flanks:
         assert row.pressed is not None
-        told = row.pressed.is_left(row.connection, time)
+        told = row.pressed.is_left(row.connection, time, is_followed=result.follows_sides)
         yield entry(Message("teeth"), told)
     for purpose, time in result.not_valid:
         told = Message(

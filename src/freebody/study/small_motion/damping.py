@@ -22,7 +22,7 @@ from freebody.symbolic.small_motion import free_oscillations
 
 
 def damping(setup: Setup, question: Question, q: Damping, at_rest: AtRest) -> Finding:
-    free = free_oscillations(setup.model, setup.start)
+    free = free_oscillations(setup.model, setup.start, setup.rest_of_small_motion)
     f, is_negative = setup.model.field, setup.model.samples.is_negative
     modes = [mode for mode in free.modes if not mode.square.is_zero()]
     if not modes:

@@ -22,7 +22,7 @@ from freebody.symbolic.small_motion import FreeOscillations, Mode, free_oscillat
 
 
 def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest) -> Finding:
-    free = free_oscillations(setup.model, setup.start)
+    free = free_oscillations(setup.model, setup.start, setup.rest_of_small_motion)
     modes = free.modes
     if q.number is not None and q.number > len(modes):
         raise CannotAnswer(Message("there are {n} modes only", n=len(modes)))

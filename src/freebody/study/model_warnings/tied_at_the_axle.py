@@ -1,0 +1,54 @@
+"""A string tied to the middle of a drum that turns there in a bearing: however it turns, it winds nothing up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import cast
+
+from freebody.connections.heavy_rope import HeavyRope
+from freebody.connections.string.way import GivenWay, is_tied_to, runs_round
+from freebody.language.sentences import Message
+from freebody.measures.displacement import Displacement
+from freebody.model.elements import RigidBody
+from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
+from freebody.system.system import System
+
+
+class TiedAtTheAxle(WarningKind, name="tied at the axle"):
+    """An end that names a round body, as `from: drum`, is at its centre. Where that rests in a bearing and nothing else
+    runs round the body, its rim is meant."""
+
+    def look(self, model: Opened) -> Iterator[ModelWarning]:
+        system = model.system
+        ways = [
+            (section, name, cast("GivenWay", element))
+            for section, elements in (("connections", system.connections), ("loads", system.loads))
+            for name, element in elements.items()
+            if all(hasattr(element, field) for field in ("start", "to", "over", "path"))
+        ]
+        used = {place for _section, _name, way in ways for place in runs_round(way)}
+        used |= {way.wound_on for _section, _name, way in ways if isinstance(way, HeavyRope) and way.wound_on}
+        drums = {b.name for b in system.moving if b.radius is not None and b.name not in used and _is_borne(system, b)}
+        for section, name, way in ways:
+            for end, field in is_tied_to(way):
+                if end in drums:
+                    written = "wound_on: {0}" if isinstance(way, HeavyRope) else "wound on {0}"
+                    told = Message(
+                        "{string} is tied to the centre of {body}, which stays where it is while {body} turns. If the "
+                        "rim is meant, on which it is wound, write {wound} in place of {body}; else {body}.center",
+                        string=name,
+                        body=end,
+                        wound=written.format(end),
+                    )
+                    yield self.warning(told, section, name, *field, about=frozenset((name, end)))
+
+
+def _is_borne(system: System, body: RigidBody) -> bool:
+    """Whether a bearing holds its centre and lets it turn."""
+    n_axes = 3 if system.space else 2
+    for name in system.connections:
+        measures = [row.measure for row in system.rows if row.connection == name]
+        held = [m for m in measures if isinstance(m, Displacement) and body.center in (m.of, m.origin)]
+        if len(held) >= n_axes and len(measures) < 3 * (n_axes - 1):
+            return True
+    return False

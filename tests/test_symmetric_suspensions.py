@@ -1,0 +1,47 @@
+"""Small motions and forces of what hangs symmetrically on several lengths of rope: closed loops whose equations are
+long anywhere but in that pose."""
+
+from __future__ import annotations
+
+import pytest
+
+from posed import is_formula
+
+BIFILAR = """
+space: {up: z}
+parameters: {m: 2 kg, a: 0.2 m, l: 1 m, k: 0.15 m, g: 9.81 m/s^2}
+ground: {points: {A: [-a, 0, l], B: [a, 0, l]}}
+bodies:
+  rod: {body: {mass: m, inertia: [m*k^2, m*k^2, m*k^2]}, points: {P: [-a, 0, 0], Q: [a, 0, 0]}, at: [0, 0, 0]}
+connections: {s: {link: {between: [ground.A, rod.P]}}, t: {link: {between: [ground.B, rod.Q]}}}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of rod about z}
+"""
+CRANE = """
+parameters: {M: 200 kg, m: 50 kg, b: 0.4 m, h: 3 m, L: 6 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], tip: [L, 0]}}
+bodies:
+  trolley: {rectangle: {mass: M, width: 0.6 m, height: 0.2 m}, points: {P: [-b/2, 0], Q: [b/2, 0]}, at: [L/2, 0]}
+  hook: {particle: {mass: m}, at: [L/2, -h]}
+connections:
+  rail: {slider: {body: trolley, along: right}}
+  rope: {string: {path: [ground.O, trolley.P, hook, trolley.Q, ground.tip], swings: true}}
+loads: {weight: {gravity: g}}
+measures: {x: x of trolley}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "question", "formula"),
+    [
+        # turned by psi both strings lean by a psi/l, so they turn it back with m g a^2 psi/l
+        (BIFILAR, "period of small oscillations of psi", "2*pi*k/a*sqrt(l/g)"),
+        # the hook hangs on two lengths of rope, each at the angle with cos = h/sqrt(h^2 + b^2/4)
+        (CRANE, "tension of rope at start", "m*g*sqrt(h**2 + b**2/4)/(2*h)"),
+        # |HP| + |HQ| is constant, so that the hook runs on an ellipse about the trolley, with the half axes
+        # A^2 = h^2 + b^2/4 and h, and the radius A^2/h at its lowest point: a pendulum of that length on a cart
+        (CRANE, "period of small oscillations", "2*pi*sqrt(M*(h**2 + b**2/4)/(h*g*(M + m)))"),
+    ],
+)
+def test_a_symmetric_suspension_has_the_formula_of_its_pose(text: str, question: str, formula: str) -> None:
+    is_formula(text, question, formula)
