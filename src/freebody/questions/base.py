@@ -440,6 +440,11 @@ class Form:
     example: str = ""  # a model that asks so, where the example of no kind does
     fits: Fits = _always  # whether it is meant of what is named
 
+    @property
+    def is_told_apart(self) -> bool:
+        """Whether what is named decides that it is meant."""
+        return self.fits is not _always
+
     def found_in(self, text: str, names: Names) -> Found | None:
         """What the words of a question name, where they ask so."""
         found = self.pattern.match(text)

@@ -91,7 +91,9 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
         return OfMeasure(state.integral, 1, state.carrier)
     if (text if rate is None else rate[1]) in names.broken:
         return None
-    if any(phrase.pattern.match(text) for phrase in PHRASES) and not text.startswith("angle of"):
+    told_apart = next((form for form in FORMS if form.is_told_apart and form.found_in(text, names)), None)
+    is_phrase = any(phrase.pattern.match(text) for phrase in PHRASES) and not text.startswith("angle of")
+    if is_phrase and told_apart is None:
         measure = read_measure(names, text, *path)
         return None if measure is None else OfMeasure(measure, 0, text)
     if (of := without_size(text)) != text:

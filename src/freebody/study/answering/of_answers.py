@@ -75,6 +75,12 @@ class AsWritten:
     def absolute(self, x: Any) -> Expr:
         return Call("abs", x)
 
+    def function(self, name: str, x: Any) -> Expr:
+        return Call(name, x)
+
+    def direction(self, y: Any, x: Any) -> Expr:
+        return 2 * Call("atan", y / (Call("sqrt", x * x + y * y) + x))
+
 
 Found = Callable[[Question], tuple[Finding, list[Condition]]]
 
