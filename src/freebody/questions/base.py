@@ -129,6 +129,10 @@ class Passage(Protocol[S_co]):
         """How often a body has turned, counted without sign."""
         ...
 
+    def integral(self, quantity: Quantity) -> Any:
+        """Of a quantity over the time."""
+        ...
+
     def there(self, quantity: Quantity) -> Any:
         """A quantity in the state at the event."""
         ...
