@@ -18,6 +18,7 @@ from freebody.questions.arithmetic import read_calculated
 from freebody.questions.base import NAME, Quantity
 from freebody.questions.course import Transition
 from freebody.questions.event import AskedEvent
+from freebody.questions.final_values import share_said
 from freebody.questions.operands import TIME_ALONE, Operand, Operands, between_bars
 from freebody.questions.reading_when import Meant
 from freebody.questions.sudden import IMPACT, NTH
@@ -36,6 +37,11 @@ _AVERAGE = re.compile(
     rf"(?P<of>{NAME}(?:\.\w+)?)(?P<on> on {NAME})?(?P<along> along .+?)? {_TO} (?P<until>.+)$"
 )
 _IMPULSE = re.compile(rf"^(?:the )?impulse of (?:the )?(?P<of>.+?) {_TO} (?P<until>.+)$")
+_DYING = re.compile(
+    r"^(?:the )?(?:number of|how many) (?:full |complete |free )?(?:oscillations|swings|cycles|periods|vibrations) "
+    r"(?:until|for|before) (?:the )?amplitude (?:has fallen|falls|drops|has dropped|has decreased|decreases|to fall) "
+    r"to (?P<share>.+?)(?: of (?:the|its) (?:initial|first) (?:value|one|amplitude))?$"
+)
 _CLOCK = re.compile(r"^t ?= ?(?P<time>.+)$")
 _NTH_ALONE = re.compile(rf"^(?:the )?{NTH}$")
 _NTH_OF = re.compile(rf"^(?:the )?{NTH} (?P<what>{IMPACT}.*)$")
@@ -72,6 +78,8 @@ def between_events(phrase: str) -> str:
         until, by_clock = average["until"], _CLOCK.match(average["until"])
         elapsed = f"(time when {until})" if by_clock is None else f"({by_clock['time']})"
         return f"({_counted(average, until)}) / {elapsed}"
+    if (dying := _DYING.match(phrase)) is not None:
+        return f"log(1/({share_said(dying['share'])})) / logarithmic decrement"
     if (impulse := _IMPULSE.match(phrase)) is not None:
         return f"impulse on the way of {impulse['of']} until {impulse['until']}"
     found = _BETWEEN.match(phrase)
