@@ -7,7 +7,7 @@ import pytest
 from posed import is_derived, is_formula, posed
 
 DRIVEN = """
-parameters: {m: 2 kg, F: 10 N, c: 4 kg/s, p: 0.9}
+parameters: {m: 2 kg, F: 10 N, c: 4 kg/s, p: 0.6}
 bodies: {b: {particle: {mass: m}, at: [0, 0]}}
 connections: {rail: {slider: {body: b, along: right}}}
 measures: {x: x of b}
