@@ -45,6 +45,10 @@ class Joined(Quantity):
         """The value, from those of the inner quantities. Raises CannotAnswer where it has none."""
         raise NotImplementedError
 
+    def written(self, found: Expr) -> Expr:
+        """The formula of an answer, as it is shown."""
+        return found
+
     def value(self, system: Described, state: State[Any]) -> Any:
         return self.made_of(tuple(q.value(system, state) for q in self.inner), state)
 

@@ -61,10 +61,6 @@ class Angular(Joined):
     def letter(self) -> str:
         return "phi"
 
-    @property
-    def is_of_pose_in_motion(self) -> bool:
-        return self.kinematic_order == 1
-
 
 @dataclass(frozen=True)
 class DirectionOf(Angular, kind="direction"):

@@ -166,8 +166,11 @@ class FormulaPassage:
         """Over the time, of what stays the same or is given in it, phase by phase."""
         if len(self.phases) > 1:
             raise CannotAnswer(FORCE_CHANGES)
-        model = self.phases[0].begin.model
+        first = self.phases[0]
+        model = first.begin.model
         x = self.elements(quantity, SymbolicState(model))
+        if not isinstance(x, tuple) and (found := by_momentum(x, first, self.elapsed)) is not None:
+            return found
         return over_time(x, model, self.time())
 
     def there(self, quantity: Quantity) -> Elements:
@@ -179,6 +182,36 @@ class FormulaPassage:
         first = self.phases[0]
         x = self.elements(quantity, first.begin)
         return tuple(map(first.told, x)) if isinstance(x, tuple) else first.told(x)
+
+
+def by_momentum(x: Ratio, phase: FormulaPhase, time: Ratio | None) -> Ratio | None:
+    """The integral over the time of what changes as the force F of one freedom does: with x = k F + rest and constant
+    k and mass, k M (u1 - u0) and the integral of the rest. None where it does not change so."""
+    model, f = phase.begin.model, phase.begin.model.field
+    clock = f.index(f.time)
+    moving = model.moving - {clock}
+    if len(model.coordinates) != 1 or model.dependent or not f.ingredients(x) & moving:
+        return None
+    ((mass,),), (force,), (c,) = model.dynamics.mass_matrix, model.dynamics.forcing, model.coordinates
+    if f.ingredients(mass) & (moving | {clock}):
+        return None
+    for g in sorted(x.generators()):
+        slope = f.partial(force, g)
+        if not f.ingredients(f.variable(g)) & moving or slope.is_zero():
+            continue
+        share = f.lowest_terms(f.partial(x, g) / slope)
+        rest = f.lowest_terms(x - share * force)
+        if not (f.ingredients(share) & (moving | {clock}) or f.ingredients(rest) & moving):
+            before, after = (state.here(f.variable(c.speed)) for state in (phase.begin, phase.end))
+            total = share * mass * (after - before)
+            if not rest.is_zero():
+                if time is None:
+                    return None
+                others = over_time(rest, model, time)
+                assert not isinstance(others, tuple)
+                total = total + others
+            return f.lowest_terms(total)
+    return None
 
 
 def over_time(x: Elements, model: SymbolicModel, time: Ratio) -> Elements:

@@ -233,7 +233,8 @@ class RangeSearch(TruthInNumbers):
     def _confirmed(self, found: list[Interval], own: Draw) -> tuple[list[Interval], list[Condition], Evidence]:
         """The intervals with what they need. Of ends that coincide at the model's own numbers, as those of a linkage
         with two links of one length, either may count at others: for the one side of the border, then."""
-        twins, before, below = list(self._twins), list(self._placed), list(self._below)  # intervals at other numbers have others
+        # intervals at other numbers have others
+        twins, before, below = list(self._twins), list(self._placed), list(self._below)
         needed = self._order(found, own, before)
         needed += insisted((Condition(-end, ">=", Message("which end is which")) for end in self._on_border), _OPEN)
         if self.wanted.of.scope == "linkage":  # ends of no positive length need not be so at other numbers
