@@ -30,7 +30,8 @@ from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.passage import NumericPassage, drivers
-from freebody.study.phases.evidence import number_in_blow, over_time
+from freebody.study.phases.evidence import number_in_blow
+from freebody.study.phases.over_time import over_time
 from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
 from freebody.study.phases.witness import PhaseSnapshot
 from freebody.symbolic.field import Ratio

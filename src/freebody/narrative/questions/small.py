@@ -23,11 +23,11 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
 from freebody.narrative.lines.script import Argument, DerivationStage, Sentence
 from freebody.narrative.questions.small_telling import SmallTelling
+from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced, SteadyAmplitude
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import (
-    AmplitudeRatio,
     Damping,
     Equilibrium,
     EquilibriumStability,

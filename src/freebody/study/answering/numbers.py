@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial, singledispatch
 
 import numpy as np
@@ -61,7 +62,7 @@ def integral_until(
     return tuple(float(x) for x in total) if len(total) > 1 else float(total[0])
 
 
-def _panels(draw: Draw, event: AskedEvent, end: float) -> tuple[list[Snapshot], Array]:
+def _panels(draw: Draw, event: AskedEvent, end: float) -> tuple[Sequence[Snapshot], Array]:
     """States between the start and an event, and their weights in an integral over the time: Gauss-Legendre points in
     panels."""
     start = draw.start()

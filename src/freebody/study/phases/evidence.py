@@ -28,7 +28,6 @@ from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
     MOTION_TOLERANCE,
     CrossCheck,
-    as_parts,
     element_at,
     without_numbers,
 )
@@ -43,6 +42,7 @@ from freebody.study.phases.followed import before_impact, begun, changed, follow
 from freebody.study.phases.how_long import longest_times
 from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
+from freebody.study.phases.over_time import over_time
 from freebody.study.phases.phase import BOUNCES_END, Phase
 from freebody.study.phases.quantities import (
     connection_of,
@@ -359,21 +359,6 @@ def _passage(
     return NumericPassage(
         tree.system, begin, now, at_end, lost, ways=ways, over_time=partial(over_time, tree.system, seen)
     )
-
-
-def over_time(base: System, seen: Sequence[PhaseSnapshot], quantity: Quantity) -> Any:
-    """The integral over the time of what stays the same in every phase; base: the system with its contacts. Raises
-    CannotAnswer for what changes."""
-    total: list[float] = []
-    for one in seen:
-        begin = one.mode.snapshot(one.begin.q, one.begin.v, one.begin.t, one.begin)
-        end = one.snapshot()
-        first, last = (as_parts(value_in_mode(quantity, base, one.mode.system, s)) for s in (begin, end))
-        if any(abs(a - b) > ROUND_OFF * max(abs(a), abs(b)) for a, b in zip(first, last, strict=True)):
-            raise CannotAnswer(Message("the force changes on the way, and its impulse was not checked in numbers"))
-        parts = [x * (end.t - begin.t) for x in last]
-        total = [a + b for a, b in zip(total, parts, strict=True)] if total else parts
-    return tuple(total) if len(total) > 1 else total[0]
 
 
 def _value_there(tree: PhaseTree, mode: NumericMode, now: Snapshot, quantity: Quantity) -> Any:

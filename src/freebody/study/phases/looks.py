@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
@@ -71,7 +72,26 @@ def zero_in(
     return None if end is None else zero_between(value, a, end, xtol=_OF_TIMES, rtol=_OF_TIMES)
 
 
-def risen_in(
+def begins_in(
+    watched: Sequence[Watched],
+    armed: NDArray[np.bool_],
+    now: Array,
+    state: Callable[[float], Array],
+    n: int,
+    a: float,
+    b: float,
+    least: float,
+) -> dict[int, float]:
+    """From when in a look on each event may come: from a where it is armed; else, where it was zero at a and is below
+    zero at b, from when it had risen."""
+    found = dict.fromkeys(map(int, np.flatnonzero(armed)), a)
+    for k in map(int, np.flatnonzero(~armed & (now < -least))):
+        if (place := _risen_in(watched[k], state, n, a, b, least)) is not None:
+            found[k] = place
+    return found
+
+
+def _risen_in(
     watched: Watched, state: Callable[[float], Array], n: int, a: float, b: float, least: float
 ) -> float | None:
     """A time in a look at which a watched function is above `least`, of one that is zero at a and below zero at b: a

@@ -28,7 +28,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.event import Peak
 from freebody.questions.reading import AskedEvent
 from freebody.study.answering.witness import TOUCH
-from freebody.study.phases.looks import Watched, Watcher, looked_at, risen_in, zero_in
+from freebody.study.phases.looks import Watched, Watcher, begins_in, looked_at, zero_in
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.slopes import slope_of
@@ -372,11 +372,7 @@ class NumericMode:
             y = state(b)
             now = np.array([watched(y[:n], y[n:], b) for _event, watched in events])
             roots: list[tuple[float, int]] = []
-            begins = dict.fromkeys(map(int, np.flatnonzero(armed)), a)
-            for k in map(int, np.flatnonzero(~armed & (now < -_STILL))):  # a flight within one look
-                if (place := risen_in(events[k][1], state, n, a, b, _STILL)) is not None:
-                    begins[k], armed[k] = place, True
-            for k, begun in begins.items():
+            for k, begun in begins_in([w for _e, w in events], armed, now, state, n, a, b, _STILL).items():
                 event, watched = events[k]
                 if (root := zero_in(watched, state, n, begun, b, is_below=bool(now[k] < 0.0))) is None:
                     continue

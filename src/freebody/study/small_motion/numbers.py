@@ -7,10 +7,11 @@ from functools import singledispatch
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import AmplitudeRatio, Damping, EquilibriumStability, ModeShapes
+from freebody.questions.small_motion import Damping, EquilibriumStability, ModeShapes
 from freebody.study.answering.at_equilibrium import AT_REST, places_at, small_motions_at, unrest
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup

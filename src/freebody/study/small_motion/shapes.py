@@ -11,8 +11,9 @@ from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import generalized_modes
 from freebody.numeric.small_motion import SmallMotion
+from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import AmplitudeRatio, ModeShapes
+from freebody.questions.small_motion import ModeShapes
 from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
