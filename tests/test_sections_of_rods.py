@@ -59,6 +59,12 @@ def test_the_shear_force_under_a_load_is_not_told() -> None:
     assert "load acts in that very section" in str(answer.reason)
 
 
+def test_the_shear_force_jumps_by_the_load() -> None:
+    before, behind = (value(BEAM, f"shear force of beam just {side} center") for side in ("before", "behind"))
+    assert before == pytest.approx(F / 2, rel=1e-9)  # the reaction (F + W)/2 less half of the weight
+    assert behind == pytest.approx(before - F, rel=1e-12)
+
+
 CANTILEVER = fb.System.from_text("""
 parameters: {L: 2 m, T: 30 N m, m: 10 kg, g: 9.81 m/s^2}
 bodies: {beam: {rod: {mass: m, length: L}, angle: 0, at: {start: [0, 0]}}}

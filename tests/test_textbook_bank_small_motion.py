@@ -163,6 +163,8 @@ measures: {y: drop of block below ground.O}
         # den Hartog, Mechanical Vibrations, ch. 2: the joint has no mass, so both springs carry the same force
         (SPRINGS_IN_SERIES, "natural frequency", "sqrt(k1*k2/(m*(k1+k2)))"),
         (SPRINGS_IN_SERIES, "equilibrium of y", "2*a + m*g/k1 + m*g/k2"),
+        # Goldstein, ch. 1: w^2 = Omega^2 sin(theta)^2 beside it; the model starts elsewhere
+        (WATT_GOVERNOR, "frequency about steady motion", "Omega*sqrt(1-(g/(L*Omega^2))^2)"),
     ],
 )
 def test_a_small_motion_of_a_textbook_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:

@@ -6,15 +6,36 @@ there in different ways and share only the statements of the measures.
 
 from __future__ import annotations
 
+import math
 from typing import Any, Protocol, TypeVar
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 
 S_co = TypeVar("S_co", covariant=True)
+
+
+def function_of_number(name: str, x: Any) -> float:
+    """An elementary function of a number. Raises CannotAnswer where it has no value."""
+    try:
+        return float(FLOAT_FUNCTIONS[name](float(x)))
+    except (ValueError, OverflowError):
+        raise CannotAnswer(Message("{name}({x:.6g}) has no value", name=name, x=float(x))) from None
+
+
+def direction_of_numbers(y: Any, x: Any) -> float:
+    """The angle of a vector of numbers. Raises CannotAnswer where it has no length."""
+    if x == 0 and y == 0:
+        raise no_direction()
+    return math.atan2(float(y), float(x))
+
+
+def no_direction() -> CannotAnswer:
+    """Why there is no angle."""
+    return CannotAnswer(Message("the vector is zero and has no direction"))
 
 
 def not_beside(side: str) -> CannotAnswer:
@@ -80,4 +101,13 @@ class State(Protocol[S_co]):
 
     def absolute(self, x: Any) -> S_co:
         """The size of what may have either sign."""
+        ...
+
+    def function(self, name: str, x: Any) -> S_co:
+        """An elementary function by its name: atan, cos, log ..."""
+        ...
+
+    def direction(self, y: Any, x: Any) -> S_co:
+        """The angle of the vector (x, y) from the x axis, counter-clockwise, within a half turn of it. Raises
+        CannotAnswer for a vector of no length."""
         ...

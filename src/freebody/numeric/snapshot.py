@@ -19,7 +19,7 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
-from freebody.model.state import not_beside
+from freebody.model.state import direction_of_numbers, function_of_number, not_beside
 from freebody.numeric.blow import Blow, blow, impulse
 from freebody.numeric.instant import Dynamics, dynamics, held, law
 from freebody.numeric.jet_geometry import Branch, JetGeometry
@@ -135,6 +135,12 @@ class Snapshot:
 
     def absolute(self, x: Any) -> float:
         return abs(float(x))
+
+    def function(self, name: str, x: Any) -> float:
+        return function_of_number(name, x)
+
+    def direction(self, y: Any, x: Any) -> float:
+        return direction_of_numbers(y, x)
 
     def _jet(self, measure: Measure | NonholonomicForm) -> Jet:
         return self.reference.jet(self.geometry, measure)

@@ -21,7 +21,7 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.language.units.inference import dimension_of
 from freebody.model.formulas import quantity_expression
-from freebody.model.state import State
+from freebody.model.state import State, direction_of_numbers, function_of_number
 from freebody.questions.base import Described, Passage, Path, Quantity
 from freebody.questions.operands import number_with_unit
 
@@ -34,6 +34,8 @@ class Functions(Protocol):
 
     def sqrt(self, x: Any) -> Any: ...
     def absolute(self, x: Any) -> Any: ...
+    def function(self, name: str, x: Any) -> Any: ...
+    def direction(self, y: Any, x: Any) -> Any: ...
 
 
 class Joined(Quantity):
@@ -42,6 +44,10 @@ class Joined(Quantity):
     def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
         """The value, from those of the inner quantities. Raises CannotAnswer where it has none."""
         raise NotImplementedError
+
+    def written(self, found: Expr) -> Expr:
+        """The formula of an answer, as it is shown."""
+        return found
 
     def value(self, system: Described, state: State[Any]) -> Any:
         return self.made_of(tuple(q.value(system, state) for q in self.inner), state)
@@ -151,6 +157,8 @@ questions: {it: acceleration of x - acceleration of y}
         own = {q.unit for q in self.inner if q.dimension == self.measured and not isinstance(q, OfParameters)}
         if len(own) == 1:
             return own.pop()
+        if isinstance(self.form, Call) and self.form.function in _ARCS:
+            return "rad"
         return "1" if self.measured == DIMENSIONLESS else str(self.measured)
 
     @property
@@ -204,6 +212,13 @@ class OnTheWay:
     def absolute(self, x: Any) -> Any:
         return abs(x) if isinstance(x, (int, float, Fraction)) else self.sqrt(x)
 
+    def function(self, name: str, x: Any) -> Any:
+        return function_of_number(name, x) if isinstance(x, (int, float, Fraction)) else self.sqrt(x)
+
+    def direction(self, y: Any, x: Any) -> Any:
+        is_number = all(isinstance(part, (int, float, Fraction)) for part in (x, y))
+        return direction_of_numbers(y, x) if is_number else self.sqrt(x)
+
 
 def _degree(e: Expr, orders: Mapping[str, int | None]) -> Fraction | None:
     """By which power of the speeds an expression grows; None where by no single one. orders: of its operands."""
@@ -227,8 +242,14 @@ def _degree(e: Expr, orders: Mapping[str, int | None]) -> Fraction | None:
         case Call("sqrt", argument):
             degree = _degree(argument, orders)
             return None if degree is None else degree / 2
+        case Call(name, argument) if name in _OF_QUANTITIES and _degree(argument, orders) == 0:
+            return Fraction(0)
         case _:
             return None
+
+
+_ARCS = ("atan", "asin", "acos")
+_OF_QUANTITIES = (*_ARCS, "sin", "cos", "tan", "exp", "log")
 
 
 def _calculated(e: Expr, values: Mapping[str, Any], of: Functions) -> Any:
@@ -251,9 +272,11 @@ def _calculated(e: Expr, values: Mapping[str, Any], of: Functions) -> Any:
             return of.sqrt(_calculated(argument, values, of))
         case Call("abs", argument):
             return of.absolute(_calculated(argument, values, of))
+        case Call(name, argument) if name in _OF_QUANTITIES:
+            return of.function(name, _calculated(argument, values, of))
         case _:
             raise CannotAnswer(
-                Message("of quantities only sums, products, powers, square roots and absolute values are formed")
+                Message("of quantities only sums, products, powers, square roots and elementary functions are formed")
             )
 
 

@@ -18,6 +18,7 @@ from freebody.questions.arithmetic import read_calculated
 from freebody.questions.base import NAME, Quantity
 from freebody.questions.course import Transition
 from freebody.questions.event import AskedEvent
+from freebody.questions.final_values import share_said
 from freebody.questions.operands import TIME_ALONE, Operand, Operands, between_bars
 from freebody.questions.reading_when import Meant
 from freebody.questions.sudden import IMPACT, NTH
@@ -30,11 +31,18 @@ _BETWEEN = re.compile(
     r"between (?:when )?(?P<first>.+?) and (?:when )?(?P<last>.+)"
     r"|from when (?P<begin>.+?) (?:to|until) when (?P<end>.+))$"
 )
+_TO = r"(?:from (?:the )?start (?:to|until|up to)|until|up to)(?: when)?"
 _AVERAGE = re.compile(
-    rf"^(?:the )?(?:average|mean) (?:power of (?:the )?(?P<load>{NAME})|(?P<rate>speed|velocity) (?:of|along) "
-    rf"(?:the )?(?P<of>{NAME})) until (?:when )?(?P<until>.+)$"
+    r"^(?:the )?(?:average|mean) (?P<what>power|speed|velocity|acceleration|force) (?:of|along|in) (?:the )?"
+    rf"(?P<of>{NAME}(?:\.\w+)?)(?P<on> on {NAME})?(?P<along> along .+?)? {_TO} (?P<until>.+)$"
 )
-_COUNTED = {"speed": "distance travelled along", "velocity": "change of"}
+_IMPULSE = re.compile(rf"^(?:the )?impulse of (?:the )?(?P<of>.+?) {_TO} (?P<until>.+)$")
+_DYING = re.compile(
+    r"^(?:the )?(?:number of|how many) (?:full |complete |free )?(?:oscillations|swings|cycles|periods|vibrations) "
+    r"(?:until|for|before) (?:the )?amplitude (?:has fallen|falls|drops|has dropped|has decreased|decreases|to fall) "
+    r"to (?P<share>.+?)(?: of (?:the|its) (?:initial|first) (?:value|one|amplitude))?$"
+)
+_CLOCK = re.compile(r"^t ?= ?(?P<time>.+)$")
 _NTH_ALONE = re.compile(rf"^(?:the )?{NTH}$")
 _NTH_OF = re.compile(rf"^(?:the )?{NTH} (?P<what>{IMPACT}.*)$")
 
@@ -64,11 +72,16 @@ class AtEvent(Quantity):
 
 
 def between_events(phrase: str) -> str:
-    """The time between two events as the difference of their times, an average up to an event as a quotient."""
+    """The time between two events as the difference of their times, an average up to an event as a quotient, an impulse
+    up to an event as what comes together on the way."""
     if (average := _AVERAGE.match(phrase)) is not None:
-        until = average["until"]
-        counted = f"work of {average['load']}" if average["load"] else f"{_COUNTED[average['rate']]} {average['of']}"
-        return f"({counted} until {until}) / (time when {until})"
+        until, by_clock = average["until"], _CLOCK.match(average["until"])
+        elapsed = f"(time when {until})" if by_clock is None else f"({by_clock['time']})"
+        return f"({_counted(average, until)}) / {elapsed}"
+    if (dying := _DYING.match(phrase)) is not None:
+        return f"log(1/({share_said(dying['share'])})) / logarithmic decrement"
+    if (impulse := _IMPULSE.match(phrase)) is not None:
+        return f"impulse on the way of {impulse['of']} until {impulse['until']}"
     found = _BETWEEN.match(phrase)
     if found is None:
         return phrase
@@ -76,6 +89,23 @@ def between_events(phrase: str) -> str:
     if _NTH_ALONE.match(first) and (impact := _NTH_OF.match(last)) is not None:  # the first and the second impact
         first = f"{first} {impact['what']}"
     return f"(time when {last}) - (time when {first})"
+
+
+def _counted(average: re.Match[str], until: str) -> str:
+    """What comes together up to an event of which the average is over the time."""
+    of, on, along = (average[key] or "" for key in ("of", "on", "along"))
+    what = average["what"]
+    if what == "acceleration":
+        velocity = f"velocity of {of}{along}"
+        return f"({velocity} when {until}) - ({velocity} at start)"
+    way = f"travel of {of}{along}" if along else of
+    counted = {
+        "power": f"work of {of}",
+        "force": f"impulse on the way of {of}{on}{along}",
+        "speed": f"distance travelled along {way}",
+        "velocity": f"change of {way}",
+    }
+    return f"{counted[what]} until {until}"
 
 
 def is_at_several(operands: Operands, condition: str | None) -> bool:

@@ -129,6 +129,10 @@ class Passage(Protocol[S_co]):
         """How often a body has turned, counted without sign."""
         ...
 
+    def integral(self, quantity: Quantity) -> Any:
+        """Of a quantity over the time."""
+        ...
+
     def there(self, quantity: Quantity) -> Any:
         """A quantity in the state at the event."""
         ...
@@ -439,6 +443,11 @@ class Form:
     rank: int
     example: str = ""  # a model that asks so, where the example of no kind does
     fits: Fits = _always  # whether it is meant of what is named
+
+    @property
+    def is_told_apart(self) -> bool:
+        """Whether what is named decides that it is meant."""
+        return self.fits is not _always
 
     def found_in(self, text: str, names: Names) -> Found | None:
         """What the words of a question name, where they ask so."""

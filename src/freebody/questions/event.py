@@ -27,22 +27,14 @@ from freebody.measures.combination import Composed
 from freebody.measures.geometry import GROUND
 from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.base import FORMS, NAME, POINT, Path, Quantity
-from freebody.questions.clock import ENDLESS, Clock, SaidEvent, time_asked
+from freebody.questions.clock import ENDLESS, Clock, time_asked
 from freebody.questions.compared import compared
 from freebody.questions.ends import GREATEST, LEAST
+from freebody.questions.event_base import QuestionEvent
+from freebody.questions.final_values import read_share
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-
-
-@dataclass(frozen=True)
-class QuestionEvent(SaidEvent):
-    """A measure (or its rate) reaches a value."""
-
-    measure: Measure
-    order: Literal[0, 1]
-    value: Expr
-    text: str  # pyrefly: ignore[bad-override]
 
 
 @dataclass(frozen=True)
@@ -135,6 +127,9 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         return Clock(None, ENDLESS)
     if time is not None:
         return Clock(names.formula(time, TIME, *path), text)
+    n_before = len(names.problems)
+    if (share := read_share(names, text, path)) is not None or len(names.problems) > n_before:
+        return share
     turning = re.match(r"^(?P<what>.+?) (?:turns (?:back|round|around)|reverses)$", text)
     if turning is not None:
         turned = measure_of(names, turning["what"], *path)

@@ -27,6 +27,7 @@ from freebody.questions.clock import time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition
 from freebody.questions.event import AskedEvent, QuestionEvent
 from freebody.questions.motion import OfMeasure
+from freebody.questions.nth_impact import read_nth
 from freebody.questions.operands import (
     TIME_ALONE,
     Operand,
@@ -91,7 +92,9 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
         return OfMeasure(state.integral, 1, state.carrier)
     if (text if rate is None else rate[1]) in names.broken:
         return None
-    if any(phrase.pattern.match(text) for phrase in PHRASES) and not text.startswith("angle of"):
+    told_apart = next((form for form in FORMS if form.is_told_apart and form.found_in(text, names)), None)
+    is_phrase = any(phrase.pattern.match(text) for phrase in PHRASES) and not text.startswith("angle of")
+    if is_phrase and told_apart is None:
         measure = read_measure(names, text, *path)
         return None if measure is None else OfMeasure(measure, 0, text)
     if (of := without_size(text)) != text:
@@ -271,6 +274,8 @@ def _complete(names: Names, phrase: str, when: object) -> Meant | None:
 
 def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
+    if (nth := read_nth(names, phrase, lambda words: _asked(names, words, when))) is not None:
+        return nth
     extreme = EXTREME_FOR.match(phrase)
     turned = extreme or VALUE_FOR.match(phrase) or _of_parameter(names, phrase)
     if turned is not None and not asks_for_rest(phrase):

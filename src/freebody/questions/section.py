@@ -8,7 +8,8 @@ the rod from `start` to `end`, n = e turned by +90 degrees and s from the cut to
 
 where F_i and M_i are the forces and couples of connections and loads that act beyond the cut, W its weight, a the
 acceleration of its middle. N > 0 is tension; V > 0 turns an element clockwise and M > 0 bends a rod that lies to the
-right so that it sags: dM/dx = V. Source: Gere & Goodno, Mechanics of Materials, sec. 4.3; for moving bodies Beer &
+right so that it sags: dM/dx = V. Where a force acts V jumps by it, and has a value just
+before and just behind it. Source: Gere & Goodno, Mechanics of Materials, sec. 4.3; for moving bodies Beer &
 Johnston, Vector Mechanics for Engineers: Dynamics, sec. 16.1 (d'Alembert).
 """
 
@@ -47,6 +48,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 Part = Literal["axial", "shear", "bending"]
+Side = Literal["", "before", "behind"]
 Field = tuple[Direction, Expr]  # of gravity: where it pulls to, and its strength
 
 
@@ -62,6 +64,7 @@ class SectionForce(Quantity, kind="section force"):
     fields: tuple[Field, ...]
     is_thrust: bool = False
     may_lie_beside: bool = False  # whether it depends on lengths that the section is one of the rod
+    side: Side = ""  # just before the point, towards `start`, or just behind it
 
     is_reaction = True
     example = """
@@ -85,8 +88,11 @@ questions: {it: bending moment of beam at beam.center}
 
     @property
     def reason(self) -> Sentence:
-        at: Argument = Sentence("what.section.at", {"point": self.named}) if self.named else NOTHING
-        return Sentence("value.section", {"body": self.body, "at": at})
+        return Sentence("value.section", {"body": self.body, "at": self._at})
+
+    @property
+    def _at(self) -> Argument:
+        return Sentence(f"what.section.{self.side or 'at'}", {"point": self.named}) if self.named else NOTHING
 
     @property
     def remarks(self) -> tuple[Message, ...]:
@@ -158,7 +164,14 @@ questions: {it: bending moment of beam at beam.center}
         if _is_zero(ahead):
             if self.part == "bending" and not pull.has_couple:
                 return True  # without an arm it has no moment
-            raise CannotAnswer(Message("{name} acts in that very section, where it jumps", name=pull.name))
+            if self.side:
+                return self.side == "before"
+            told = Message(
+                "{name} acts in that very section, where it jumps: ask for it just before, or just behind {point}",
+                name=pull.name,
+                point=self.named,
+            )
+            raise CannotAnswer(told)
         size = state.absolute(ahead)
         if not (_is_zero(size - ahead) or _is_zero(size + ahead)):
             told = Message("whether {name} acts before or behind the section depends on lengths", name=pull.name)
@@ -166,9 +179,8 @@ questions: {it: bending moment of beam at beam.center}
         return _is_zero(size - ahead)
 
     def sentence(self, system: Described) -> Sentence:
-        at: Argument = Sentence("what.section.at", {"point": self.named}) if self.named else NOTHING
         part = "thrust" if self.is_thrust else self.part
-        return Sentence(f"what.section.{part}", {"body": self.body, "at": at})
+        return Sentence(f"what.section.{part}", {"body": self.body, "at": self._at})
 
 
 # -- what acts on the rod -------------------------------------------------------------------------
@@ -240,6 +252,7 @@ def _is_zero(x: Any) -> bool:
 
 
 # -- how it is asked ------------------------------------------------------------------------------
+_SIDES: dict[str, Side] = {"before": "before", "behind": "behind", "after": "behind"}
 _PARTS: dict[str, Part] = {"shear": "shear", "shearing": "shear", "bending": "bending"}
 
 
@@ -249,9 +262,9 @@ def _is_of_a_body(names: Names, found: Found) -> bool:
 
 
 @asked(
-    "axial force | shear force | bending moment | tension | compression of ROD at POINT",
+    "axial force | shear force | bending moment | tension | compression of ROD at | just before | just behind POINT",
     r"(?P<part>(?:axial|shear|shearing) force|bending moment|tension|compression) (?:of|in) (?:the )?"
-    rf"(?P<of>{NAME}) at (?:the )?(?P<at>{PLACE})",
+    rf"(?P<of>{NAME}) (?:at|just (?P<side>before|behind|after)) (?:the )?(?P<at>{PLACE})",
     rank=61,
     fits=_is_of_a_body,
 )
@@ -261,7 +274,7 @@ def _at_a_point(names: Names, found: Found, path: Path) -> Quantity | None:
     rod = _rod(names, of, path)
     if rod is None or rod.is_placeholder:  # one that could not be read is told where it stands
         return None if rod is None else SectionForce(rod.name, part, ZERO, "", ())
-    text = str(found["at"])
+    text, side = str(found["at"]), _SIDES.get(str(found["side"]), "")
     point = names.point(text if "." in text or text not in rod.points else f"{rod.name}.{text}", *path)
     if point.body != rod.name or any(c != ZERO for c in point.offset[1:]):
         names.problem(Message("{point} is no point on the axis of {body}", point=text, body=rod.name), *path)
@@ -269,7 +282,7 @@ def _at_a_point(names: Names, found: Found, path: Path) -> Quantity | None:
     if names.space and part != "axial":
         names.problem(Message("shear forces and bending moments are told in models of the plane"), *path)
         return None
-    return _section(names, rod, part, point.offset[0], str(point), is_thrust=asked_for == "compression")
+    return _section(names, rod, part, point.offset[0], str(point), is_thrust=asked_for == "compression", side=side)
 
 
 @asked(
@@ -314,11 +327,18 @@ def _rod(names: Names, name: str, path: Path) -> RigidBody | None:
 
 
 def _section(
-    names: Names, rod: RigidBody, part: Part, offset: Expr, named: str, *, is_thrust: bool = False
+    names: Names,
+    rod: RigidBody,
+    part: Part,
+    offset: Expr,
+    named: str,
+    *,
+    is_thrust: bool = False,
+    side: Side = "",
 ) -> SectionForce:
     fields = tuple(sorted(names.fields, key=repr))
     share = divide(offset, rod.sizes[0])
-    return SectionForce(rod.name, part, offset, named, fields, is_thrust, not _is_fixed(share))
+    return SectionForce(rod.name, part, offset, named, fields, is_thrust, not _is_fixed(share), side)
 
 
 def _is_fixed(share: Expr) -> bool:

@@ -20,7 +20,7 @@ from freebody.symbolic.atoms import elliptic_atom, function_atom, given_atom, un
 from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 
 Complex = tuple[Ratio, Ratio]
-IsNegative = Callable[[Ratio], bool]
+IsNegative = Callable[[Ratio], bool | None]
 MOST_MULTIPLE = 12  # larger multiples of an angle are angles of their own
 
 

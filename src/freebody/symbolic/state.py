@@ -26,9 +26,10 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
-from freebody.model.state import not_beside
+from freebody.model.state import no_direction, not_beside
 from freebody.symbolic.blow import Blow
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.functions import IsNegative, atan2, functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 
@@ -158,6 +159,31 @@ class SymbolicState:
 
         element = self.model.field.element(x)
         return self.model.field.sqrt(element * element, is_negative)
+
+    def function(self, name: str, x: Any) -> Ratio:
+        f = self.model.field
+        return functions(f, self.model.samples.is_turned)[name](f.lowest_terms(f.element(x)))
+
+    def direction(self, y: Any, x: Any) -> Ratio:
+        f = self.model.field
+        up, along = (f.lowest_terms(f.element(part)) for part in (y, x))
+        return direction_of(f, up, along, self.model.samples.is_turned)
+
+
+def direction_of(field: Field, y: Ratio, x: Ratio, is_turned: IsNegative | None) -> Ratio:
+    """The angle of a vector: atan(y/x) where x is known to be positive, +-pi/2 - atan(x/y) where the sign of y is
+    known, else by the half angle, tan(a/2) = y/(sqrt(x^2 + y^2) + x). Raises CannotAnswer for a vector of no length."""
+    if x.is_zero() and y.is_zero():
+        raise no_direction()
+    atan = functions(field, is_turned)["atan"]
+    if sign_of(x) is Sign.POSITIVE:
+        return atan(y / x)
+    upright = sign_of(y)
+    if upright in (Sign.POSITIVE, Sign.NEGATIVE):
+        return field.pi / 2 * (1 if upright is Sign.POSITIVE else -1) - atan(x / y)
+    if y.is_zero() and sign_of(x) is Sign.NEGATIVE:
+        return field.pi
+    return atan2(field, y, x, field.sqrt(x * x + y * y, is_turned))
 
 
 def law_polynomial(push: AppliedLoad) -> list[Expr]:

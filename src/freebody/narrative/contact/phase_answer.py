@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import singledispatchmethod
+from functools import partial, singledispatchmethod
 from itertools import pairwise
 from typing import Any
 
@@ -24,12 +24,14 @@ from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, Revolutions, Travelled, When
 from freebody.questions.energy import Energy as EnergyOf
+from freebody.questions.gathered_impulse import GatheredImpulse
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.passage import NumericPassage, drivers
 from freebody.study.phases.evidence import number_in_blow
+from freebody.study.phases.over_time import over_time
 from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
 from freebody.study.phases.witness import PhaseSnapshot
 from freebody.symbolic.field import Ratio
@@ -84,7 +86,9 @@ def _passage(base: System, world: World) -> NumericPassage:
         return before - after
 
     instants = [begin, *(s.snapshot() for s in seen)]
-    return NumericPassage(base, begin, now, there, lost, ways=lambda: pairwise(instants))
+    return NumericPassage(
+        base, begin, now, there, lost, ways=lambda: pairwise(instants), over_time=partial(over_time, base, seen)
+    )
 
 
 # -- the last stage ---------------------------------------------------------------------------
@@ -167,6 +171,11 @@ class _Tell:
     def _way(self, q: Travelled) -> None:
         with self.stage() as left:
             self.line(left, "answer.way", self.lines)
+
+    @answer.register(GatheredImpulse)
+    def _impulse(self, q: GatheredImpulse) -> None:
+        with self.stage() as left:
+            self.line(left, "answer.impulse", self.lines, of=q.name)
 
     @answer.register(Work)
     def _work(self, q: Work) -> None:

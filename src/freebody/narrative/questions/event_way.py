@@ -13,14 +13,17 @@ from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.naming import asked_entry, asked_symbol
 from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.loops import closed_loops
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, Travelled
+from freebody.questions.gathered_impulse import GatheredImpulse
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question, QuestionEvent
+from freebody.study.answering.finding import Elements
 from freebody.study.answering.passage import smooth_passage
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
@@ -153,9 +156,22 @@ def _travelled(q: Travelled, way: AtEvent, lines: Sequence[int]) -> None:
     _counted(q, way, lines, "course.travelled")
 
 
+@_tell_asked.register(GatheredImpulse)
+def _impulse(q: GatheredImpulse, way: AtEvent, lines: Sequence[int]) -> None:
+    """The integral of a force over the time."""
+    _counted(q, way, lines, "course.impulse")
+
+
 def _counted(q: Quantity, way: AtEvent, lines: Sequence[int], why: str) -> None:
     context, script, uses = way.context, way.script, tuple(lines)
-    passage = smooth_passage(context.setup, way.reached, lambda _quantity, _state: context.setup.model.field.zero)
+    f = context.setup.model.field
+
+    def at(quantity: Quantity, state: SymbolicState) -> Elements:
+        value = quantity.value(context.system, state)
+        parts = elements(f, value)
+        return parts if isinstance(value, tuple) else parts[0]
+
+    passage = smooth_passage(context.setup, way.reached, at)
     with script.stage("stage.there", "hint.there"):
         symbol = asked_symbol(context, way.question)
         script.add(asked_entry(symbol, way.question))

@@ -23,6 +23,7 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
 from freebody.narrative.lines.script import Argument, DerivationStage, Sentence
 from freebody.narrative.questions.small_telling import SmallTelling
+from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced, SteadyAmplitude
 from freebody.questions.reading import Question
@@ -176,6 +177,25 @@ def _shapes(q: ModeShapes, telling: SmallTelling) -> None:
             args: dict[str, Argument] = {"k": k + 1, "line": roots[k]}
             shown = parts[row * n : (row + 1) * n]
             script.line(tuple(names), shown, why="small.shape_is", args=args, uses=uses, when="never")
+
+
+@_tell.register(AmplitudeRatio)
+def _amplitudes(q: AmplitudeRatio, telling: SmallTelling) -> None:
+    """The ratio of two parts of one mode."""
+    places = [c.name for c in telling.model.coordinates]
+    if not {q.top, q.bottom} <= {*places}:
+        raise CannotAnswer(Message("only of coordinates the ratio in a mode is derived here"))
+    _symbols, roots = telling.beside()
+    k, script = q.number - 1, telling.script
+    top, bottom = (telling.readers.part(k, places.index(name)) for name in (q.top, q.bottom))
+    ratio = Symbol(fresh(telling.context, f"r_{q.number}"))
+    what = Sentence("small.amplitudes", {"k": q.number, "top": Symbol(q.top), "bottom": Symbol(q.bottom)})
+    with script.stage("small.shape", "small.shape_hint"):
+        script.say("small.ratios")
+        named(telling.context, script, Meaning(ratio, what, lambda world: top(world) / bottom(world)))
+        args: dict[str, Argument] = {"k": q.number, "line": roots[k]}
+        shown = _expression(telling)
+        script.line(ratio, shown, why="small.shape_is", args=args, uses=(roots[k],), when="never")
 
 
 @_tell.register(Damping)

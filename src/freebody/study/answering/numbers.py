@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial, singledispatch
 
 import numpy as np
 
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
+from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.arithmetic import AtStart
 from freebody.questions.at_events import AtEvent
@@ -37,11 +39,32 @@ _FARTHER = 1e-6  # of the size: what is more than how exactly it is seen
 def at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: AskedEvent) -> object:
     found = motion_to(draw.reference, start, until, event)
     work = partial(work_until, setup, draw=draw, event=event, end=found.time)
-    return quantity.counted(smooth_numbers(setup, start, found.event, work, found.links))
+    over_time = partial(integral_until, setup, draw=draw, event=event, end=found.time)
+    return quantity.counted(smooth_numbers(setup, start, found.event, work, found.links, over_time))
 
 
 def work_until(setup: Setup, load: str, draw: Draw, event: AskedEvent, end: float) -> float:
-    """The integral of the power over time from the start to an event, by Gauss-Legendre points in panels."""
+    """The integral of the power over time from the start to an event."""
+    seen, weights = _panels(draw, event, end)
+    power = np.array([float(Power(load).value(setup.system, s)) for s in seen])
+    work = float(weights @ power)
+    # of forces that move nothing, or take back what they gave, no more is left than the motion is off by
+    size = float(weights @ np.array([power_size(load, s) for s in seen]))
+    return 0.0 if abs(work) <= TOLERANCE * size else work
+
+
+def integral_until(
+    setup: Setup, quantity: Quantity, draw: Draw, event: AskedEvent, end: float
+) -> float | tuple[float, ...]:
+    """The integral of a quantity, or of each component of it, over time from the start to an event."""
+    seen, weights = _panels(draw, event, end)
+    total = weights @ np.array([as_parts(quantity.value(setup.system, s)) for s in seen])
+    return tuple(float(x) for x in total) if len(total) > 1 else float(total[0])
+
+
+def _panels(draw: Draw, event: AskedEvent, end: float) -> tuple[Sequence[Snapshot], Array]:
+    """States between the start and an event, and their weights in an integral over the time: Gauss-Legendre points in
+    panels."""
     start = draw.start()
     nodes, weights = np.polynomial.legendre.leggauss(8)
     half = 0.5 * (end - start.t) / N_PANELS
@@ -50,11 +73,7 @@ def work_until(setup: Setup, load: str, draw: Draw, event: AskedEvent, end: floa
     found = motion_to(draw.reference, start, end + half, event, times)
     wanted = set(times.tolist())  # where the motion turns there are states as well
     seen = [s for s in found.links if s.t in wanted]
-    power = np.array([float(Power(load).value(setup.system, s)) for s in seen])
-    work = half * float(np.tile(weights, N_PANELS) @ power)
-    # of forces that move nothing, or take back what they gave, no more is left than the motion is off by
-    size = half * float(np.tile(weights, N_PANELS) @ np.array([power_size(load, s) for s in seen]))
-    return 0.0 if abs(work) <= TOLERANCE * size else work
+    return seen, half * np.tile(weights, N_PANELS)
 
 
 def number_instead(setup: Setup, question: Question) -> Value:

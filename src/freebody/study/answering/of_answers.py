@@ -56,9 +56,10 @@ def calculated(system: System, question: Question, answers: Mapping[str, Answer]
     found = _made(question, tuple(map(setup.model.geometry.scalar, formulas)), setup.state)
     whole = tidy(setup.model.field.lowest_terms(setup.model.field.element(found)))
     written = _made(question, formulas, AsWritten())
+    assert isinstance(question.quantity, Joined)
     return made(
         question,
-        min(whole, written, key=n_operations),  # over one denominator roots of fractions become long
+        question.quantity.written(min(whole, written, key=n_operations)),  # over one denominator roots become long
         number(setup, question, answers),
         conditions=tuple(dict.fromkeys(c for part in parts for c in part.conditions)),
         notes=tuple(dict.fromkeys(n for part in parts for n in part.notes)),
@@ -74,6 +75,12 @@ class AsWritten:
 
     def absolute(self, x: Any) -> Expr:
         return Call("abs", x)
+
+    def function(self, name: str, x: Any) -> Expr:
+        return Call(name, x)
+
+    def direction(self, y: Any, x: Any) -> Expr:
+        return 2 * Call("atan", y / (Call("sqrt", x * x + y * y) + x))
 
 
 Found = Callable[[Question], tuple[Finding, list[Condition]]]

@@ -24,7 +24,9 @@ from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
+from freebody.symbolic.antiderivative import antiderivative
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.system.system import System
@@ -36,6 +38,9 @@ _TURNS_BACK = CannotAnswer(
     )
 )
 _TURNED = 1e-12  # rad: less is round-off
+FORCE_CHANGES = Message(
+    "the force changes on the way, and its impulse has no closed form here; ask for the change of the momentum"
+)
 _ROUND_OFF = 1e-9  # of the product of two rates
 
 
@@ -157,6 +162,17 @@ class FormulaPassage:
             gone.append(-x if signs == {-1.0} else x)
         return gone[0].field.lowest_terms(sum(gone[1:], gone[0]))
 
+    def integral(self, quantity: Quantity) -> Elements:
+        """Over the time, of what stays the same or is given in it, phase by phase."""
+        if len(self.phases) > 1:
+            raise CannotAnswer(FORCE_CHANGES)
+        first = self.phases[0]
+        model = first.begin.model
+        x = self.elements(quantity, SymbolicState(model))
+        if not isinstance(x, tuple) and (found := by_momentum(x, first, self.elapsed)) is not None:
+            return found
+        return over_time(x, model, self.time())
+
     def there(self, quantity: Quantity) -> Elements:
         last = self.phases[-1]
         x = self.elements(quantity, last.end)
@@ -166,6 +182,52 @@ class FormulaPassage:
         first = self.phases[0]
         x = self.elements(quantity, first.begin)
         return tuple(map(first.told, x)) if isinstance(x, tuple) else first.told(x)
+
+
+def by_momentum(x: Ratio, phase: FormulaPhase, time: Ratio | None) -> Ratio | None:
+    """The integral over the time of what changes as the force F of one freedom does: with x = k F + rest and constant
+    k and mass, k M (u1 - u0) and the integral of the rest. None where it does not change so."""
+    model, f = phase.begin.model, phase.begin.model.field
+    clock = f.index(f.time)
+    moving = model.moving - {clock}
+    if len(model.coordinates) != 1 or model.dependent or not f.ingredients(x) & moving:
+        return None
+    ((mass,),), (force,), (c,) = model.dynamics.mass_matrix, model.dynamics.forcing, model.coordinates
+    if f.ingredients(mass) & (moving | {clock}):
+        return None
+    for g in sorted(x.generators()):
+        slope = f.partial(force, g)
+        if not f.ingredients(f.variable(g)) & moving or slope.is_zero():
+            continue
+        share = f.lowest_terms(f.partial(x, g) / slope)
+        rest = f.lowest_terms(x - share * force)
+        if not (f.ingredients(share) & (moving | {clock}) or f.ingredients(rest) & moving):
+            before, after = (state.here(f.variable(c.speed)) for state in (phase.begin, phase.end))
+            total = share * mass * (after - before)
+            if not rest.is_zero():
+                if time is None:
+                    return None
+                others = over_time(rest, model, time)
+                assert not isinstance(others, tuple)
+                total = total + others
+            return f.lowest_terms(total)
+    return None
+
+
+def over_time(x: Elements, model: SymbolicModel, time: Ratio) -> Elements:
+    """The integral over the time from 0. Raises CannotAnswer for what changes with the place or the speed."""
+    if isinstance(x, tuple):
+        parts = (over_time(part, model, time) for part in x)
+        return tuple(part for part in parts if not isinstance(part, tuple))
+    f, clock = model.field, model.field.index(model.field.time)
+    present = f.ingredients(x)
+    if clock not in present and not present & model.moving:
+        return f.lowest_terms(x * time)
+    found = None if present & (model.moving - {clock}) else antiderivative(x, clock)
+    if found is None:
+        raise CannotAnswer(FORCE_CHANGES)
+    at_end, at_start = (f.follow(found, {clock: t}) for t in (time, f.zero))
+    return f.lowest_terms(at_end - at_start)
 
 
 def smooth_passage(
@@ -220,6 +282,7 @@ class NumericPassage:
     work_done: Callable[[str], float] | None = None
     ways: Callable[[], Iterable[Sequence[Snapshot]]] | None = None
     at_begin: Callable[[Quantity], Any] | None = None
+    over_time: Callable[[Quantity], Any] | None = None
 
     def time(self) -> float:
         return self.now.t
@@ -263,6 +326,11 @@ class NumericPassage:
             raise CannotAnswer(Message("the way is not counted here"))
         return sum(gone_through([s.value(measure) for s in instants], _TURNS_BACK) for instants in self.ways())
 
+    def integral(self, quantity: Quantity) -> Any:
+        if self.over_time is None:
+            raise CannotAnswer(Message("what is counted on the way was not checked in numbers"))
+        return self.over_time(quantity)
+
     def there(self, quantity: Quantity) -> Any:
         return self.at_end(quantity)
 
@@ -271,9 +339,15 @@ class NumericPassage:
 
 
 def smooth_numbers(
-    setup: Setup, start: Snapshot, event: Snapshot, work: Callable[[str], float], links: Sequence[Snapshot] = ()
+    setup: Setup,
+    start: Snapshot,
+    event: Snapshot,
+    work: Callable[[str], float],
+    links: Sequence[Snapshot] = (),
+    over_time: Callable[[Quantity], Any] | None = None,
 ) -> NumericPassage:
-    """A motion of one phase. work: the integral of the power of a load up to the event; links: instants on the way."""
+    """A motion of one phase. work: the integral of the power of a load up to the event; links: instants on the way;
+    over_time: the integral of a quantity."""
 
     def lost(of: str) -> float:
         resisting = [] if of else resistances(setup.system)
@@ -284,4 +358,6 @@ def smooth_numbers(
     def at_end(quantity: Quantity) -> Any:
         return quantity.value(setup.system, event)
 
-    return NumericPassage(setup.system, start, event, at_end, lost, work, lambda: ((start, *links, event),))
+    return NumericPassage(
+        setup.system, start, event, at_end, lost, work, lambda: ((start, *links, event),), over_time=over_time
+    )

@@ -14,13 +14,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError
-from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate
+from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate, multiply
 from freebody.language.notation import compared, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
+from freebody.questions.clock import ENDLESS
 from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity, QuantityEvent, QuestionEvent
+from freebody.questions.final_values import ShareOfFinal
 from freebody.questions.reading import FoundAt, Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
@@ -58,6 +60,12 @@ def placed(system: System, questions: Sequence[Question], solve: Solver) -> tupl
         if isinstance(q.event, ChangeEvent):
             try:
                 q = replace(q, event=_since_start(system, q.event, solve))
+            except (CannotAnswer, ModelError) as error:
+                refused[q.id] = str(error)
+        if isinstance(q.event, ShareOfFinal):
+            try:
+                event, found_at = _share_of_final(system, q.event, solve)
+                q = replace(q, event=event, found_at=_both(q.found_at, found_at))
             except (CannotAnswer, ModelError) as error:
                 refused[q.id] = str(error)
         if isinstance(q.event, ExtremeEvent):
@@ -102,6 +110,21 @@ def _since_start(system: System, event: ChangeEvent, solve: Solver) -> QuestionE
     value = event.change if begin == ZERO else add(begin, event.change)
     text = event.value_text if begin == ZERO else to_text(value)
     return QuestionEvent(event.measure, 0, value, f"{event.phrase} = {text}")
+
+
+def _share_of_final(system: System, event: ShareOfFinal, solve: Solver) -> tuple[QuestionEvent, FoundAt]:
+    """A measure, or its rate, at a share of what it tends to."""
+    asked = replace(system, questions=(system.question(f"{event.phrase} when {ENDLESS}"),))
+    answer = solve(asked).answers[0]
+    if answer.expression is None or isinstance(answer.expression, tuple):
+        raise CannotAnswer(answer.reason or Message("what {x} tends to has no formula", x=event.phrase))
+    if answer.expression == ZERO:
+        raise CannotAnswer(Message("{x} tends to zero, so no share of that is reached on the way", x=event.phrase))
+    value = multiply(event.share, answer.expression)
+    final = to_text(answer.expression)
+    told = reworded(Message("{phrase} tends to {value}", phrase=event.phrase, value=final), final)
+    found = QuestionEvent(event.measure, event.order, value, f"{event.phrase} = {to_text(value)}")
+    return found, FoundAt(tuple(c for c in answer.conditions if not is_scope(c)), told)
 
 
 def _place(system: System, part: System, event: QuantityEvent, solve: Solver) -> tuple[PlacedEvent, FoundAt]:

@@ -31,6 +31,10 @@ from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 
 
+class OtherEnds(CannotAnswer):
+    """At other numbers that keep to the conditions other ends count."""
+
+
 class RangeEvidence:
     """Compares the intervals of one search."""
 
@@ -61,7 +65,7 @@ class RangeEvidence:
                 return
             here = self.intervals(draw)
             if keys_of(here) != keys:
-                raise CannotAnswer(Message("which ends count depends on more than could be told in formulas"))
+                raise OtherEnds(Message("which ends count depends on more than could be told in formulas"))
             for interval in here:
                 for value in self._beside(interval, numbers):
                     self._compare_at(check, k, draw, value)

@@ -30,7 +30,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula
 from freebody.study.answering.parameter_domain import above, domain_of, for_every
-from freebody.study.answering.range_evidence import RangeEvidence
+from freebody.study.answering.range_evidence import OtherEnds, RangeEvidence
 from freebody.study.answering.range_truth import End, Interval, TruthInNumbers
 from freebody.study.answering.turned_round import NoneFound, without_roots
 from freebody.study.setup import N_MORE, Setup
@@ -233,15 +233,20 @@ class RangeSearch(TruthInNumbers):
     def _confirmed(self, found: list[Interval], own: Draw) -> tuple[list[Interval], list[Condition], Evidence]:
         """The intervals with what they need. Of ends that coincide at the model's own numbers, as those of a linkage
         with two links of one length, either may count at others: for the one side of the border, then."""
-        twins, before = list(self._twins), list(self._placed)  # intervals at other numbers have others
+        # intervals at other numbers have others
+        twins, before, below = list(self._twins), list(self._placed), list(self._below)
         needed = self._order(found, own, before)
         needed += insisted((Condition(-end, ">=", Message("which end is which")) for end in self._on_border), _OPEN)
         if self.wanted.of.scope == "linkage":  # ends of no positive length need not be so at other numbers
             outside = (Condition(-end, ">=", Message("which end is which")) for end in self._below)
             needed += insisted(outside, _OPEN)
         if not twins:
-            n_more = _ONE_SIDE if self._below else N_MORE
-            return found, needed, RangeEvidence(self, self.intervals, n_more).of(found, needed)
+            n_more = _ONE_SIDE if below else N_MORE
+            try:
+                return found, needed, RangeEvidence(self, self.intervals, n_more).of(found, needed)
+            except OtherEnds:  # where all places keep their order, those that end no interval here among them
+                kept = [*needed, *self._all_in_order(before, below)]
+                return found, kept, RangeEvidence(self, self.intervals, _ONE_SIDE).of(found, kept)
         for choice in product((False, True), repeat=2 * min(len(twins), _MOST_TWINS)):
             swaps, ways = choice[::2], choice[1::2]
             pairs = [(b, a) if swap else (a, b) for (a, b), swap in zip(twins, swaps, strict=False)]
@@ -257,6 +262,12 @@ class RangeSearch(TruthInNumbers):
         ends = ", ".join(to_text(tidy(end)) for pair in twins for end in pair)
         told = Message("{ends} coincide at the given numbers, and which of them ends the range is not told", ends=ends)
         raise CannotAnswer(told)
+
+    def _all_in_order(self, placed: Sequence[Ratio], below: Sequence[Ratio]) -> list[Condition]:
+        """That all places at which the truth can change are as they are at the model's own numbers."""
+        ordered = [Condition(_after(a, b), ">", Message("which end is which")) for a, b in pairwise(placed)]
+        outside = [Condition(-above(end), ">=", Message("which end is which")) for end in below]
+        return insisted([*ordered, *outside], _OPEN)
 
     def _is_of_motion_alone(self) -> bool:
         """Whether what moves stands in the formulas, and the parameter in none: it may be one of the start, which then

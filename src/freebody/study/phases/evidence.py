@@ -42,6 +42,7 @@ from freebody.study.phases.followed import before_impact, begun, changed, follow
 from freebody.study.phases.how_long import longest_times
 from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
+from freebody.study.phases.over_time import over_time
 from freebody.study.phases.phase import BOUNCES_END, Phase
 from freebody.study.phases.quantities import (
     connection_of,
@@ -355,7 +356,9 @@ def _passage(
                 yield instants(one)
 
     at_end = partial(_value_there, tree, mode, now)
-    return NumericPassage(tree.system, begin, now, at_end, lost, ways=ways)
+    return NumericPassage(
+        tree.system, begin, now, at_end, lost, ways=ways, over_time=partial(over_time, tree.system, seen)
+    )
 
 
 def _value_there(tree: PhaseTree, mode: NumericMode, now: Snapshot, quantity: Quantity) -> Any:

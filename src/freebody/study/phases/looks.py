@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.numeric.brent import least_between, zero_between
 from freebody.numeric.jets import Array
@@ -17,6 +18,7 @@ Watcher = Callable[[Array, Array, float], float]
 _RTOL, _ATOL = 1e-12, 1e-13  # of the integrated motions, relative and [SI]
 _OF_TIMES = 1e-14  # of roots, relative and [s]
 _OF_DIPS = 1e-5  # [s] of the time at which something is least
+_N_HALVINGS = 24  # of a look, towards its beginning
 _N_LOOKS = 6  # places in a step at which events are looked for
 _SLOPE = 1e-4  # of the time between two looks: over that slopes are taken
 
@@ -68,6 +70,38 @@ def zero_in(
         return turn
     end = b if is_below else _dip(value, a, b) if watched.may_pass else None
     return None if end is None else zero_between(value, a, end, xtol=_OF_TIMES, rtol=_OF_TIMES)
+
+
+def begins_in(
+    watched: Sequence[Watched],
+    armed: NDArray[np.bool_],
+    now: Array,
+    state: Callable[[float], Array],
+    n: int,
+    a: float,
+    b: float,
+    least: float,
+) -> dict[int, float]:
+    """From when in a look on each event may come: from a where it is armed; else, where it was zero at a and is below
+    zero at b, from when it had risen."""
+    found = dict.fromkeys(map(int, np.flatnonzero(armed)), a)
+    for k in map(int, np.flatnonzero(~armed & (now < -least))):
+        if (place := _risen_in(watched[k], state, n, a, b, least)) is not None:
+            found[k] = place
+    return found
+
+
+def _risen_in(
+    watched: Watched, state: Callable[[float], Array], n: int, a: float, b: float, least: float
+) -> float | None:
+    """A time in a look at which a watched function is above `least`, of one that is zero at a and below zero at b: a
+    body that has just been thrown back may land again before the look ends. None where it has not risen."""
+    for k in range(1, _N_HALVINGS):
+        t = a + (b - a) * 0.5**k
+        y = state(t)
+        if watched(y[:n], y[n:], t) > least:
+            return t
+    return None
 
 
 def _turn(rate: Callable[[float], float], a: float, b: float) -> float | None:

@@ -13,7 +13,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
-from freebody.study.answering.passage import FormulaPassage, drivers
+from freebody.study.answering.passage import FORCE_CHANGES, FormulaPassage, drivers
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
@@ -59,6 +59,23 @@ class PassageWithFriction(FormulaPassage):
         assert not isinstance(begun, tuple)
         assert not isinstance(ended, tuple)
         return begun + before, ended + after + self.heat(""), True
+
+    def integral(self, quantity: Quantity) -> Elements:
+        parts: list[tuple[Ratio, ...]] = []
+        is_vector = False
+        for node, ended in zip(self.way.nodes, self.phases, strict=False):
+            if ended.time is None:
+                raise CannotAnswer(_NO_TIME)
+            phase = node.phase
+            x = elements_in(self.tree, phase, quantity, phase.state)
+            is_vector = isinstance(x, tuple)
+            told = x if isinstance(x, tuple) else (x,)
+            for part in told:
+                if phase.model.field.ingredients(part) & phase.model.moving:
+                    raise CannotAnswer(FORCE_CHANGES)
+            parts.append(tuple(self.tree.to_home(phase, part) * ended.time for part in told))
+        total = tuple(x[0].field.lowest_terms(sum(x[1:], x[0])) for x in zip(*parts, strict=True))
+        return total if is_vector else total[0]
 
     def heat(self, of: str) -> Ratio:
         nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))

@@ -114,7 +114,8 @@ def phases_of(tree: PhaseTree) -> Phases:
     ends = (tree.system.bounds, tree.system.dry_friction, tree.closed, tree.system.blows, tree.system.borders)
     if not any(ends):
         raise CannotAnswer(Message("the system has no contact, no stop and no dry friction: its motion has one phase"))
-    cases = [_case(tree, path) for path in paths(tree.roots)]
+    told: dict[tuple[int, ...], PhaseResult] = {}  # ways share their first phases
+    cases = [_case(tree, path, told) for path in paths(tree.roots)]
     cases.sort(key=lambda case: not case.is_own)
     between = tuple(_equation(x) for x in tree.boundaries)
     reasons = tuple(dict.fromkeys(tree.reasons))
@@ -172,12 +173,16 @@ def relations(tree: PhaseTree, conditions: list[Condition]) -> list[SolvedRelati
     return simplified(conditions, unknowns)
 
 
-def _case(tree: PhaseTree, path: Path) -> PhaseCase:
+def _case(tree: PhaseTree, path: Path, told: dict[tuple[int, ...], PhaseResult]) -> PhaseCase:
     found = relations(tree, path_conditions(tree, path))
     sets = _sets(path)
-    shown = [
-        _phase(tree, node, edge, path[k + 1][0] if k + 1 < len(path) else None) for k, (node, edge) in enumerate(path)
-    ]
+    shown: list[PhaseResult] = []
+    for k, (node, edge) in enumerate(path):
+        following = path[k + 1][0] if k + 1 < len(path) else None
+        key = id(node), id(edge), id(following)
+        if key not in told:
+            told[key] = _phase(tree, node, edge, following)
+        shown.append(told[key])
     is_own = tree.system.has_values and 0 in sets
     texts = tuple(r.text() for r in found)
     is_exact = all(n.is_exact and (e is None or e.is_exact) for n, e in path)

@@ -28,7 +28,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.event import Peak
 from freebody.questions.reading import AskedEvent
 from freebody.study.answering.witness import TOUCH
-from freebody.study.phases.looks import Watched, Watcher, looked_at, zero_in
+from freebody.study.phases.looks import Watched, Watcher, begins_in, looked_at, zero_in
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.slopes import slope_of
@@ -372,9 +372,9 @@ class NumericMode:
             y = state(b)
             now = np.array([watched(y[:n], y[n:], b) for _event, watched in events])
             roots: list[tuple[float, int]] = []
-            for k in map(int, np.flatnonzero(armed)):
+            for k, begun in begins_in([w for _e, w in events], armed, now, state, n, a, b, _STILL).items():
                 event, watched = events[k]
-                if (root := zero_in(watched, state, n, a, b, is_below=bool(now[k] < 0.0))) is None:
+                if (root := zero_in(watched, state, n, begun, b, is_below=bool(now[k] < 0.0))) is None:
                     continue
                 armed[k] = False
                 there = state(root)

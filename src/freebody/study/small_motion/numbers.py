@@ -7,6 +7,7 @@ from functools import singledispatch
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced
 from freebody.questions.reading import Question
@@ -17,7 +18,7 @@ from freebody.study.setup import Setup
 from freebody.study.small_motion.damping import damped_values
 from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.study.small_motion.forced import forced_number
-from freebody.study.small_motion.shapes import ModeReader, undamped_modes
+from freebody.study.small_motion.shapes import ModeReader, RatioReader, undamped_modes
 from freebody.study.small_motion.stability import exponents
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.linearised import swing_of
@@ -52,6 +53,8 @@ def _shapes(q: ModeShapes, setup: Setup, draw: Draw) -> Numbers:
     n = len(undamped_modes(small)[0])
     if q.number is not None and q.number > n:
         raise CannotAnswer(Message("there are {n} modes only", n=n))
+    if isinstance(q, AmplitudeRatio):
+        return float(RatioReader(setup, [q.number - 1], q)(small)[0])
     return tuple(ModeReader(setup, range(n) if q.number is None else [q.number - 1])(small))
 
 

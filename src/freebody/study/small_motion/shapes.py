@@ -11,6 +11,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import generalized_modes
 from freebody.numeric.small_motion import SmallMotion
+from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import ModeShapes
 from freebody.study.answering.crosscheck import SaysNothing
@@ -32,6 +33,10 @@ def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest
     coordinates = setup.model.coordinates
     parts: list[Ratio] = []
     notes = list(free.notes)
+    if isinstance(q, AmplitudeRatio):
+        x = _ratio(setup, q, free)
+        own = RatioReader(setup, wanted, q)
+        return Finding(x, compared(setup, question, [x], free.equilibrium, conditions, beside(own)), conditions, notes)
     for k in wanted:
         shape = free.shape(modes[k])
         parts += [modes[k].residues.at(x, modes[k].square) for x in shape]
@@ -40,6 +45,24 @@ def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest
     if len({str(m.dimension) for c in coordinates if (m := setup.model.measure_of(c)) is not None}) > 1:
         notes.append(Message("components of unlike coordinates are in SI units, angles in rad"))
     return Finding(tuple(parts), evidence, conditions, notes, may_be_complex=free.are_real_by_symmetry)
+
+
+def _ratio(setup: Setup, q: AmplitudeRatio, free: FreeOscillations) -> Ratio:
+    """dm_1.v/dm_2.v at the equilibrium, of two measures and the parts v of the mode. Raises CannotAnswer where one
+    depends on more than the coordinates, or does not move."""
+    model, f, mode = setup.model, setup.model.field, free.modes[q.number - 1]
+    shape = [mode.residues.at(x, mode.square) for x in free.shape(mode)]
+    amplitudes: list[Ratio] = []
+    for name in (q.top, q.bottom):
+        value, total = model.value_of(setup.system.measures[name]), f.zero
+        if f.ingredients(value) & {c.index for c in model.dependent}:
+            raise CannotAnswer(Message("{name} follows from a loop; ask for the mode shape", name=name))
+        for c, part in zip(model.coordinates, shape, strict=True):
+            total = total + f.follow(f.derivative(value, c.index), free.equilibrium) * part
+        amplitudes.append(f.lowest_terms(total))
+    if amplitudes[1].is_zero():
+        raise CannotAnswer(Message("{name} does not swing in mode {k}", name=q.bottom, k=q.number))
+    return f.lowest_terms(amplitudes[0] / amplitudes[1])
 
 
 def _mode_told(k: int, free: FreeOscillations, mode: Mode, before: int) -> str:
@@ -77,6 +100,21 @@ class ModeReader:
             first = next(x for x in parts if abs(x) > TOLERANCE * largest)
             found += [x / first if abs(x) > NONE * largest else 0.0 for x in parts]
         return found
+
+
+class RatioReader(ModeReader):
+    """The ratio of the amplitudes of two measures in a mode."""
+
+    def __init__(self, setup: Setup, wanted: Sequence[int], q: AmplitudeRatio) -> None:
+        super().__init__(setup, wanted)
+        self.sides = [setup.system.measures[name] for name in (q.top, q.bottom)]
+
+    def __call__(self, small: SmallMotion) -> Sequence[float]:
+        super().__call__(small)  # whether the mode stands alone
+        g = small.at.geometry(small.reference, small.at.q, small.at.v)
+        shape = undamped_modes(small)[1][self.wanted[0]]
+        top, bottom = (float(small.reference.jet(g, m).row(len(small.at.q)) @ shape) for m in self.sides)
+        return [top / bottom]
 
 
 def undamped_modes(small: SmallMotion) -> tuple[list[float], list[Array]]:

@@ -14,6 +14,7 @@ from freebody.study.steady.motion import SteadyMotion
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, determinant, solve
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import reals, zeros_of
 
 _SMALL = 1e-6  # [SI] a rate at the start that is none
@@ -237,19 +238,28 @@ def _solved_together(linear: Linear) -> Linear | None:
 
 
 def _moved(linear: Linear) -> Linear | None:
-    """With the one coordinate that the conditions leave open where the motion is steady, nearest to the start; None
-    where they leave more, or the place has no closed form."""
-    left, steady = _unbalanced(linear), linear.steady
+    """With each coordinate that a condition leaves open where the motion is steady, nearest to the start, as of two
+    arms that swing out by themselves; None where a condition leaves more, or a place has no closed form."""
+    found, f = linear, linear.steady.model.field
+    for condition in _unbalanced(linear):
+        inside = f.ingredients(condition)
+        open_ = [c for c in linear.steady.others if c.index in inside and c.index not in linear.steady.given]
+        if len(open_) != 1 or open_[0].index in found.moved:
+            return None
+        place = _nearest_place(linear.steady, condition, open_[0])
+        if place is None:
+            return None
+        index = open_[0].index
+        found = replace(found, place=found.place | {index: place}, moved=found.moved | {index})
+    return None if found is linear or _unbalanced(found) else found
+
+
+def _nearest_place(steady: SteadyMotion, condition: Ratio, c: Coordinate) -> Ratio | None:
+    """Where a condition holds, by its one open coordinate."""
     model, f = steady.model, steady.model.field
-    if len(left) != 1:
-        return None
-    open_ = [c for c in steady.others if c.index in f.ingredients(left[0]) and c.index not in steady.given]
-    if len(open_) != 1:
-        return None
-    (c,) = open_
     near = [v for v in model.samples.start_numbers(c.index)[:1] if v == v]
     with model.samples.apart():
-        places = zeros_of(model, left[0].numerator(), c)
+        places = zeros_of(model, condition.numerator(), c)
     # an angle that is there whatever the parameters are is meant only where the start is at it
     measure = model.measure_of(c)
     if measure is not None and measure.is_angle:
@@ -260,7 +270,4 @@ def _moved(linear: Linear) -> Linear | None:
     def away(place: Ratio) -> float:
         return min((abs(v - near[0]) for v in model.samples.at_starts(place)[:1] if v == v), default=math.inf)
 
-    place = min(places, key=away)
-    place = f.lowest_terms(place)
-    found = replace(linear, place=linear.place | {c.index: place}, moved=linear.moved | {c.index})
-    return None if _unbalanced(found) else found
+    return f.lowest_terms(min(places, key=away))

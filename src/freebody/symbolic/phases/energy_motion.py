@@ -13,7 +13,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven, staying_of
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
@@ -182,8 +182,12 @@ def course_of(model: SymbolicModel, start: StartState, slips: Sequence[Ratio] = 
     accelerations = [
         f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], still)) for a in model.accelerations
     ]
-    if all(a.is_constant() and f.index(f.time) not in f.ingredients(a) for a in accelerations):
+    if all(_is_steady(f, a) for a in accelerations):
         return UniformMotion(model, start, still)
+    if staying and not model.dependent:  # a block on a spring that rests until it is struck
+        at_rest = [f.lowest_terms(f.follow(a, staying)) for a in accelerations]
+        if all(_is_steady(f, a) for a in at_rest):
+            return UniformMotion(model, start, {**still, **staying})
     smooth = _followed(model, start)
     # what is driven goes on by the time since the start of the model, not of the phase
     is_timed = is_driven(model) and any(f.index(f.time) in f.ingredients(a) for a in accelerations)
@@ -216,6 +220,10 @@ def course_of(model: SymbolicModel, start: StartState, slips: Sequence[Ratio] = 
             "the accelerations of {names} are not constant, and energy alone gives the speed of one only", names=names
         )
     )
+
+
+def _is_steady(f: Field, acceleration: Ratio) -> bool:
+    return acceleration.is_constant() and f.index(f.time) not in f.ingredients(acceleration)
 
 
 def _is_kept(model: SymbolicModel, c: Coordinate, staying: Mapping[int, Ratio]) -> bool:
