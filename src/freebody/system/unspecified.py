@@ -2,8 +2,8 @@
 
 Mobility, loops and instant centres belong to a mechanism before it has dimensions, so `L1: rod`, `points: [E, F]`
 and `{E: [1 m, null]}` are models too. Formulas have the open dimension as a symbol (`length_L1`, `B_E_x`, of the
-ground `A_x`); where numbers are needed, it is asked for by this name. A length that a connection states is none of these: a gear
-with a module and teeth has its radius.
+ground `A_x`); where numbers are needed, it is asked for by this name. A length that a
+connection states is none of these: a gear with a module and teeth has its radius.
 """
 
 from __future__ import annotations
