@@ -195,3 +195,25 @@ loads: {load: {force: {at: C, along: down, magnitude: P}}}
 """
     found = System.from_text(arch).solve("tension of AC at rest")["q1"]
     assert found.value == pytest.approx(-500 * 2.5 / 4 * math.hypot(1.5, 2) / 2, rel=1e-12)
+
+
+def test_a_crate_put_exactly_on_a_braking_truck_tips_or_slips_by_the_smaller_limit() -> None:
+    """Corners that stick hold the crate's angle twice, once as cos(theta) = 1: two roots that coincide choose no
+    branch. By hand: a = mu g or b g/h, whichever is less."""
+    system = System.from_text("""
+parameters: {m: 200 kg, M: 4 t, b: 0.8 m, h: 1.5 m, mu: 0.6, a: 4 m/s^2, v0: 15 m/s, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies:
+  truck: {body: {mass: M}, lines: {bed: {along: right}}}
+  crate: {rectangle: {mass: m, width: b, height: h}, at: [0, h/2], velocity: [v0, 0]}
+connections:
+  guide: {slider: {body: truck, along: right}}
+  drive: {driver: {measure: x, follows: v0*t - a*t^2/2}}
+  bed: {contact: {between: [crate, truck.bed], friction: mu}}
+loads: {weight: {gravity: g}}
+measures: {x: x of truck}
+questions: {it: largest a so that it stays at rest}
+""")
+    answer = system.solve()["it"]
+    assert answer.value == pytest.approx(0.8 / 1.5 * 9.81)
+    assert len(answer.cases) == 2

@@ -509,3 +509,21 @@ start: {{x: 0, rate(x): {rate}}}
     svg = fb.System.from_text(text).draw().svg()
     assert label in re.sub(r"<[^>]*>", "", svg)
     assert "\u22122" not in svg
+
+
+def test_a_small_ball_far_above_a_slope_is_drawn_on_one_page_with_the_slope() -> None:
+    picture = fb.System.from_text("""
+parameters: {m: 0.1 kg, r: 2 cm, alpha: 20 deg, H: 1 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}, lines: {slope: {along: -alpha}}}
+bodies: {ball: {sphere: {mass: m, radius: r}, at: [0, H]}}
+connections: {c: {contact: {between: [ball, ground.slope]}}}
+loads: {weight: {gravity: g}}
+measures: {y: y of ball}
+""").draw()
+    low, high = picture.corners
+    assert max(high - low) < 540.0
+    slopes = [shape for shape in picture.shapes if len(shape.points) == 2]
+    ways = [shape.points[1] - shape.points[0] for shape in slopes]
+    assert any(
+        np.hypot(*way) > 60.0 and abs(way[1] / way[0]) == pytest.approx(np.tan(np.pi / 9)) for way in ways if way[0]
+    )

@@ -35,3 +35,42 @@ def test_gears_by_module_and_teeth_have_the_ratio_of_their_teeth() -> None:
 def test_teeth_that_do_not_mesh_are_refused_with_what_would_do(apart: str, more: str, mesh: str, told: str) -> None:
     with pytest.raises(fb.ModelError, match=told):
         fb.System.from_text(PAIR.format(apart=apart, more=more, mesh=mesh))
+
+
+PLANETARY = """
+parameters: {mod: 2 mm, z_S: 24, z_P: 18, z_R: 60, J_S: 1 g m^2, J_C: 10 g m^2, m_P: 0.3 kg, J_P: 0.05 g m^2, T: 10 N m}
+ground: {points: {O: [0, 0]}}
+bodies:
+  sun: {gear: {inertia: J_S}}
+  ring: {ring: {radius: mod*z_R/2}, at: [0, 0], fixed: true}
+  carrier: {body: {inertia: J_C}, points: {P: [mod*(z_S + z_P)/2, 0]}}
+  planet: {gear: {mass: m_P, inertia: J_P}}
+connections:
+  s: {pin: [ground.O, sun]}
+  c: {pin: [ground.O, carrier]}
+  p: {pin: [carrier.P, planet]}
+  inner: {gear_mesh: {first: sun, second: planet, module: mod, teeth: [z_S, z_P]}}
+  outer: {gear_mesh: {first: ring, second: planet, internal: true, module: mod, teeth: [z_R, z_P]}}
+loads: {drive: {torque: {on: sun, magnitude: T}}}
+questions: {it: angular acceleration of carrier}
+"""
+
+
+def test_gears_without_a_radius_have_that_of_their_teeth() -> None:
+    """T (1 + z_R/z_S) drives the inertia at the carrier: J_C, m_P on the circle of the planet's axle, and the two
+    gears by the squares of their ratios."""
+    system = fb.System.from_text(PLANETARY)
+    assert system.has_values
+    ratio, spin, arm = 1 + 60 / 24, 1 - 60 / 18, 2e-3 * (24 + 18) / 2
+    inertia = 10e-3 + 0.3 * arm**2 + 1e-3 * ratio**2 + 0.05e-3 * spin**2
+    assert system.solve()["it"].value == pytest.approx(10 * ratio / inertia)
+
+
+def test_an_open_radius_takes_no_value_from_a_formula_without_it() -> None:
+    system = fb.System.from_text(
+        "parameters: {J: 2 kg m^2, T: 6 N m}\nground: {points: {O: [0, 0]}}\nbodies: {w: {disk: {inertia: J}}}\n"
+        "connections: {p: {pin: [ground.O, w]}}\nloads: {d: {torque: {on: w, magnitude: T}}}\n"
+        "questions: {turn: angular acceleration of w}"
+    )
+    assert not system.has_values
+    assert system.solve()["turn"].value == pytest.approx(3.0)

@@ -97,3 +97,8 @@ def test_a_model_in_the_making_shows_itself() -> None:
     model.connect("pin", fb.Pin("ground.O", rod.start))
     assert "<svg" in model._repr_html_()
     assert repr(model) == "<Model 'rod': 1 bodies, 1 connections>"
+
+
+def test_a_result_in_a_console_is_called_by_its_system() -> None:
+    assert repr(crank().mobility()) == "<Mobility of 'Slider-crank': print() shows it>"
+    assert len(repr(crank().mobility().report)) < 80

@@ -246,6 +246,7 @@ measures: {s: travel of block along left}
         (("theta: 60 deg", "theta: a"), "a is used as an angle, and its value 60 has no unit"),
         (("along: 30 deg", "along: 30"), "the angle 30 has no unit"),
         (("along: 30 deg", "along: -a"), "a is used as an angle"),
+        (("along: 30 deg", "along: 180 deg - a"), "a is used as an angle"),
         (("angle: 20 deg", "angle: 20"), "the angle 20 has no unit"),
     ],
 )

@@ -57,6 +57,12 @@ class Connection(Spec):
             cls.kind = kind
             Connection.kinds.register(kind, cls)
 
+    @classmethod
+    def length_of(cls, entry: Mapping[str, Any], body: str, field: str) -> str | None:
+        """What an entry of a file says about a length that a body leaves open, as the radius of a gear by its teeth;
+        read before there are bodies."""
+        return None
+
     def keeps_as_one(self, names: Names) -> bool:
         """Whether the places of its bodies are those of one body."""
         return self.is_rigid

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from freebody.connections.circles import look_at_fit, own_radius, touching
 from freebody.connections.shared_by_copies import SharedByCopies, gathered
@@ -54,6 +54,16 @@ bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 1 
 ground: {points: {A: [0, 0], B: [2 m, 0]}}
 connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: [a, b]}}
 """
+
+    @classmethod
+    def length_of(cls, entry: Mapping[str, Any], body: str, field: str) -> str | None:
+        """The pitch circle of a gear that has no radius of its own."""
+        module, teeth = entry.get("module"), entry.get("teeth")
+        gears = entry.get("first"), entry.get("second")
+        if field != "radius" or module is None or not isinstance(teeth, list) or body not in gears:
+            return None
+        own = dict(zip(gears, cast("list[Any]", teeth), strict=False)).get(body)
+        return None if own is None else f"({module})*({own})/2"
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.body(self.first, "first"), names.body(self.second, "second")

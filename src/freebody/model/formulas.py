@@ -77,21 +77,25 @@ class Formulas(Noting):
 
     def angle(self, value: Any, *path: str | int) -> Expr:
         """A formula for an angle; a number of more than a full turn needs a unit, since degrees are nearly always
-        meant."""
+        meant: alone, or as a parameter in a sum of angles."""
         expr = self.formula(value, DIMENSIONLESS, *path)
-        plain = expr.factors[1] if isinstance(expr, ProductOf) and expr.factors[0] == number(-1) else expr
-        parameter = self.parameters.get(plain.name) if isinstance(plain, Symbol) else None
-        given = None if parameter is None or parameter.is_angle else self.number_of(parameter.name)
-        bare = _as_number(value) if parameter is None else given
+        bare = _as_number(value)
         if bare is not None and abs(bare) > math.tau:
             told = Message("the angle {value} has no unit: write {value} deg, or {value} rad", value=f"{bare:g}")
-            if parameter is not None:
+            self.problem(told, *path)
+        for term in expr.terms if isinstance(expr, Sum) else (expr,):
+            plain = term.factors[1] if isinstance(term, ProductOf) and term.factors[0] == number(-1) else term
+            parameter = self.parameters.get(plain.name) if isinstance(plain, Symbol) else None
+            if parameter is None or parameter.is_angle:
+                continue
+            given = self.number_of(parameter.name)
+            if given is not None and abs(given) > math.tau:
                 told = Message(
                     "{name} is used as an angle, and its value {value} has no unit: write {value} deg, or {value} rad",
                     name=parameter.name,
-                    value=f"{bare:g}",
+                    value=f"{given:g}",
                 )
-            self.problem(told, *path)
+                self.problem(told, *path)
         return expr
 
     def formula(

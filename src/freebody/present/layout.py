@@ -34,7 +34,9 @@ _TO_SYMBOL = 0.02  # size of symbols by that of the picture
 _SMALLEST, _ROUND_OFF = 1e-12, 1e-9  # size of a picture [m], and beside how far it is from the origin
 _APART = 14.0  # bodies on one rail, in sizes of symbols
 _SHORTEST = 5.0  # a lead, in sizes of symbols
-_FARTHEST = 5.0  # a surface is in the picture that comes this near to what may touch it, in sizes of what moves
+_FARTHEST = 30.0  # a surface is in the picture that comes this near to what may touch it, in sizes of what moves
+_STEEP = 0.3  # cosine of an incline onto which nothing is seen to fall
+_PAST = 1.3  # an incline goes on past the place below what falls, by the way to it
 
 _BESIDE = 1.8  # a surface reaches so far on either side of a round body, by its radius
 
@@ -247,7 +249,8 @@ def _ways(poses: Array, reach: Iterable[tuple[Place, float]]) -> Array:
 
 def _feet(scene: Scene, poses: Array, size: float) -> Iterator[Array]:
     """(n, 2) [m] where bodies come nearest to endless surfaces, unless that is far from all that moves; on inclined
-    ones as far beside it as a round body needs to be seen to lie on a line longer than itself."""
+    ones as far beside it as a round body needs to be seen to lie on a line longer than itself, and on as far as what is
+    above them may fall."""
     for wall in scene.walls:
         for tip in wall.tips if wall.is_endless else ():
             s, gap = along_wall(wall, tip, poses)
@@ -255,6 +258,9 @@ def _feet(scene: Scene, poses: Array, size: float) -> Iterator[Array]:
             if abs(gap[k]) < _FARTHEST * size:
                 is_inclined = min(abs(wall.along.x), abs(wall.along.y)) > 1e-9
                 beside = np.array((-1.0, 0.0, 1.0)) * _BESIDE * tip.radius * is_inclined
+                if is_inclined and gap[k] > 1e-6 * size and abs(wall.along.x) > _STEEP:
+                    away = float(gap[k]) + tip.radius
+                    beside = np.append(beside, -_PAST * away * wall.along.y / wall.along.x)
                 yield np.array([wall.through.xy]) + (s[k] + beside)[:, None] * np.array(wall.along.xy)
 
 

@@ -260,8 +260,8 @@ class Samples:
 
     def is_negative(self, x: Ratio) -> bool:
         """The sign at the first sample, where formulas do not tell; the choice is noted as an assumption. A length that
-        is a root is none by definition."""
-        if sign_of(x) in (Sign.POSITIVE, Sign.NONNEGATIVE) or self._is_length(x):
+        is a root is none by definition, and zero has no sign to choose (two roots of an angle that coincide)."""
+        if x.is_zero() or sign_of(x) in (Sign.POSITIVE, Sign.NONNEGATIVE) or self._is_length(x):
             return False
         values = self.at_starts(x)
         negative = bool(values) and values[0] < 0

@@ -273,7 +273,8 @@ class SystemDescription:
 
     def __repr__(self) -> str:
         """Its title and size; `to_yaml` has all of it."""
-        size = f"{len(self.moving)} moving bodies, {len(self.connections)} connections, {len(self.loads)} loads"
+        counts = (len(self.moving), "moving body"), (len(self.connections), "connection"), (len(self.loads), "load")
+        size = ", ".join(f"{n} {word if n == 1 else word.replace('body', 'bodie') + 's'}" for n, word in counts)
         return f"<System {self.title!r}: {size}>"
 
     def __eq__(self, other: object) -> bool:

@@ -2,7 +2,8 @@
 
 Mobility, loops and instant centres belong to a mechanism before it has dimensions, so `L1: rod`, `points: [E, F]`
 and `{E: [1 m, null]}` are models too. Formulas have the open dimension as a symbol (`length_L1`, `B_E_x`, of the
-ground `A_x`); where numbers are needed, it is asked for by this name.
+ground `A_x`); where numbers are needed, it is asked for by this name. A length that a
+connection states is none of these: a gear with a module and teeth has its radius.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, TypeVar, cast
 
+from freebody.connections.base import Connection
 from freebody.language.document import Document
 from freebody.language.expression import name_problem
 from freebody.language.sentences import Message
@@ -35,6 +37,9 @@ class Unspecified:
         self.places: dict[str, Place] = {}
         self._text = repr(data)
         sections = {key: cast("Mapping[str, Any]", s) for key, s in data.items() if isinstance(s, dict)}
+        self._connections = [
+            cast("dict[str, Any]", e) for e in sections.get("connections", {}).values() if isinstance(e, dict)
+        ]
         self._taken = {str(name) for section in sections.values() for name in section}
         self._taken |= {f"{symbol}_{body}" for symbol in OWN_SYMBOLS for body in sections.get("bodies", ())}
 
@@ -55,9 +60,25 @@ class Unspecified:
         model calls the shape."""
         added: dict[str, str] = {}
         for field, points in shape.open_lengths.items():
-            if getattr(shape, field) is None and (not points or self._is_mentioned(body, points)):
+            if getattr(shape, field) is not None:
+                continue
+            said = self._said_elsewhere(body, field)
+            if said is not None:
+                added[field] = said
+            elif not points or self._is_mentioned(body, points):
                 added[field] = self.parameter(f"{field}_{body}", "positive", ("bodies", body, word, field))
         return shape.model_copy(update=added) if added else shape
+
+    def _said_elsewhere(self, body: str, field: str) -> str | None:
+        """What the first connection that says anything about a length of a body says."""
+        for entry in self._connections:
+            for word, value in entry.items():
+                kind = written_kind(word, value, Connection.kinds, space=self.names.space)
+                fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+                said = None if kind is None else Connection.kinds[kind].length_of(fields, body, field)
+                if said is not None:
+                    return said
+        return None
 
     def _is_mentioned(self, body: str, points: tuple[str, ...]) -> bool:
         return re.search(rf"\b{re.escape(body)}\.({'|'.join(points)})\b", self._text) is not None

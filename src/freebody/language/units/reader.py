@@ -48,6 +48,9 @@ def is_unit(name: str) -> bool:
     return True
 
 
+_DEGREES = ("Grad", "GRAD")  # as Germans write degrees
+
+
 class _UnitReader:
     def __init__(self, text: str, with_rare: bool) -> None:
         self._text = text.strip()
@@ -137,6 +140,12 @@ class _UnitReader:
 def _named_unit(name: str, *, with_rare: bool = True) -> Unit:
     if unit := UNITS.get(name):
         return unit
+    if name in _DEGREES:  # with a prefix it would be a thousand million radians
+        raise UnitError(
+            Message(
+                "the unit '{name}' is not known: write deg for degrees; grad is the 400th part of a turn", name=name
+            )
+        )
     for n_letters in (1, 2):
         prefix, rest = PREFIXES.get(name[:n_letters]), PREFIXED.get(name[n_letters:])
         if prefix is not None and rest is not None:

@@ -81,7 +81,7 @@ def _passage(base: System, world: World) -> NumericPassage:
 
     def lost(of: str) -> float:
         if of:
-            raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
+            raise CannotAnswer(Message("this derivation does not follow what adds up on the way"))
         before, after = (there(EnergyOf("total"), s) for s in (begin, now))
         return before - after
 
@@ -138,7 +138,7 @@ class _Tell:
     @singledispatchmethod
     def answer(self, q: Quantity) -> None:
         if q.scope == "course":
-            raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
+            raise CannotAnswer(Message("this derivation does not follow what adds up on the way"))
         with self.stage() as left:
             _instant(self.script, self.way, left, self.given, self.ends[-1], self.forces)
 
@@ -151,7 +151,7 @@ class _Tell:
     def _lost(self, q: EnergyLost) -> None:
         if q.of or not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
             raise CannotAnswer(
-                Message("other loads do work as well, and the heat of friction is derived from no line here")
+                Message("other loads do work as well, and this derivation does not part the heat of friction from it")
             )
         uses = _energies(self.script, self.way, self.ends)
         with self.stage() as left:
@@ -180,7 +180,7 @@ class _Tell:
     @answer.register(Work)
     def _work(self, q: Work) -> None:
         if q.of in drivers(self.way.legs[-1].phase.system):
-            raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
+            raise CannotAnswer(Message("this derivation does not follow what adds up on the way"))
         with self.stage() as left:
             self.line(left, "answer.work", self.lines, load=q.of)
 
@@ -189,9 +189,7 @@ def _time(script: Script, way: PhaseSequence, left: Any, answer: Answer, ends: l
     times = tuple(end["time"] for end in ends if "time" in end)
     if len(times) < len(way.legs):
         assert answer.expression is not None
-        raise CannotAnswer(
-            Message("the time at which the event comes has a closed form, but is derived from no line here")
-        )
+        raise CannotAnswer(Message("the time of the event has a closed form, which this derivation does not work out"))
     total = add(*(leg.end for leg in way.legs))
     sides = (left, total, answer.expression) if len(way.legs) > 1 else (left, answer.expression)
     script.line(*sides, why="answer.time", args={"lines": times}, uses=times, when="event")  # pyrefly: ignore[bad-argument-type]

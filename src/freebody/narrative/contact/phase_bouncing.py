@@ -25,7 +25,7 @@ def tell_flights(script: Script, way: PhaseSequence, leg: PhaseSegment, told: Mo
     assert leg.time is not None
     assert leg.node.impact is not None
     if isinstance(way.question.quantity, Travelled):
-        raise CannotAnswer(Message("the sum of the ways of all flights is derived from no line here"))
+        raise CannotAnswer(Message("this derivation does not sum the ways of all flights"))
     flights = flights_of(way.tree, leg.node, leg.node.impact.hits)
     _refuse_thrown_aside(leg, flights)
     script.say("event.bounces_end", connection=label(flights.name))
@@ -54,7 +54,7 @@ def _refuse_thrown_aside(leg: PhaseSegment, flights: Flights) -> None:
     for c in leg.phase.model.coordinates:
         ends = [leg.first.zero.values.get(g, nothing) for g in (c.index, c.speed)]
         if not flights.changes[c.speed].is_zero() and any(not x.is_zero() for x in ends):
-            raise CannotAnswer(Message("what the impacts do to more than the gap is derived from no line here"))
+            raise CannotAnswer(Message("this derivation follows nothing but the gap through the impacts"))
 
 
 def _first_flight(world: World) -> float:

@@ -58,7 +58,9 @@ def tell_event(
             elif isinstance(course, EnergyMotion) and zero.at is not None:
                 found = _on_the_way(script, way, leg, course, symbol, element, uses)
             else:
-                raise CannotAnswer(Message("of this law of motion the time of an event is derived by no line here"))
+                raise CannotAnswer(
+                    Message("this derivation does not solve this law of motion for the time of an event")
+                )
             return {**found, **_state(script, way, leg, told, found)}
 
 
@@ -104,7 +106,7 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
                 return _CLOCK, f.time
             assert event is not None
             if isinstance(event, Peak):
-                raise CannotAnswer(Message("where a quantity is greatest is derived from no line here"))
+                raise CannotAnswer(Message("this derivation does not find where a quantity is greatest"))
             name = next((n for n, m in phase.base.measures.items() if m == event.measure), "")
             if not name:
                 name = leg.free_name("q")

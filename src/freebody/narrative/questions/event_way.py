@@ -109,7 +109,7 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
     if q.is_of_event:
         return
     if q.scope == "course":
-        raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
+        raise CannotAnswer(Message("this derivation does not follow what adds up on the way"))
     model, f = context.setup.model, context.setup.model.field
     parts, unknowns = parts_of(context, question.quantity)
     found = by_momentum(context, script, unknowns) if unknowns else {}
@@ -189,7 +189,7 @@ def _work(quantity: Work, way: AtEvent, lines: Sequence[int]) -> None:
 def _lost(quantity: EnergyLost, way: AtEvent, lines: Sequence[int]) -> None:
     """What a load has taken: minus its work."""
     if not quantity.is_load:
-        raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
+        raise CannotAnswer(Message("this derivation does not follow what adds up on the way"))
     _tell_work(way, quantity.of, -1, lines)
 
 

@@ -60,7 +60,8 @@ def _key_row(catalogue: Catalogue, key: KeyEntry) -> tuple[Text, ...]:
     elif key.expression is None and key.conditions:
         formula = (", ".join(map(catalogue.said, key.conditions)),)
     values = key.value if isinstance(key.value, tuple) else (() if key.value is None else (key.value,))
-    value = ", ".join(typeset(f"{v:.4g}") for v in values)
+    apart = ", " if catalogue.decimal == "." else "; "
+    value = apart.join(typeset(f"{v:.4g}").replace(".", catalogue.decimal) for v in values)
     if len(values) > 1:
         value = f"({value})"
     return (Emphasis(key.label),), letter, formula, (_unbroken(f"{value} {raised(key.unit)}"),) if value else ()

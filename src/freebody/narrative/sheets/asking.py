@@ -12,6 +12,7 @@ from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
+from freebody.questions.course import Transition
 from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
@@ -67,6 +68,14 @@ def _headline_conserved(q: Conserved, system: System, question: Question) -> Sen
     return Sentence("ask.quoted", {"text": question.text}) if of is None else Sentence("ask.conservation", {"what": of})
 
 
+def _beside_blow(at: Transition, system: System) -> Sentence:
+    """Just before or just after a blow, or an impact where nothing strikes but what collides."""
+    key = f"ask.{at.kind}_{'blow' if system.blows or system.is_struck else 'impact'}"
+    if not at.of:
+        return Sentence(key)
+    return Sentence(f"{key}_of" if at.count == 1 else f"ask.{at.kind}_nth_of", {"n": at.count, "names": at.of})
+
+
 def _when(question: Question, system: System) -> Argument:
     """At which instant it is meant."""
     q = question.quantity
@@ -78,6 +87,8 @@ def _when(question: Question, system: System) -> Argument:
         return Sentence("ask.behind_blow", behind)
     if question.transition is not None and question.transition.count > 1 and question.transition.of == ():
         return Sentence(f"ask.{question.transition.kind}_nth", {"n": question.transition.count})
+    if question.transition is not None and question.transition.kind in ("before", "after"):
+        return _beside_blow(question.transition, system)
     if question.transition is not None:
         return Sentence(f"ask.{word}_transition", {"text": question.transition.text})
     if question.event is None:

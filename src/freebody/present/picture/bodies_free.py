@@ -105,9 +105,9 @@ def name_beside(sketch: Sketch, figure: Figure, poses: Array, label: Label) -> N
                 spot = middle + share * (end - middle)
                 places += [(spot + 4.0 * way, way) for way in (side, -side)]
     places = [*places, *((at + 5.0 * way, way) for at, way in places)]
-    wish = Wish(
-        label, tuple(places), 9.0 if not label.latex else 10.5, Ink("body", figure.number), is_needed=False, weight=1.0
-    )
+    size = 9.0 if not label.latex else 10.5
+    ink = Ink("body", figure.number)
+    wish = Wish(label, tuple(places), size, ink, is_needed=False, is_missed=True, weight=1.0)
     sketch.wish(wish)
 
 

@@ -5,7 +5,7 @@ a halo; arrows, dots and pins may not."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -33,6 +33,7 @@ class Wish:
     size: float = 10.0
     ink: Ink = INK
     is_needed: bool = True
+    is_missed: bool = False  # one that is not needed goes farther away, too, where it finds no room, but hides nothing
     weight: float = 0.0  # the heavier ones are placed first
     gap: float = 2.5  # [points]
     of: str = ""
@@ -60,6 +61,10 @@ def placed(wishes: Sequence[Wish], shapes: Sequence[Shape], taken: Sequence[Word
 def _best(wish: Wish, points: Array, signs: Array, taken: Sequence[Word]) -> Word | None:
     """The place that costs least: of those wished for, and of all round these where each of them is over something."""
     best = _cheapest(wish, wish.places, points, signs, taken)
+    if best is None and wish.is_missed:
+        best = _cheapest(replace(wish, is_needed=True), wish.places, points, signs, taken)
+        if best is not None and _below(best[1], signs):
+            best = None
     if wish.is_needed and (best is None or best[0] > _TOO_MUCH):
         anchor, first = wish.places[0]
         late = _cheapest(wish, around(anchor, (float(first[0]), float(first[1]))), points, signs, taken)

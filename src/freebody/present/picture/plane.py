@@ -21,7 +21,7 @@ from freebody.present.theme import style_of
 
 SYMBOL = 6.5  # [points] the size of symbols on paper
 _LARGEST = 36.0  # [points] radius of a round body beside lines and strings that go on
-_WIDEST = 390.0  # [points] what a page takes without making the words smaller
+_LARGEST_ON_PAPER = (390.0, 540.0)  # [points] width and height that a page takes without making the words smaller
 _LEAST = 1e-9  # [m] what is smaller has no size
 
 
@@ -39,9 +39,9 @@ def sketched(
         scale = min(_scale(high - low, room), _most(scene))
         drawing = _drawn(scene, poses, scale, least)
         low, high = bounds(scene, drawing.poses)
-    wide = float((drawing.high - drawing.low)[0]) * scale
-    if wide > _WIDEST:  # the lines on which bodies lie and roll are no part of the bounds
-        scale *= _WIDEST / wide
+    most = _scale(drawing.high - drawing.low, _LARGEST_ON_PAPER)
+    if scale > most:  # the lines on which bodies lie and roll are no part of the bounds
+        scale = most
         drawing = _drawn(scene, poses, scale, least)
         low, high = bounds(scene, drawing.poses)
     sketch = Sketch(scale, (low + high) / 2)

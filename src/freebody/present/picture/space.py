@@ -114,7 +114,7 @@ class SpaceSketch(Sketch):
     def _name(self, painted: Sequence[Sequence[Shape]]) -> None:
         letter = _SIZE / self.scale
         inks = footprints(list(map(painted_shot, self.taken, painted)), letter)
-        called = {form.index: form.name for form in self.drawing.scene.figures}
+        called = {form.index: form.name.replace("_", " ") for form in self.drawing.scene.figures}
         low, high = self.drawing.bounds(self.view)
         frame = low - 6 * letter, high + 6 * letter
         for found in names(inks, called, (_LETTER * letter, letter), frame):
@@ -319,7 +319,7 @@ def free_body_in_space(
     for form in part.figures:
         middle = sketch.seen(drawing.poses.centers[0, form.index])
         places = tuple((at + 8.0 * way, way) for at, way in around(middle))
-        sketch.wish(Wish(words(form.name), places, _SIZE, Ink("body", form.number), is_needed=False))
+        sketch.wish(Wish(words(form.name.replace("_", " ")), places, _SIZE, Ink("body", form.number), is_needed=False))
     sketch.add_corner()
     return sketch.finished(title, described_forces(bodies, forces))
 

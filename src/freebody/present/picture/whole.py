@@ -132,9 +132,10 @@ class Whole(ABC):
                 place = self.places.place(body.point(called))
                 if place in used and len(called) <= 2:
                     named.setdefault(place, called)
-        for shown in scene.shown:  # a joint with a letter of its own names its place, unless that has a name
+        for shown in scene.shown:  # a joint with a letter of its own (A, B_1) names its place, unless that has a name
             at = shown.sign.second if isinstance(shown.sign, Pin) else getattr(shown.sign, "point", None)
-            if isinstance(shown.sign, (Pin, Rail)) and len(shown.owner) <= 2 and at is not None:
+            is_letter = len(shown.owner) <= 2 and shown.owner[:1].isupper()
+            if isinstance(shown.sign, (Pin, Rail)) and is_letter and at is not None:
                 others = [self.at(place) for place in named]
                 if all(float(np.abs(self.at(at) - other).max()) > 1.0 for other in others):
                     named[at] = shown.owner

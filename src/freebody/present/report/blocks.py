@@ -250,6 +250,11 @@ class Report:
     is_summary: bool = False
     decimal: Literal[".", ","] = "."
 
+    def __repr__(self) -> str:
+        """Its title and parts; the blocks are long, and `format_report` or the result itself shows them."""
+        parts = [block.title for block in self.blocks if isinstance(block, Section)]
+        return f"<Report {self.title!r}: {len(parts)} sections>"
+
 
 def text(*pieces: Piece) -> Text:
     """A text from its pieces, without empty ones."""

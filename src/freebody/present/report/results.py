@@ -35,6 +35,15 @@ class Result:
 
     _teller: ClassVar[Teller | None] = None  # of one that is told in another language
 
+    def __init_subclass__(cls, **rest: Any) -> None:
+        """What is found out about a system is called by it in a console, not by all of its fields: a dataclass keeps
+        a `__repr__` that is there."""
+        super().__init_subclass__(**rest)
+        has_system = any("system" in vars(of).get("__annotations__", {}) for of in cls.__mro__)
+        has_own = any("__repr__" in vars(of) for of in cls.__mro__ if issubclass(of, Result))
+        if has_system and not has_own:
+            cls.__repr__ = _called_by_system  # type: ignore[method-assign]
+
     @property
     @abstractmethod
     def report(self) -> Report:
@@ -181,3 +190,7 @@ def finite(document: Any) -> Any:
     if isinstance(document, float) and not math.isfinite(document):
         return None
     return document
+
+
+def _called_by_system(result: Any) -> str:
+    return f"<{type(result).__name__} of {result.system.title!r}: print() shows it>"

@@ -77,6 +77,7 @@ class Answer(Result):
     symbol: str = ""
     cases: tuple[AnswerCase, ...] = ()  # all of them, where there are several
     why_no_value: str = ""  # of an answer with an expression
+    missing: tuple[str, ...] = ()  # parameters left open in a file that gives numbers, without which there is no value
     never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
     understood: str = ""  # the question in the words of the grammar
     verdict: str = ""  # yes or no with the given numbers, of a question that asks whether

@@ -13,7 +13,7 @@ from functools import cached_property
 
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, number
+from freebody.language.expression import Expr, Symbol, number
 from freebody.language.notation import reworded
 from freebody.language.sentences import Message
 from freebody.numeric.snapshot import Snapshot
@@ -145,9 +145,7 @@ class AnswerCompletion:
 
     def _violated(self, conditions: list[Condition]) -> list[str]:
         """Conditions that the model's own numbers break at the start; the answer is not true of that model."""
-        if not self.setup.has_values:
-            return []
-        broken = [c for c in conditions if self._is_broken(c)]
+        broken = [c for c in conditions if self._is_given((c.element,)) and self._is_broken(c)]
         if not broken:
             return []
         parts = [c for c in validity(broken) if self._is_broken(c)] or broken  # a product is broken by one factor
@@ -188,9 +186,17 @@ class AnswerCompletion:
                 return judged_by_count(self.setup.system, self.question, int(element))
         return judged(self.question, element, self.setup.model, self.setup.system)
 
+    def _is_given(self, parts: Sequence[Ratio]) -> bool:
+        """Whether the file has numbers for all that stands in elements. Where it leaves some open, poses and motions
+        may hang on those, and only what is made of parameters is judged: the mass of a gear, not its open radius."""
+        if self.setup.has_values:
+            return True
+        field, system = self.setup.model.field, self.setup.system
+        open_ = {Symbol(p.name) for p in system.parameters.values() if p.value is None and p.form is None}
+        used = [field.generators[g] for part in parts for g in field.ingredients(part)]
+        return not any(g.kind in MOVING or g.display in open_ for g in used)
+
     def _value(self, element: Elements) -> Value:
-        if not self.setup.has_values:
-            return None
         draw = self.setup.draws[0]
         field = self.setup.model.field
         parts = element if isinstance(element, tuple) else (element,)
@@ -201,6 +207,8 @@ class AnswerCompletion:
             return None
         except CannotAnswer:
             pass
+        if not self._is_given(parts):
+            return None
         try:
             values = element_at(self.setup, parts, draw, draw.start())
         except (CannotAnswer, ArithmeticError, ValueError):

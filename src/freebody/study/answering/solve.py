@@ -64,6 +64,8 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
     missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
     if missing:
         why = Message("no value is given for {names}", names=", ".join(missing))
+        is_begun = any(p.value is not None for p in system.parameters.values())  # a file without numbers asks for none
+        answer = replace(answer, missing=tuple(missing) if is_begun else ())
     else:
         why = Message("the formula is not valid, or has no value, at the given numbers; see the conditions and notes")
     return replace(answer, why_no_value=why)

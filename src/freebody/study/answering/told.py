@@ -63,6 +63,8 @@ class ShownAnswer(Protocol):
     @property
     def value(self) -> float | tuple[float, ...] | None: ...
     @property
+    def missing(self) -> tuple[str, ...]: ...
+    @property
     def conditions(self) -> tuple[str, ...]: ...
     @property
     def cases(self) -> Sequence[_Case]: ...
@@ -131,6 +133,8 @@ def _value(answer: ShownAnswer, label: str) -> Iterator[Entry]:
         values = answer.value if isinstance(answer.value, tuple) else None
         text = number_text(answer.value) if values is None else f"({', '.join(map(number_text, values))})"  # pyrefly: ignore[bad-argument-type]
         yield entry(label, text + ("" if answer.unit == "1" else f" {answer.unit}"))
+    elif answer.missing:
+        yield entry(label, Message("open, as no value is given for {names}", names=", ".join(answer.missing)))
 
 
 def _said(answer: ShownAnswer) -> Iterator[Entry]:
