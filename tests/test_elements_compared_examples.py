@@ -83,8 +83,6 @@ EXPECTED = {
         "period": "2*pi*sqrt((R**2 + r**2)/2*l/(g*R**2))",
         "inertia": "m*(R**2 + r**2)/2",
     },
-    # Routh: 7/5 of the way (a - r) of the centre, with 1/z'' = a
-    "ball_in_a_gutter": {"period": "2*pi*sqrt(7*(a - r)/(5*g))"},
     # F and F b/2 about z; F h/2 tips
     "plate_on_an_air_table": {
         "turning": "-F*b/2/(m*(a**2 + b**2)/12)",
@@ -127,3 +125,9 @@ def test_a_hollow_ball_runs_round_a_circle_on_the_turntable() -> None:
     x, y = np.asarray(data["x"]), np.asarray(data["y"])
     assert np.hypot(x, y - speed / rate) == pytest.approx(speed / rate, abs=1e-7)
     assert abs(x[-1]) + abs(y[-1]) < 1e-6
+
+
+def test_a_ball_in_a_gutter_swings_with_the_radius_of_curvature_less_its_own(agrees: Agree) -> None:
+    """Routh: 7/5 of the way a - r of the centre, with 1/z'' = a."""
+    solution = fb.System.load(EXAMPLES / "ball_in_a_gutter.yaml").solve("period of small oscillations")
+    agrees(solution, "q1", "2*pi*sqrt(7*(a - r)/(5*g))")
