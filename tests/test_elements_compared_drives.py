@@ -1,4 +1,4 @@
-"""Helical gears, equal planets, wedges, motors and drag beside what follows by hand, turned round and with other signs."""
+"""Helical gears, equal planets, wedges, motors and drag beside what follows by hand, turned round."""
 
 from __future__ import annotations
 
