@@ -361,3 +361,10 @@ loads: {blow: {impulse: {at: bar.P, along: right, magnitude: J}}}
     found = fb.solve(system, "value of b for which speed of A after the blow = 0").answers[0]
     assert found.expression is not None, found.reason
     assert to_text(found.expression) == "l"
+
+
+def test_a_blow_that_adds_energy_says_so() -> None:
+    """I w = J b, I = m L^2/3: T = 3 (J b)^2/(2 m L^2) = 7.03125 J."""
+    motion = fb.simulate(System.from_text(PINNED_ROD), until=0.1)
+    assert motion.to_plain()["blow"]["energy_lost"] == pytest.approx(-7.03125, rel=1e-12)
+    assert "kinetic energy gained 7.03125 J" in motion.to_text()

@@ -64,6 +64,32 @@ EXPECTED = {
         "inertia": "M*R**2/2",
     },
     "constant_velocity_joint": {"ratio": "1", "acceleration": "(T - M)/(I_1 + I_2)"},
+    # a shell about the point of contact: 5/12 m R^2 + m (R/2)^2 = 2/3 m R^2, and the weight drives back with m g R/2
+    "rocking_bowl": {
+        "inertia": "5/12*m*R**2",
+        "period": "2*pi*sqrt(2/3*R**2/(g*R/2))",
+        "speed": "-sqrt(2*m*g*R/2*(1 - cos(phi_0))/(2/3*m*R**2))",
+        "normal": "m*(g + R/2*g*R*(1 - cos(phi_0))/(2/3*R**2))",
+    },
+    # v = v_0 - mu g t, R w = -R omega_0 + 3/2 mu g t; it rolls when both are equal
+    "table_tennis_ball": {
+        "time": "(v_0 + R*omega_0)/(5/2*mu*g)",
+        "speed": "v_0 - 2/5*(v_0 + R*omega_0)",
+        "farthest": "v_0**2/(2*mu*g)",
+        "spin": "3/2*v_0/R",
+    },
+    # the wires lean by R phi/l: I phi'' = -m g R^2/l phi, I = m (R^2 + r^2)/2
+    "pipe_on_three_wires": {
+        "period": "2*pi*sqrt((R**2 + r**2)/2*l/(g*R**2))",
+        "inertia": "m*(R**2 + r**2)/2",
+    },
+    # F and F b/2 about z; F h/2 tips
+    "plate_on_an_air_table": {
+        "turning": "-F*b/2/(m*(a**2 + b**2)/12)",
+        "hook": ["F/m + F*(b/2)**2/(m*(a**2 + b**2)/12)", "0", "0"],
+        "normal": "m*g",
+        "moment": ["0", "-F*h/2", "0"],
+    },
     "swinging_bell": {"center": f"h - {TOP}", "inertia": BELL, "period": f"2*pi*sqrt({BELL}/(m*g*{TOP}))"},
 }
 
@@ -99,3 +125,9 @@ def test_a_hollow_ball_runs_round_a_circle_on_the_turntable() -> None:
     x, y = np.asarray(data["x"]), np.asarray(data["y"])
     assert np.hypot(x, y - speed / rate) == pytest.approx(speed / rate, abs=1e-7)
     assert abs(x[-1]) + abs(y[-1]) < 1e-6
+
+
+def test_a_ball_in_a_gutter_swings_with_the_radius_of_curvature_less_its_own(agrees: Agree) -> None:
+    """Routh: 7/5 of the way a - r of the centre, with 1/z'' = a."""
+    solution = fb.System.load(EXAMPLES / "ball_in_a_gutter.yaml").solve("period of small oscillations")
+    agrees(solution, "q1", "2*pi*sqrt(7*(a - r)/(5*g))")

@@ -797,6 +797,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "bead_on_a_rough_turning_rod": {
         "equation": "omega**2*r - mu*sqrt(g**2 + 4*omega**2*rate(r)**2)",
         "friction": "-mu*m*sqrt(g**2 + 4*omega**2*rate(r)**2)",
+        "jacobi": "-mu*m*sqrt(g**2 + 4*omega**2*rate(r)**2)*rate(r)",  # what friction takes
     },
     # the arc 4 R sin(s) from the bottom swings harmonically; N = m g cos(s) + m v^2/rho with rho = 4 R cos(s)
     "cycloid_pendulum": {
@@ -1076,6 +1077,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "load": "-M*(g*f + (e - H)*F/(m + M))/L",
         "trailer_axle": "M*g - M*(g*f + (e - H)*F/(m + M))/L",
         "front": "(m*g*b - h*m*F/(m + M) - e*M*F/(m + M) - c*M*(g*f + (e - H)*F/(m + M))/L)/(a + b)",
+        "rear": "m*g + M*(g*f + (e - H)*F/(m + M))/L"
+        " - (m*g*b - h*m*F/(m + M) - e*M*F/(m + M) - c*M*(g*f + (e - H)*F/(m + M))/L)/(a + b)",
     },
     # m v0^2/2 = k e^2/2, and half a period of the cart on the spring until it is relaxed again
     "cart_into_a_buffer": {
@@ -1116,6 +1119,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "first": "m*g",
         "swings": "m*g + m*R*(T - m*g*R)/(J + m*R**2)*(1 - cos(0.05*sqrt(k*(1/m + R**2/J))))",
         "jolt": "(T - m*g*R)/J",
+        "frequency": ["0", "sqrt(k*(1/m + R**2/J))"],
     },
     # slipping: m x'' = -mu m g, I w' = T - mu m g r; it slides on with the same x''
     "wheel_that_locks": {
@@ -1205,8 +1209,24 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "least": "m*g",
     },
 }
+_COMPARED = "test_elements_compared_examples.py"
 # whose formulas are worked out by hand in tests of their own
 ELSEWHERE = {
+    "ball_in_a_gutter": _COMPARED,
+    "constant_velocity_joint": _COMPARED,
+    "door_given_a_push": _COMPARED,
+    "hemisphere_on_a_slope": _COMPARED,
+    "hollow_ball_on_a_turntable": _COMPARED,
+    "hydraulic_lift": _COMPARED,
+    "letter_scale": _COMPARED,
+    "pipe_on_three_wires": _COMPARED,
+    "pipe_struck_by_a_hammer": _COMPARED,
+    "plate_on_an_air_table": _COMPARED,
+    "plate_on_three_screws": _COMPARED,
+    "rocking_bowl": _COMPARED,
+    "rocking_half_ring": _COMPARED,
+    "swinging_bell": _COMPARED,
+    "table_tennis_ball": _COMPARED,
     "cam_through_points": "test_cams.py",
     "car_on_a_surveyed_track": "test_curves.py",
     "swinging_connecting_rod": "test_meshes.py",

@@ -40,6 +40,12 @@ loads: {push: {force: {at: man, along: right, magnitude: F}}}
 measures: {x: x of boat, s: travel of man along boat.deckFROM}
 start: {x: 0, s: 0}
 """
+TURNED = """
+parameters: {W: SPEED}
+bodies: {wheel: {disk: {mass: 1 kg, radius: 0.2 m}}}
+connections: {axle: {pin: [ground.O, wheel]}, motor: {driver: {measure: phi, follows: WAY}}}
+measures: {phi: angle of wheel}
+"""
 PENDULUM = """
 parameters: {m: 1 kg, g: 9.81 m/s^2, L: 1 m}
 bodies: {bob: {particle: {mass: m}}}
@@ -190,6 +196,9 @@ def warned(text: str) -> list[tuple[str, str]]:
     [
         (SLOPE.replace("ANGLE", "60 rad"), "many turns", "60 rad is 9.5 turns. If degrees are meant, write 60 deg"),
         (PENDULUM.replace("ANGLE", "30 rad"), "many turns", "write 30 deg"),
+        (TURNED.replace("SPEED", "2 Hz").replace("WAY", "W*t"), "hertz", "taken as 2 rad/s. Write 2 rev/s if"),
+        (TURNED.replace("SPEED", "1 rad").replace("WAY", "W*sin(0.5 kHz*t)"), "hertz", "Write 500 rev/s"),
+        (RUBBED.replace("LAW", "-M*phi").replace("5 rad/s", "-5 Hz"), "hertz", "-5 Hz is a frequency in hertz where"),
         (SLOPE.replace("ANGLE", "20 deg, mu: 0.1"), "unused", "mu is used nowhere in the model"),
         (PULLEY.replace("AXLE", ""), "loose pulley", "hold it, e.g. axle: {pin: [ground.A, pulley]}"),
         (DRUM.replace("END", "drum"), "tied at the axle", "write wound on drum in place of drum; else drum.center"),
@@ -234,6 +243,9 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
     "text",
     [
         RUBBED.replace("LAW", "-M*sign(phi)"),
+        TURNED.replace("SPEED", "2 Hz").replace("WAY", "2*pi*W*t"),
+        TURNED.replace("SPEED", "2 Hz").replace("WAY", "sin(t/(3/W))"),
+        TURNED.replace("SPEED", "120 rpm").replace("WAY", "W*t"),
         SLOPE.replace("ANGLE", "60 deg"),
         SLOPE.replace("ANGLE", "0.5 rad"),
         PENDULUM.replace("ANGLE", "720 deg"),

@@ -14,7 +14,9 @@ What is not decided for all parameters is a condition: of stability, of the plac
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from itertools import islice, product
 
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Symbol
@@ -38,6 +40,7 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import rooted_zeros, zeros_of
 from freebody.tolerances import ROUND_OFF
 
+_MOST_CHOICES = 32  # of zeros and parameters for the coordinates of an equilibrium
 _MOST_DERIVATIVES = 6  # of a force that vanishes to a high order
 
 
@@ -105,6 +108,8 @@ def equilibria(
     others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
     if first is None and not others:
         others = [r for values in _at_zero(model, forces, start) if (r := _judged(model, values))]
+    if first is None and not others:
+        others = [r for values in _at_parameters(model, forces, start) if (r := _judged(model, values))]
     solutions = ([] if first is None else [first]) + others
     if not solutions:
         raise CannotAnswer(Message("no equilibrium could be found in closed form; start the model at one"))
@@ -124,6 +129,25 @@ def _at_zero(model: SymbolicModel, forces: Sequence[Ratio], start: StartState) -
         return [values] if all(linear.vanishes(linear.here(F)) for F in forces) else []
     except (CannotAnswer, ZeroDivisionError):
         return []
+
+
+def _at_parameters(model: SymbolicModel, forces: Sequence[Ratio], start: StartState) -> list[dict[int, Ratio]]:
+    """Where each coordinate is zero or a parameter in its force, as the wanted value of a controller that knows what
+    it has to carry: k (w - theta) + m g l (sin(theta) - sin(w)) has no other zero in closed form."""
+    f, choices = model.field, list[list[Ratio]]()
+    for c in model.coordinates:
+        near, measure = {k for F in forces for k in f.ingredients(F)}, model.measure_of(c)
+        alike = [p for p in model.system.parameters.values() if measure and p.dimension == measure.dimension]
+        given = [model.parameters[p.name] for p in alike if p.form is None]
+        choices.append([f.zero, *(p for p in given if f.index(p) in near)])
+    found: list[dict[int, Ratio]] = []
+    for chosen in islice(product(*choices), 1, _MOST_CHOICES):
+        at = {c.index: value for c, value in zip(model.coordinates, chosen, strict=True)}
+        with suppress(CannotAnswer, ZeroDivisionError):
+            linear = Linearised(model, at | _bound_at(model, at, start))
+            if all(linear.vanishes(linear.here(F)) for F in forces):
+                found.append(linear.at)
+    return found
 
 
 def _bound_at(model: SymbolicModel, at: dict[int, Ratio], start: StartState) -> dict[int, Ratio]:

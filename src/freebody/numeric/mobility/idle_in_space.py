@@ -11,6 +11,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.model.curves import FOOT
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.twists import ScrewLine, TwistSpace, freedom
@@ -114,7 +115,8 @@ class AloneInSpace:
     def _words(self, screw: ScrewLine) -> str:
         if screw.pitch is None:
             return Message("slides along {direction}", direction=_numbers(screw.direction))
-        on = [name for name, center in self._centers.items() if screw.passes(center, self.size)]
+        told = {name: center for name, center in self._centers.items() if not name.startswith(FOOT)}
+        on = [name for name, center in told.items() if screw.passes(center, self.size)]
         if screw.pitch == 0.0 and len(on) > 1:
             return Message("turns about the line from {a} to {b}", a=on[0], b=on[1])
         alike = [name for name, line in self._lines.items() if _is_same(line, screw, self.size)]

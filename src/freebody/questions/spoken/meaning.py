@@ -413,12 +413,12 @@ def _at_extreme(names: Names, sentence: Sentence) -> Groups:
         return
     said = [k for k, w in enumerate(words) if w.kind == "quantity"]
     if asks[0] in ("when", "soon") and len(said) == 1:
-        yield from time(names, Sentence(Clause([Word("ask", "when")]), [("when", Clause(words[1:]))]))
+        yield from time(names, Sentence(Clause([Word("ask", "when")]), (("when", Clause(words[1:])),)))
     elif asks[0] == "where" and len(said) == 1:
-        yield from timed(names, Sentence(Clause([Word("quantity", "position")]), [("when", Clause(words[1:]))]))
+        yield from timed(names, Sentence(Clause([Word("quantity", "position")]), (("when", Clause(words[1:])),)))
     elif asks[0] in ("with", "for") and len(said) == 2 and words[said[0]].what in ("angle", "position"):
         place, rest = words[1 : said[1]], words[said[1] :]
-        yield from timed(names, Sentence(Clause(place), [("when", Clause(rest))]))
+        yield from timed(names, Sentence(Clause(place), (("when", Clause(rest)),)))
 
 
 def _which_way(names: Names, sentence: Sentence) -> Groups:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
-from freebody.questions.spoken import lookup, strings
+from freebody.questions.spoken import strings
 from freebody.questions.spoken.assumed import what_does_not_hold, without_what_holds
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
@@ -244,7 +244,8 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
 def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
     """Whether what is asked of an instant has a value there: a stroke, or a period, is that of a whole turn."""
     timed = [one for one in asked if one.event is not None or one.transition is not None]
-    return not timed or not (words.startswith(("stroke of ", "phase lag of ")) or any(x.quantity.scope in _OF_EVERY_TURN for x in timed))
+    lasts = any(one.quantity.scope in _OF_EVERY_TURN for one in timed)
+    return not timed or not (lasts or words.startswith(("stroke of ", "phase lag of ")))
 
 
 def _fits_event(asked: Asked) -> bool:

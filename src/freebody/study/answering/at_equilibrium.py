@@ -133,7 +133,8 @@ def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float
     found = [float(w) for w in _numbers_about(setup, draw)]
     if not found:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
-    if quantity.measure is not None:
+    is_the_one = len(found) == 1 and setup.model.measure_of(setup.model.coordinates[0]) == quantity.measure
+    if quantity.measure is not None and not is_the_one:
         raise CannotAnswer(
             Message("a number is told of the whole motion only: ask for the period of small oscillations")
         )

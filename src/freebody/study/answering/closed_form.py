@@ -76,7 +76,20 @@ class QuestionSolver:
             case "every motion":
                 return answered(self.system, self.question, self._conserved)
             case _:
-                return answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
+                found = answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
+                return found if found.is_complete else self._with_verdict(found)
+
+    def _with_verdict(self, found: Answer) -> Answer:
+        """What numbers say of a question that asks whether, where there is no formula."""
+        q = self.question.quantity
+        if not isinstance(q, OfSmallMotion) or not self.setup.has_values or found.is_missed:
+            return found
+        from freebody.study.small_motion.numbers import said_of_numbers
+
+        with suppress(CannotAnswer, ArithmeticError, ValueError):
+            verdict, notes = said_of_numbers(q, self.setup)
+            return replace(found, verdict=verdict, notes=(*found.notes, *notes))
+        return found
 
     def _smooth(self) -> Answer:
         try:

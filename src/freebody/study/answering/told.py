@@ -97,6 +97,8 @@ def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
     if answer.expression is None:
         yield from map(line, _refusal(answer))
         yield from entries(*_value(answer, Message("by numbers")), _cases(answer))
+        if answer.value is not None:
+            yield from entries(entry(Message("note"), *answer.notes))
         return
     shown = answer.expression
     if answer.chain is not None:

@@ -48,7 +48,8 @@ def free_body(
     ends: dict[str, set[str]] = {}
     for row in system.rows:
         ends.setdefault(row.connection, {point.body for point in points_of(row.measure)})
-    partners = {row.name: frozenset(index[body] for body in ends[row.connection]) for row in system.rows}
+    known = {name: {index[body] for body in bodies if body in index} for name, bodies in ends.items()}  # no hidden ones
+    partners = {row.name: frozenset(known[row.connection]) for row in system.rows}
     return free_body_in_space(
         scene,
         poses_of(found),

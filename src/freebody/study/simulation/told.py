@@ -86,7 +86,11 @@ def _said(result: MeasuredMotion, summary: dict[str, Any]) -> Iterator[Entry]:
 
 def _blow(result: MeasuredMotion, when: str, blow: dict[str, Any]) -> Iterator[str]:
     """What a blow takes, and the impulses of what is held."""
-    yield Message("{when}; kinetic energy lost {energy:.6g} J", when=when, energy=blow["energy_lost"])
+    lost = blow["energy_lost"]
+    if lost < 0.0:  # an impulse that pushes, or what is driven, does work
+        yield Message("{when}; kinetic energy gained {energy:.6g} J", when=when, energy=-lost)
+    else:
+        yield Message("{when}; kinetic energy lost {energy:.6g} J", when=when, energy=lost)
     rows = {row.name: row for row in result.system.rows}
     for name, value in list(blow["impulses"].items())[:N_LISTED]:
         unit = unit_of(ENERGY * TIME / rows[name].measure.dimension)

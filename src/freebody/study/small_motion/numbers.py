@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from functools import singledispatch
 
+import numpy as np
+
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.numeric.vibration import stability
 from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced
@@ -19,11 +22,17 @@ from freebody.study.small_motion.damping import damped_values
 from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.study.small_motion.forced import forced_number
 from freebody.study.small_motion.shapes import ModeReader, RatioReader, undamped_modes
-from freebody.study.small_motion.stability import exponents
+from freebody.study.small_motion.stability import SQUARES, WITHOUT_DAMPING, exponents
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.linearised import swing_of
 
 Numbers = float | tuple[float, ...]
+_VERDICTS = {
+    "stable": Message("stable with the given numbers"),
+    "unstable": Message("not stable with the given numbers"),
+    "neutral": Message("neutral with the given numbers: equilibria go on there"),
+    "undecided by the linearisation": Message("the linear equations do not decide with the given numbers"),
+}
 
 
 def small_quantity(quantity: Quantity, setup: Setup, draw: Draw) -> Numbers:
@@ -60,7 +69,26 @@ def _shapes(q: ModeShapes, setup: Setup, draw: Draw) -> Numbers:
 
 @_number.register(EquilibriumStability)
 def _stability(q: EquilibriumStability, setup: Setup, draw: Draw) -> Numbers:
-    return _one_or_more(exponents(_small(setup, draw)))
+    small = _small(setup, draw)
+    if stability(small).of == "state matrix":  # a follower force, a rotor: the exponents are complex
+        raise CannotAnswer(Message("the stiffness alone does not decide here"))
+    return _one_or_more(exponents(small))
+
+
+@singledispatch
+def said_of_numbers(q: Quantity, setup: Setup) -> tuple[str, tuple[str, ...]]:
+    """What is said beside a number that has no formula: the verdict of a question that asks whether, and notes."""
+    return "", ()
+
+
+@said_of_numbers.register(EquilibriumStability)
+def _of_stability(q: EquilibriumStability, setup: Setup) -> tuple[str, tuple[str, ...]]:
+    small = _small(setup, setup.draws[0])
+    found = stability(small)
+    notes = [] if found.of == "state matrix" else [SQUARES]
+    if notes and np.abs(small.damping).max(initial=0.0) > 0.0:
+        notes.append(WITHOUT_DAMPING)
+    return _VERDICTS[found.verdict], tuple(notes)
 
 
 def _one_or_more(found: list[float]) -> Numbers:

@@ -30,9 +30,10 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import Linearised
 from freebody.symbolic.small_motion import FreeOscillations
 
-_SQUARES = Message(
+SQUARES = Message(
     "the squares of the exponents λ of small disturbances e^(λ t): stable where all are real and negative"
 )
+WITHOUT_DAMPING = Message("without damping; dissipative damping leaves the verdict as it is")
 _SIGNS = Message("what has to be positive so that small disturbances stay small (Descartes' rule of signs)")
 
 
@@ -63,8 +64,8 @@ def equilibrium_stability(setup: Setup, question: Question, at_rest: AtRest) -> 
     ordered = squares[::-1]
     evidence = compared(setup, question, ordered, free.equilibrium, conditions, _roots)
     if linear.is_damped:
-        notes.append(Message("without damping; dissipative damping leaves the verdict as it is"))
-    return _finding(ordered, evidence, conditions, [_SQUARES, *notes], stable_if(signs), verdict)
+        notes.append(WITHOUT_DAMPING)
+    return _finding(ordered, evidence, conditions, [SQUARES, *notes], stable_if(signs), verdict)
 
 
 def _finding(
