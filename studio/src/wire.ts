@@ -492,6 +492,19 @@ export interface SpotsAnswer {
   spots: Spot[];
 }
 
+/** columns: of the player at the start, one number each; nothing where the picture is another one */
+export interface StartAnswer {
+  columns: number[] | null;
+}
+
+/** Say where bodies start, for a picture that is there already. like: the text of the motion that it shows; is_passing: as of a motion */
+export interface StartRequest {
+  text: string;
+  language?: "en" | "de";
+  like: string;
+  is_passing?: boolean;
+}
+
 /** html: the report; plain: the same as data; is_complete: whether all that was asked is found; meanings: of symbols in it */
 export interface StudyAnswer {
   html: string;
@@ -569,6 +582,7 @@ export interface Requests {
   join: JoinRequest;
   suggest: SuggestRequest;
   motion: MotionRequest;
+  start: StartRequest;
   curves: MotionRequest;
   overlays: OverlaysRequest;
   learn: LearnRequest;
@@ -596,6 +610,7 @@ export interface Answers {
   join: JoinAnswer;
   suggest: SuggestAnswer;
   motion: MotionAnswer;
+  start: StartAnswer;
   curves: CurvesAnswer;
   overlays: OverlaysAnswer;
   learn: LearnAnswer;
