@@ -110,14 +110,14 @@ export class Studio {
   readonly isNotebook = notebook !== null;
   writer: Writer | null = null;
   private reading = new Latest();
-  private moving = new Latest();
+  private moving = new Latest(() => void server.leave("motion"));
   private passing = new Latest(); // of motions that give way to the next, which wait for no accurate one
   private nAsked = 0; // motions, and the last of them that is shown: what was asked for before it comes too late
   private nShown = 0;
   private curving = new Latest();
   private curvedAt = -Infinity; // [ms] when curves were asked for last
   private wholeAt = -Infinity; // [ms] when a motion came last
-  private counting = new Latest();
+  private counting = new Latest(() => void server.leave("count"));
   private learning: Promise<void> | null = null;
   /** Of what the reader takes. */
   schema: Record<string, unknown> | null = null;
@@ -254,7 +254,7 @@ export class Studio {
         void this.learn();
       }
       if (text === this.text) this.isStale = false;
-    });
+    }, asked !== undefined);
   }
   /** Shows where the n-th motion starts before it is there, in the picture that is shown; whether that could be done. */
   private async begins(text: string, n: number): Promise<boolean> {

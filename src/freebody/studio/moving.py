@@ -60,13 +60,13 @@ _placed: list[tuple[str, System, tuple[Reference, Array]]] = []  # the start tha
 
 def motion(request: MotionRequest) -> MotionAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    last = followed_last(request)
+    last = _followed(request)
     return motion_of(last.found, request, last.pages)
 
 
 def curved(request: MotionRequest) -> CurvesAnswer:
     """Raises CannotAnswer where the motion cannot begin."""
-    return curves_of(followed_last(request).found, request.language)
+    return curves_of(followed_last(request), request.language)
 
 
 def started(request: StartRequest) -> StartAnswer:
@@ -83,8 +83,8 @@ def started(request: StartRequest) -> StartAnswer:
     poses, _still = reference.by_body(q, np.zeros_like(q))
     if len(poses) != len(scene.names) or Layout.of(scene, poses[None], shown.own["symbol"]).moved:
         return StartAnswer(columns=None)
-    digits = shown.digits, shown.digits, ANGLE_DIGITS
-    return StartAnswer(columns=[round(x, n) + 0.0 for pose in poses.tolist() for x, n in zip(pose, digits, strict=True)])
+    digits = (shown.digits, shown.digits, ANGLE_DIGITS) * len(poses)
+    return StartAnswer(columns=[round(x, n) + 0.0 for x, n in zip(poses.ravel().tolist(), digits, strict=True)])
 
 
 def _is_plain(last: Followed) -> bool:
@@ -101,7 +101,12 @@ def _placed_in(text: str) -> tuple[str, System, tuple[Reference, Array]]:
     return text, system, placed_at_start(system)
 
 
-def followed_last(request: MotionRequest) -> Followed:
+def followed_last(request: MotionRequest) -> Simulation:
+    """Raises CannotAnswer where the motion cannot begin."""
+    return _followed(request).found
+
+
+def _followed(request: MotionRequest) -> Followed:
     """Raises CannotAnswer where the motion cannot begin."""
     asked = (request.text, request.until, request.frames, request.is_passing)
     if not _latest or _latest[0].asked != asked:

@@ -76,9 +76,8 @@ class Packing:
     def is_of(self, numbers: Numbers) -> bool:
         """Whether another packing of the same rows and loads would be the same: with these numbers as well."""
         own = self.numbers
-        return (
-            (numbers.values, numbers.length, numbers.fixed) == (own.values, own.length, own.fixed)
-            and all(numbers.start_value(measure) == value for measure, value in self.counted.values())
+        return (numbers.values, numbers.length, numbers.fixed) == (own.values, own.length, own.fixed) and all(
+            numbers.start_value(measure) == value for measure, value in self.counted.values()
         )
 
     # -- measures -----------------------------------------------------------------------------

@@ -39,8 +39,8 @@ from freebody.study.worded import without_value
 from freebody.system.system import System
 
 if TYPE_CHECKING:
-    from freebody.present.scene import Scene
     from freebody.numeric.tangent.motion import TangentMotion
+    from freebody.present.scene import Scene
 
 Progress = Callable[[float, int], None]
 
@@ -64,10 +64,9 @@ class Simulator:
         "theta' = 0", with "rising" or "falling" behind it for one direction only; one that begins with "stop when" ends
         the motion. by_steps: for time stepping, which does not follow single contacts. tells_borders: loads that act on
         one side only have events where they begin and end; stops_at_borders: their motion stops there and begins anew,
-        as one with derivatives must not. like: of the
-        same system from another start, perhaps, of which what does not hang on that is taken. placed: the system in
-        numbers and its pose at the start (`placed_at_start`), where that is known. Raises CannotAnswer naming parameters without a value, or what contradicts
-        itself at the start."""
+        as one with derivatives must not. like: of the same system from another start, perhaps, of which what does not
+        hang on that is taken. placed: the system in numbers and its pose at the start (`placed_at_start`), where that
+        is known. Raises CannotAnswer naming parameters without a value, or what contradicts itself at the start."""
         self.system = system
         for name, value in (values or {}).items():
             if name in system.parameters and system.parameters[name].sign == "positive" and not value > 0.0:
@@ -120,8 +119,8 @@ class Simulator:
     def engine_of(self, system: System, numbers: Numbers, watches: Sequence[EngineWatch]) -> Engine | None:
         """An engine of the same system from another start, by what is packed already; None where other arrays would
         be packed. Those of contact modes are changed on the way, and are not taken."""
-        is_same = self.bounded is None and self.engine.watches == tuple(watches) and self.system.starts_otherwise(system)
-        return self.engine.again(numbers) if is_same else None
+        is_packed_alone = self.bounded is None and self.engine.watches == tuple(watches)
+        return self.engine.again(numbers) if is_packed_alone and self.system.starts_otherwise(system) else None
 
     @cached_property
     def scene(self) -> Scene:
