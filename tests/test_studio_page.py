@@ -268,7 +268,7 @@ def test_while_a_slider_moves_only_the_motion_follows(page: Any) -> None:
     assert set(motions) == {61}
     assert 1 <= len(motions) <= 5
     # what is read is asked for where a frame takes too long
-    assert {kind for kind, _ in found["asked"]} <= {"motion", "curves", "read"}
+    assert {kind for kind, _ in found["asked"]} <= {"start", "motion", "curves", "read"}
     page.wait_for_selector(".content .freebody-report:not(.stale)", timeout=WAIT)
     assert "updating" not in page.inner_text("#panel")
 
