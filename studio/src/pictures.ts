@@ -6,10 +6,8 @@ export function inTheme(html: string, theme: "light" | "dark"): string {
   return html.replaceAll("@media screen and (prefers-color-scheme:dark){", rule);
 }
 
-/** The most that a picture is enlarged: letters of 9 pt stay letters in a picture of one small body. */
-const MOST = 1.8;
-
-/** A picture that knows how wide and how high it may become. */
-export const bounded = (svg: string): string =>
+/** A picture that knows how wide and how high it may become, at most so many times as it is: letters of 9 pt stay letters
+    in a picture of one small body. */
+export const bounded = (svg: string, most: number): string =>
   svg.replace(/<svg ([^>]*viewBox="0 0 ([\d.]+) ([\d.]+)")/g, (_all, head: string, wide: string, tall: string) =>
-    `<svg style="--wide: ${(MOST * Number(wide)).toFixed(0)}pt; --tall: ${(MOST * Number(tall)).toFixed(0)}pt" ${head}`);
+    `<svg style="--wide: ${(most * Number(wide)).toFixed(0)}pt; --tall: ${(most * Number(tall)).toFixed(0)}pt" ${head}`);
