@@ -45,14 +45,15 @@ RIGHTMOST = """() => {
     if (data[k + 3] > 200 && Math.max(...of) - Math.min(...of) > 90) return [box.x + x / ratio - 3, box.y + y / ratio];
   }
 }"""
-# from the event of a slider to the picture of the motion that follows it
+# from the event of a slider to the picture of where the motion starts then, or of that motion
 SLID = """(k) => new Promise((done) => {
   const slider = document.querySelector('.sliders input[type=range]'), ask = window.fetch;
   const clear = CanvasRenderingContext2D.prototype.clearRect, before = performance.now();
   let isThere = false;
   window.fetch = async (address, options) => {
     const reply = await ask(address, options);
-    isThere ||= JSON.parse(options.body).kind === 'motion';
+    const kind = JSON.parse(options.body).kind;
+    isThere ||= kind === 'motion' || (kind === 'start' && (await reply.clone().json()).answer?.columns);
     return reply;
   };
   CanvasRenderingContext2D.prototype.clearRect = function (...box) {

@@ -19,9 +19,10 @@ from scipy import interpolate
 import freebody as fb
 from freebody.errors import InputError
 from freebody.model.glyphs import Equation, Lead
+from freebody.narrative.telling.catalogue import Catalogue
 from freebody.numeric.reference import Reference
 from freebody.present import animation
-from freebody.present.animation import resampled, write_animation
+from freebody.present.animation import film_of, resampled, write_animation
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Heading, Node, Place, Rope, hull, positions
 from freebody.present.layout import Layout, headings, sweep
@@ -404,6 +405,19 @@ def test_names_of_a_film_stand_on_its_paper_and_not_on_each_other(path: Path) ->
         assert (box.min >= low).all()
         assert (box.max <= high).all()
         assert not any(box.overlaps(other) for other in boxes[k + 1 :])
+
+
+def test_a_film_is_told_in_its_language() -> None:
+    scene, poses = posed(EXAMPLES[0])
+    poses = np.concatenate([poses[:1], poses[:1]])
+    film = film_of(scene, np.array([0.0, 0.5]), poses, title="ein Film")
+    figure, stages = replace(film, tell=Catalogue("de").said).stages(2)
+    told: list[str] = []
+    for _ in stages:
+        told = [text.get_text() for text in (*figure.texts, *figure.axes[0].texts)]
+    assert "t = 0,50 s" in told
+    (note,) = (text for text in told if text.startswith("Achsen"))
+    assert re.fullmatch(r"Achsen \d+(,\d+)? m lang", note)
 
 
 def test_resampling_goes_through_the_given_poses_and_never_beyond_them() -> None:

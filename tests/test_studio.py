@@ -679,12 +679,24 @@ def test_what_a_window_asked_for_that_is_gone_holds_nobody_up(server: Server) ->
     gone = HTTPConnection("127.0.0.1", server.port, timeout=120)
     own = {"Authorization": f"Bearer {server.token}", "Content-Type": "application/json"}
     gone.request("POST", "/api/ask", body, own)
-    while "study.first" not in json.loads(server.post("/api/busy", {})[2]):
-        pass
+    assert json.loads(gone.getresponse().read())["status"] == "later"
+    gone.request("POST", "/api/later", json.dumps({"window": "first"}).encode(), own)
+    assert "study.first" in json.loads(server.post("/api/busy", {})[2])
+    sleep(0.2)  # until the request has been heard
     gone.close()
     request = {"text": PENDULUM, "name": "solve"}
-    status, _, content = server.post("/api/ask", {"kind": "study", "topic": "study.second", "request": request})
+    status, _, content = server.post("/api/ask", {"kind": "study", "topic": "study", "request": request})
     assert (status, json.loads(content)["status"]) == (200, "done")
+
+
+def test_a_study_of_minutes_holds_no_connection(server: Server) -> None:
+    request = {"text": CHAIN, "name": "explain", "options": {"question": "far"}}
+    call = {"kind": "study", "topic": "study.one", "request": request}
+    promised = json.loads(server.post("/api/ask", call)[2])
+    assert promised["status"] == "later"
+    server.post("/api/cancel", {"topic": "study.one"})
+    replies = json.loads(server.post("/api/later", {"window": "one"})[2])
+    assert {number: reply["status"] for number, reply in replies.items()} == {promised["message"]: "cancelled"}
 
 
 def test_the_page_comes_with_its_policy_and_nothing_else_is_given_away(server: Server) -> None:

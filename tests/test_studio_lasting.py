@@ -251,6 +251,31 @@ def is_worker(pid: int) -> bool:
     return "forkserver" in told
 
 
+# more studies than a browser has connections to one server, each under a topic of its own
+ASK_FOR_MANY = """([text, window]) => {
+  const token = new URLSearchParams(location.hash.slice(1)).get('token');
+  const headers = { 'Content-Type': 'application/json', Authorization: `Bearer ${token}` };
+  for (const name of 'abcdefgh') {
+    const request = { text, name: 'explain', options: { question: 'far' } };
+    const body = JSON.stringify({ kind: 'study', topic: `study-${name}.${window}`, request });
+    void fetch('/api/ask', { method: 'POST', headers, body });
+  }
+}"""
+
+
+def test_slow_answers_of_two_windows_hold_no_text_up(page: Any) -> None:
+    other = page.context.new_page()
+    other.goto(page.url)
+    other.wait_for_selector(READY, timeout=WAIT)
+    for k, window in enumerate((page, other)):
+        window.evaluate(ASK_FOR_MANY, [SLOW, f"w{k}"])
+    page.wait_for_timeout(2000)
+    for window in (page, other):
+        type_all(window, PENDULUM.replace("rod.start", "rod.strat"))
+        window.wait_for_selector(".badge.bad", timeout=10_000)
+    other.close(run_before_unload=False)
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="NOT RUN: processes are found by ps")
 def test_a_worker_that_ends_is_told_and_replaced(browser: Any, pendulum: Path) -> None:
     page = browser.new_context(viewport={"width": 1500, "height": 900}, locale="en-GB").new_page()

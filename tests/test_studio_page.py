@@ -265,10 +265,12 @@ def test_while_a_slider_moves_only_the_motion_follows(page: Any) -> None:
     found = page.evaluate(SLID, 5)
     assert found["seen"] == [[True, True]] * 5
     motions = [frames for kind, frames in found["asked"] if kind == "motion"]
-    assert set(motions) == {61}
-    assert 1 <= len(motions) <= 5
+    starts = [kind for kind, _ in found["asked"] if kind == "start"]
+    assert set(motions) <= {61}
+    assert len(motions) <= 5
+    assert 1 <= len(starts) <= 5  # where it starts is shown before the motion is there
     # what is read is asked for where a frame takes too long
-    assert {kind for kind, _ in found["asked"]} <= {"motion", "curves", "read"}
+    assert {kind for kind, _ in found["asked"]} <= {"start", "motion", "curves", "read"}
     page.wait_for_selector(".content .freebody-report:not(.stale)", timeout=WAIT)
     assert "updating" not in page.inner_text("#panel")
 

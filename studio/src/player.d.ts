@@ -21,6 +21,7 @@ declare module "virtual:player" {
     draw(): void;
     measure(): void;
     show(data: Record<string, unknown>, frame?: number): void;
+    begin(columns: number[]): void;
     go(frame: number): void;
     turn(azimuth: number, elevation: number): void;
     zoom(factor: number): void;

@@ -63,12 +63,43 @@ async function post<T>(name: string, body: unknown): Promise<T> {
 
 export type Told<K extends keyof Answers> = Omit<Reply, "answer"> & { answer: Answers[K] | null };
 
+let nAsked = 0; // requests of this window
 export function ask<K extends keyof Requests>(kind: K, request: Requests[K], topic: string = kind): Promise<Told<K>> {
   if (kept) {
     const found = kept.replies[keyOf(kind, request)];
     return Promise.resolve((found ?? { status: "refused", message: "" }) as Told<K>);
   }
-  return post("ask", { kind, topic: ownOf(topic), request });
+  return post<Told<K>>("ask", { kind, topic: ownOf(topic), request, number: ++nAsked }).then((told) => (told.status === "later" ? promised(told.message) : told) as Promise<Told<K>> | Told<K>);
+}
+
+// Answers that take their time, by number: one request of this window brings them all. One may come before its promise.
+const awaited = new Map<string, { resolve(reply: Reply): void; reject(error: unknown): void }>(), early = new Map<string, Reply>();
+let isCollecting = false;
+function promised(number: string): Promise<Reply> {
+  const reply = early.get(number);
+  early.delete(number);
+  if (reply) return Promise.resolve(reply);
+  return new Promise((resolve, reject) => {
+    awaited.set(number, { resolve, reject });
+    if (!isCollecting) void collect();
+  });
+}
+async function collect(): Promise<void> {
+  isCollecting = true;
+  try {
+    while (awaited.size) {
+      for (const [number, reply] of Object.entries(await post<Record<string, Reply>>("later", { window: window_ }))) {
+        if (awaited.has(number)) awaited.get(number)!.resolve(reply);
+        else early.set(number, reply);
+        awaited.delete(number);
+      }
+    }
+  } catch (error) {
+    for (const each of awaited.values()) each.reject(error);
+    awaited.clear();
+  } finally {
+    isCollecting = false;
+  }
 }
 const caseOf = (places: number[]) => sliders.reduce((before, slider, k) => before * slider.values.length + places[k]!, 0);
 /** The answers to the questions of the file at places of the sliders of a shared page. */
@@ -85,8 +116,8 @@ export function movedTo(places: number[]): { motion: Told<"motion">; curves: Tol
   return { motion: { ...motion, answer: { ...motion.answer, player: { ...own.player, ...motion.answer.player } } }, curves };
 }
 export const cancel = (topic: string) => post<object>("cancel", { topic: ownOf(topic) });
-/** Nobody looks any more at what was asked under a topic, so that nothing else waits for it. */
-export const leave = (topic: string) => isAlone ? Promise.resolve({}) : post<object>("leave", { topic: ownOf(topic) }).catch(() => ({}));
+/** Nobody looks any more at what was asked under a topic until now, so that nothing else waits for it. */
+export const leave = (topic: string) => isAlone ? Promise.resolve({}) : post<object>("leave", { topic: ownOf(topic), number: nAsked }).catch(() => ({}));
 /** With what that is busy which is asked under a topic. */
 export const busy = (topic: string) => isAlone ? Promise.resolve("") : post<Record<string, string>>("busy", {}).then((all) => all[ownOf(topic)] ?? "");
 export const open = () => kept ? Promise.resolve(kept.opening) : post<Opening>("open", {});

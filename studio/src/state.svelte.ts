@@ -35,8 +35,9 @@ export interface Writer {
 export const SHARES = { model: 24, results: 32 };
 /** How long a slider stays where it is before all else follows [ms]: longer than a hand that moves it slowly pauses. */
 const AT_REST = 200;
-/** How often curves follow a motion that gives way to the next [ms]: they are asked for in between, so that pictures stay quick. */
-const CURVES_EVERY = 150;
+/** How often a motion follows while a slider moves the picture of its start, and how often curves follow motions that give
+    way to the next [ms]: they are asked for in between, so that pictures stay quick. */
+const WHOLE_EVERY = 150, CURVES_EVERY = 150;
 const NARROWEST = 12, LEAST_SCENE = 20;
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -58,6 +59,8 @@ export class Studio {
   motion = $state.raw<MotionAnswer | null>(null);
   /** Of that motion, or of the one before for as long as they are on their way. */
   curves = $state.raw<CurvesAnswer | null>(null);
+  /** Where the bodies of that motion would start now, until the motion from there has come. */
+  begun = $state.raw<number[] | null>(null);
   motionMessage = $state("");
   motionText = $state("");
   count = $state.raw<StudyAnswer | null>(null);
@@ -107,13 +110,14 @@ export class Studio {
   readonly isNotebook = notebook !== null;
   writer: Writer | null = null;
   private reading = new Latest();
-  private moving = new Latest();
+  private moving = new Latest(() => void server.leave("motion"));
   private passing = new Latest(); // of motions that give way to the next, which wait for no accurate one
   private nAsked = 0; // motions, and the last of them that is shown: what was asked for before it comes too late
   private nShown = 0;
   private curving = new Latest();
   private curvedAt = -Infinity; // [ms] when curves were asked for last
-  private counting = new Latest();
+  private wholeAt = -Infinity; // [ms] when a motion came last
+  private counting = new Latest(() => void server.leave("count"));
   private learning: Promise<void> | null = null;
   /** Of what the reader takes. */
   schema: Record<string, unknown> | null = null;
@@ -179,7 +183,7 @@ export class Studio {
   }
 
   load(text: string): void {
-    this.motion = null;
+    [this.motion, this.begun] = [null, null];
     this.curves = null;
     this.count = null;
     this.read = null;
@@ -237,7 +241,9 @@ export class Studio {
   follow(text = this.text, { frames, asked }: { frames?: number; asked?: Promise<Told<"motion"> | null> } = {}): void {
     const n = ++this.nAsked;
     (frames === undefined ? this.moving : this.passing).run(async () => {
+      if (frames !== undefined && (await this.begins(text, n)) && this.passing.isWaiting && performance.now() - this.wholeAt < WHOLE_EVERY) return;
       const told = await (asked ?? this.askedMotion(text, frames));
+      this.wholeAt = performance.now();
       if (!told || n < this.nShown) return;
       const isAbout = text === this.text && text === this.modelText;
       if (told.answer || (told.status !== "replaced" && isAbout)) {
@@ -248,7 +254,15 @@ export class Studio {
         void this.learn();
       }
       if (text === this.text) this.isStale = false;
-    });
+    }, asked !== undefined);
+  }
+  /** Shows where the n-th motion starts before it is there, in the picture that is shown; whether that could be done. */
+  private async begins(text: string, n: number): Promise<boolean> {
+    if (!this.motion || this.time > this.motion.start || this.isNotebook) return false;
+    const told = await this.asked("start", { text, language: this.language, like: this.motionText, is_passing: true });
+    if (!told?.answer?.columns || n < this.nShown) return false;
+    [this.begun, this.isMoving] = [told.answer.columns, true];
+    return true;
   }
   /** What is measured along the motion that is shown: its picture does not wait for that. */
   private curve(text: string, shown: Told<"motion">, frames?: number): void {
@@ -273,7 +287,7 @@ export class Studio {
     return server.sliders.some((slider, k) => slider.own !== this.places[k]);
   }
   private shown(told: Told<"motion">): void {
-    this.motion = told.answer;
+    [this.motion, this.begun] = [told.answer, null];
     this.motionMessage = told.answer ? told.answer.message : this.reason(told);
     if (told.answer) this.time = Math.min(this.time, told.answer.end);
   }

@@ -28,11 +28,12 @@ export interface Asked {
   text: string;
 }
 
-/** What the page posts. topic: a later request of the same topic takes the place of an earlier one; each window has its own */
+/** What the page posts. topic: a later request of the same topic takes the place of an earlier one; each window has its own; number: which of a window's requests it is, so that what is left before it is asked is not this one */
 export interface Call {
   kind: string;
   topic: string;
   request: Record<string, unknown>;
+  number?: number;
 }
 
 /** Within which dry friction holds. axis: of the normal force; half: angle to its sides [rad]; used: to the resultant */
@@ -421,9 +422,9 @@ export interface RenameRequest {
   name: string;
 }
 
-/** What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not finished: replaced by a later request, cancelled, out of time or memory, or the worker ended */
+/** What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not finished: replaced by a later request, cancelled, out of time or memory, or the worker ended. later: it takes its time, and comes under the number in the message */
 export interface Reply {
-  status: "done" | "refused" | "replaced" | "cancelled" | "too long" | "crashed";
+  status: "done" | "refused" | "replaced" | "cancelled" | "too long" | "crashed" | "later";
   message: string;
   answer: unknown;
 }
@@ -490,6 +491,19 @@ export interface Spot {
 /**  */
 export interface SpotsAnswer {
   spots: Spot[];
+}
+
+/** columns: of the player at the start, one number each; nothing where the picture is another one */
+export interface StartAnswer {
+  columns: number[] | null;
+}
+
+/** Say where bodies start, for a picture that is there already. like: the text of the motion that it shows; is_passing: as of a motion */
+export interface StartRequest {
+  text: string;
+  language?: "en" | "de";
+  like: string;
+  is_passing?: boolean;
 }
 
 /** html: the report; plain: the same as data; is_complete: whether all that was asked is found; meanings: of symbols in it */
@@ -569,6 +583,7 @@ export interface Requests {
   join: JoinRequest;
   suggest: SuggestRequest;
   motion: MotionRequest;
+  start: StartRequest;
   curves: MotionRequest;
   overlays: OverlaysRequest;
   learn: LearnRequest;
@@ -596,6 +611,7 @@ export interface Answers {
   join: JoinAnswer;
   suggest: SuggestAnswer;
   motion: MotionAnswer;
+  start: StartAnswer;
   curves: CurvesAnswer;
   overlays: OverlaysAnswer;
   learn: LearnAnswer;

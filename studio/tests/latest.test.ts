@@ -23,3 +23,16 @@ test("what waits is done also after a piece that fails, and the failure is told"
   await vi.waitFor(() => expect(done).toEqual(["next"]));
   expect(told).toEqual([new Error("no")]);
 });
+
+test("what runs is abandoned when the next comes, unless that has taken its place already", () => {
+  let n = 0;
+  const latest = new Latest(() => (n += 1)), forever = () => new Promise<void>(() => undefined);
+  latest.run(forever);
+  expect(n).toBe(0);
+  latest.run(forever, true);
+  expect(n).toBe(0);
+  latest.run(forever);
+  expect(n).toBe(1);
+  latest.stop();
+  expect([n, latest.isWaiting]).toEqual([2, false]);
+});

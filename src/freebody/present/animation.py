@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.messages import Message
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array
 from freebody.present.files import replaced
@@ -118,13 +119,13 @@ class Film:
     def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
         """A figure, and an iterator that brings it to one frame after the other, at a rate [1/s]."""
         show, shown = self.show(self.n_frames(rate))
-        stage = Stage.of(show, _INCHES, title=self.title)
+        stage = Stage.of(show, _INCHES, title=self.title, tell=self.tell)
         clock = stage.figure.text(0.97, 0.03, "", ha="right", va="bottom", fontsize=9, color=stage.theme.muted)
 
         def stages() -> Iterator[None]:
             for frame, t in enumerate(shown):
                 artists = stage.paint(frame)
-                clock.set_text(f"t = {t:.2f} s")
+                clock.set_text(self.tell(Message("t = {t:.2f} s", t=float(t))))
                 yield
                 for artist in artists:
                     artist.remove()

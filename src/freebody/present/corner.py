@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from freebody.messages import Message
 from freebody.present.figures import Array
 from freebody.present.picture.shapes import Shape, area, line
 from freebody.present.picture.signs import arc
@@ -48,7 +49,8 @@ def corner_marks(
         away = along / length if length > 0.3 * letter else np.array((-0.7, -0.7))
         words.append((origin + along + 0.75 * letter * away, "xyz"[k], "ink"))
     if has_lengths:
-        words.append((origin + letter * np.array((longest + 7.2, -0.6)), f"axes {arm:g} m long", "muted"))
+        told = Message("axes {length:g} m long", length=arm)
+        words.append((origin + letter * np.array((longest + 7.2, -0.6)), told, "muted"))
     if gravity is not None:
         down = view.axes[:2] @ gravity
         start = origin + letter * np.array((longest + 13.9, 2.2))

@@ -23,6 +23,7 @@ function quaternion(body, f) {
   const mixed = p.map((c, k) => a * c + b * q[k]), size = Math.hypot(...mixed) || 1;
   return mixed.map((c) => c / size);
 }
+let begun = null; // the columns of another start, until its motion is there
 let known = { frame: -1, poses: [] }; // of the frame that is drawn, which all strokes ask for
 function pose(body, f) {
   if (f !== known.frame) return poseAt(body, f);
@@ -31,7 +32,7 @@ function pose(body, f) {
 function poseAt(body, f) {
   // the centre and the rows of the rotation
   if (body >= n_moving) return data.fixed[body - n_moving];
-  const at = (c) => column(stride * body + c, f);
+  const at = (c) => (begun && f === 0 ? begun[stride * body + c] : column(stride * body + c, f));
   if (data.planar) {
     const c = Math.cos(at(2)), s = Math.sin(at(2));
     return [[at(0), at(1), 0], [[c, -s, 0], [s, c, 0], [0, 0, 1]]];
@@ -779,7 +780,13 @@ function show(fresh, frame = at) {
   data = isKept && shown.isHeld?.() ? { ...fresh, bounds, middle, distance } : fresh;
   [last, n_moving, stride] = [data.n_frames - 1, data.names.length, data.planar ? 3 : 7];
   at = Math.max(0, Math.min(last, frame));
+  begun = null;
   if (isKept) draw(); else resetView();
+}
+function begin(columns) {
+  // the picture of the start with these columns, one number each, before its motion is there
+  [begun, at] = [columns, 0];
+  draw();
 }
 function go(frame) { at = Math.max(0, Math.min(last, frame)); draw(); }
 function pick([x, y]) {
@@ -816,5 +823,5 @@ function held(name) {
   return [center, far].map((p) => ({ spot: onPaper(p), depth: p[2] }));
 }
 resetView();
-return { draw, measure, show, go, turn, zoom, move, resetView, pick, place, depth, held, sides: () => camera.axes.slice(0, 2), at: () => at, last: () => last };
+return { draw, measure, show, begin, go, turn, zoom, move, resetView, pick, place, depth, held, sides: () => camera.axes.slice(0, 2), at: () => at, last: () => last };
 }

@@ -66,6 +66,10 @@ class Scene:
         """What to draw of a system whose expressions have the values `number` (such as `Reference.number`)."""
         return _Reader(system, number).scene()
 
+    def looks_like(self, other: Scene) -> bool:
+        """Whether the same is drawn of another one of the plane."""
+        return (self.names, self.figures, self.shown) == (other.names, other.figures, other.shown)
+
     @property
     def ground(self) -> int:
         """The index of the ground in space."""

@@ -62,7 +62,7 @@ def show_of_plane(drawing: Drawing, note: str = "") -> Show:
 @dataclass
 class Stage:
     """A Matplotlib figure for one view of a drawing. letter: [m] the height of one on paper; low, high: corners of the
-    paper; choices: where names were last."""
+    paper; tell: a message in the language of the picture; choices: where names were last."""
 
     show: Show
     figure: Any
@@ -72,10 +72,13 @@ class Stage:
     letter: float
     low: Array
     high: Array
+    tell: Callable[[str], str] = str
     choices: dict[str, int] = field(default_factory=dict[str, int])
 
     @classmethod
-    def of(cls, show: Show, width: float, *, title: str = "", dark: bool = False) -> Stage:
+    def of(
+        cls, show: Show, width: float, *, title: str = "", dark: bool = False, tell: Callable[[str], str] = str
+    ) -> Stage:
         """An empty figure, as wide as said [inches] and as high as it needs, an even number of pixels."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
@@ -105,9 +108,9 @@ class Stage:
             figure.text(0.5, 1.0 - 0.24 / page, text, fontsize=11, color=theme.ink, **look)
         if show.note:
             below = 1.0 - (head - 0.1) / page
-            figure.text(0.5, below, plain(show.note), fontsize=7, color=theme.muted, wrap=True, **look)
+            figure.text(0.5, below, plain(tell(show.note)), fontsize=7, color=theme.muted, wrap=True, **look)
         letter = _FONT / _PER_INCH / scale
-        return cls(show, figure, axes, theme, dark, letter, corner, corner + paper)
+        return cls(show, figure, axes, theme, dark, letter, corner, corner + paper, tell)
 
     def paint(self, frame: int) -> list[Any]:
         """Draws one instant; returns the artists. In a film names look for better places now and then."""
@@ -116,7 +119,7 @@ class Stage:
         gravity, has_lengths = self.show.scene.gravity, self.show.has_lengths
         corner, words = corner_marks(gravity, self.show.view, self.low, self.letter, has_lengths=has_lengths)
         artists = [pixels.paint([*shapes, *corner], self.axes, dark=self.is_dark)]
-        artists += [self._text(at, text, color) for at, text, color in words]
+        artists += [self._text(at, self.tell(text), color) for at, text, color in words]
         artists += [self._text(at, text, "ink") for at, text in self.show.words(frame)]
         frame_of = self.low + np.array((0.0, _CORNER * self.letter)), self.high
         inks = footprints(painted, self.letter)

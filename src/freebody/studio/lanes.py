@@ -73,12 +73,17 @@ class Worker:
             self._task = asyncio.create_task(self._work())
         return await piece.reply
 
-    def leave(self, topic: str) -> None:
-        """Nobody waits any more for what is asked under a topic: what is nearly done may end by itself."""
-        for piece in [p for p in self.waiting if p.call.topic == topic]:
+    def leave(self, topic: str, last: int | None = None) -> None:
+        """Nobody waits any more for what is asked under a topic: what is nearly done may end by itself. last: the
+        number of the last request that is meant, of all if nothing is said."""
+
+        def is_left(piece: _Piece) -> bool:
+            return piece.call.topic == topic and (last is None or piece.call.number <= last)
+
+        for piece in [p for p in self.waiting if is_left(p)]:
             self._end(piece, Reply(status="replaced"))
         current, loop = self.current, asyncio.get_running_loop()
-        if current is not None and current.call.topic == topic:
+        if current is not None and is_left(current):
             loop.call_later(max(0.0, current.begun + _PATIENCE - loop.time()), self._overtake, current)
 
     def cancel(self, topic: str) -> None:
@@ -238,9 +243,9 @@ class Lanes:
         for worker in self.workers.values():
             worker.cancel(topic)
 
-    def leave(self, topic: str) -> None:
+    def leave(self, topic: str, last: int | None = None) -> None:
         for worker in self.workers.values():
-            worker.leave(topic)
+            worker.leave(topic, last)
 
     def busy(self) -> dict[str, str]:
         """What each topic that is being worked on is busy with."""

@@ -28,6 +28,7 @@ from freebody.examples_folder import folder as examples_folder
 from freebody.examples_folder import listed_examples, listed_templates, templates
 from freebody.studio.folder import Folder
 from freebody.studio.lanes import Lanes
+from freebody.studio.late import LateAnswers
 from freebody.studio.look import style_sheet
 from freebody.studio.telling import told
 from freebody.studio.wire.around import Call, Example, Opening, SaveAnswer, SaveRequest
@@ -65,6 +66,7 @@ def new_token() -> str:
 def studio(folder: Folder, token: str, port: int) -> Starlette:
     """The application. port: on which it is asked; only requests for it are answered."""
     lanes = Lanes(folder.path, examples_folder())
+    late = LateAnswers(lanes.leave)
     hosts = {f"{name}:{port}" for name in NAMES}
 
     @asynccontextmanager
@@ -116,18 +118,21 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
         call = Call.model_validate(body)
         if call.kind not in WORK:
             raise KeyError(call.kind)
-        waiting = asyncio.create_task(_gone(request, lambda: lanes.leave(call.topic)))
-        try:
-            return await lanes.ask(call)
-        finally:
-            waiting.cancel()
+        async with _watched(request, lambda: lanes.leave(call.topic)):
+            return await late.now_or_later(call, asyncio.create_task(lanes.ask(call)))
+
+    async def later(body: Any, request: Request) -> Any:
+        window = str(body["window"])
+        async with _watched(request, lambda: late.left(window)):
+            return await late.ready(window)
 
     async def cancel(body: Any, _request: Request) -> Any:
         lanes.cancel(str(body["topic"]))
         return {}
 
     async def leave(body: Any, _request: Request) -> Any:
-        lanes.leave(str(body["topic"]))
+        number = body.get("number")
+        lanes.leave(str(body["topic"]), number if isinstance(number, int) else None)
         return {}
 
     async def busy(_body: Any, _request: Request) -> Any:
@@ -150,6 +155,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
     answers: dict[str, Answer] = {
         "open": open_page,
         "ask": ask,
+        "later": later,
         "cancel": cancel,
         "leave": leave,
         "busy": busy,
@@ -199,6 +205,16 @@ async def _body(request: Request) -> Any:
     if not isinstance(body, dict):
         raise KeyError
     return body
+
+
+@asynccontextmanager
+async def _watched(request: Request, leave: Callable[[], None]) -> AsyncGenerator[None]:
+    """While this is answered it is seen whether the window that has asked is still there."""
+    waiting = asyncio.create_task(_gone(request, leave))
+    try:
+        yield
+    finally:
+        waiting.cancel()
 
 
 async def _gone(request: Request, leave: Callable[[], None]) -> None:

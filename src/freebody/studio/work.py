@@ -14,7 +14,7 @@ from pydantic import BaseModel, ValidationError
 from freebody.errors import BrokenInstallation, FreebodyError
 from freebody.studio.telling import told
 from freebody.studio.wire.around import Reply
-from freebody.studio.wire.motions import MarksRequest, MotionRequest, OverlaysRequest, SweepRequest
+from freebody.studio.wire.motions import MarksRequest, MotionRequest, OverlaysRequest, StartRequest, SweepRequest
 from freebody.studio.wire.studies import (
     ExportRequest,
     HintsRequest,
@@ -90,6 +90,7 @@ WORK: dict[str, Work] = {
     "join": Work(JoinRequest, "joining", "join", READING),
     "suggest": Work(SuggestRequest, "editing", "suggest", READING),
     "motion": Work(MotionRequest, "moving", "motion", MOVING),
+    "start": Work(StartRequest, "moving", "started", MOVING),
     "curves": Work(MotionRequest, "moving", "curved", MOVING),
     "overlays": Work(OverlaysRequest, "overlays", "overlaid", COUNTING),  # no motion waits for forces
     "learn": Work(LearnRequest, "kinds", "learned", COUNTING),

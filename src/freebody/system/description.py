@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Self, TypeVar
 
@@ -120,6 +120,11 @@ class SystemDescription:
     def all_loads(self) -> tuple[AppliedLoad, ...]:
         """Beside the loads what drives the states."""
         return (*self.applied_loads, *(state.drive() for state in self.states.values()))
+
+    def starts_otherwise(self, other: SystemDescription) -> bool:
+        """Whether another system is this one from another start at most, whatever is said and asked of the two."""
+        said = ("start", "start_rates", "about", "questions", "assumptions", "document", "file", "names")
+        return all(getattr(self, it.name) == getattr(other, it.name) for it in fields(self) if it.name not in said)
 
     @cached_property
     def at_rest(self) -> Self:

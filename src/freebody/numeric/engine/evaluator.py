@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -75,6 +76,16 @@ class Packed:
         self.n_coordinates, self.n_y = self.border.n_coordinates, self.border.n_y
         self.at_work = 2 * self.n_coordinates  # where the work done stands in a state
         self.unit = self.border.unit
+
+    def again(self, numbers: Numbers) -> Self | None:
+        """The same arrays, with room of their own, for the same rows and loads from another start; None where that
+        changes one of them."""
+        if not self.written.packing.is_of(numbers):
+            return None
+        other = copy(self)
+        other.numbers, other.room = numbers, room_for(self.layout, space=numbers.system.space)
+        vars(other).pop("idle", None)  # a run of the other room
+        return other
 
     def state(self, poses: Floats, velocities: Floats) -> Floats:
         """The state of poses and velocities (n_bodies, 3); in space (n_bodies, 6): those of the mass centre, then the
@@ -208,6 +219,12 @@ class Evaluator(Packed):
         self.place_of[self.order] = np.arange(len(self.order))
         self._unshared: ModelArrays = self.layout
         self.is_shared = False  # whether multipliers that are not unique are the least
+
+    def again(self, numbers: Numbers) -> Self | None:
+        other = super().again(numbers)
+        if other is not None:
+            other.share_no_more()
+        return other
 
     @cached_property
     def guard_programs(self) -> GuardPrograms:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import cache
 from typing import Any
 
@@ -41,7 +41,9 @@ class Packing:
     """Collects measures, rows, held rows and loads of a system; `written` makes arrays of them."""
 
     def __init__(self, numbers: Numbers) -> None:
-        self.numbers = numbers
+        self.counted: dict[int, tuple[Measure, float]] = {}  # from where measures count that were asked, by identity
+        self._start_value = numbers.start_value
+        self.numbers = numbers = replace(numbers, start_value=self._counted_from)
         self.cells = cells_of(numbers)
         self.measures = self.cells.measures
         self._kind_names = frozenset(kind.name for kind in self.measures.kinds)
@@ -64,6 +66,19 @@ class Packing:
         self.dry_friction: list[Slide] = []
         self.watched: list[Where] = []
         self.applied_loads: list[tuple[Where, AppliedLoad, tuple[float, float, float] | None, bool]] = []
+
+    def _counted_from(self, measure: Measure) -> float:
+        value = self._start_value(measure)
+        if measure.incremental:
+            self.counted[id(measure)] = measure, value
+        return value
+
+    def is_of(self, numbers: Numbers) -> bool:
+        """Whether another packing of the same rows and loads would be the same: with these numbers as well."""
+        own = self.numbers
+        return (numbers.values, numbers.length, numbers.fixed) == (own.values, own.length, own.fixed) and all(
+            numbers.start_value(measure) == value for measure, value in self.counted.values()
+        )
 
     # -- measures -----------------------------------------------------------------------------
     def _body(self, name: str) -> int:

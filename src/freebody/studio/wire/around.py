@@ -11,20 +11,22 @@ from freebody.studio.wire.said import LONGEST_TEXT, UNTIL, Language, Said
 
 class Reply(Said):
     """What comes back. done: answer is there; refused: the model or the question is at fault; else the work was not
-    finished: replaced by a later request, cancelled, out of time or memory, or the worker ended"""
+    finished: replaced by a later request, cancelled, out of time or memory, or the worker ended. later: it takes its
+    time, and comes under the number in the message"""
 
-    status: Literal["done", "refused", "replaced", "cancelled", "too long", "crashed"]
+    status: Literal["done", "refused", "replaced", "cancelled", "too long", "crashed", "later"]
     message: str = ""
     answer: Any = None
 
 
 class Call(Said):
     """What the page posts. topic: a later request of the same topic takes the place of an earlier one; each window has
-    its own"""
+    its own; number: which of a window's requests it is, so that what is left before it is asked is not this one"""
 
     kind: str
     topic: str = Field(pattern=r"^[a-z-]{1,40}(\.[a-z0-9]{0,20})?$")
     request: dict[str, Any]
+    number: int = 0
 
 
 class Example(Said):

@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from freebody.studio.wire.said import UNTIL, Said
+from freebody.studio.wire.said import LONGEST_TEXT, UNTIL, Said
 from freebody.studio.wire.texts import Request
 
 Overlay = Literal["velocity", "acceleration", "reaction", "load", "friction-cones", "mass-centres", "instant-centres"]
@@ -19,6 +19,20 @@ class MotionRequest(Request):
     until: float = Field(gt=0, le=1e4)
     frames: int = Field(default=301, ge=2, le=3001)
     is_passing: bool = False
+
+
+class StartRequest(Request):
+    """Say where bodies start, for a picture that is there already. like: the text of the motion that it shows;
+    is_passing: as of a motion"""
+
+    like: str = Field(max_length=LONGEST_TEXT)
+    is_passing: bool = True
+
+
+class StartAnswer(Said):
+    """columns: of the player at the start, one number each; nothing where the picture is another one"""
+
+    columns: list[float] | None
 
 
 class OverlaysRequest(MotionRequest):

@@ -16,6 +16,7 @@ from freebody.numeric.contact.record import PhaseRecord
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
+from freebody.numeric.reference import Reference
 from freebody.present.report.blocks import Report
 from freebody.present.report.results import Result, summary
 from freebody.study.simulation.at_rest import is_unstable_rest, staying
@@ -105,11 +106,10 @@ class Simulation(MeasuredMotion, Result):
     def _film(self, speed: float) -> Film:
         from freebody.present import animation as plane
         from freebody.present.marks import ContactTrack
-        from freebody.present.scene import Scene
         from freebody.present.space import animation as space
 
         course, number, title = self.course, self.simulator.reference.number, self.system.title
-        scene, poses = Scene.of(self.system, number), course.poses[:, :-1]
+        scene, poses = self.simulator.scene, course.poses[:, :-1]
         if course.rotation is not None:
             turned = course.rotation.quaternions[:, :-1]
             return space.film_of(scene, course.times, poses[:, :, :3], turned, title=title, speed=speed)
@@ -156,17 +156,32 @@ def with_steps(
     return _simulated(system, until, options, values, events, at, keep=True)
 
 
+@in_words
+def simulated_like(
+    system: System,
+    until: float,
+    options: SimulationOptions,
+    like: Simulator | None,
+    placed: tuple[Reference, Array] | None = None,
+) -> Simulation:
+    """As `simulate`, number for number; where the system is that of a simulator from another start, most of what is
+    found before the motion is taken from that. placed: as for `Simulator`."""
+    return _simulated(system, until, options, like=like, placed=placed)
+
+
 def _simulated(
     system: System,
     until: float,
     options: SimulationOptions,
-    values: Mapping[str, float] | None,
-    events: Sequence[str],
-    at: Sequence[float],
+    values: Mapping[str, float] | None = None,
+    events: Sequence[str] = (),
+    at: Sequence[float] = (),
     progress: Progress | None = None,
     before: Simulation | None = None,
     *,
     keep: bool = False,
+    like: Simulator | None = None,
+    placed: tuple[Reference, Array] | None = None,
 ) -> Simulation:
     options.check_asked(until)
     if options.by_steps and events:
@@ -188,9 +203,18 @@ def _simulated(
             )
         )
     simulator = (
-        Simulator(system, values, events, by_steps=options.by_steps, tells_borders=True, stops_at_borders=not keep)
-        if before is None
-        else before.simulator
+        before.simulator
+        if before is not None
+        else Simulator(
+            system,
+            values,
+            events,
+            by_steps=options.by_steps,
+            tells_borders=True,
+            stops_at_borders=not keep,
+            like=like,
+            placed=placed,
+        )
     )
     start = 0.0 if before is None else before.t_end
     state, near = (None, None) if before is None else (_last_state(before), before.course.near)

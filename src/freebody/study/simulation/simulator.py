@@ -28,6 +28,7 @@ from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels import factoring
+from freebody.numeric.numbers import Numbers
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.numeric.start_velocities import rates_not_given
@@ -39,6 +40,7 @@ from freebody.system.system import System
 
 if TYPE_CHECKING:
     from freebody.numeric.tangent.motion import TangentMotion
+    from freebody.present.scene import Scene
 
 Progress = Callable[[float, int], None]
 
@@ -55,21 +57,23 @@ class Simulator:
         by_steps: bool = False,
         tells_borders: bool = False,
         stops_at_borders: bool = True,
+        like: Simulator | None = None,
+        placed: tuple[Reference, Array] | None = None,
     ) -> None:
         """values: of parameters, in SI, instead of the model's. events: what to look for, as "theta = 90 deg" or
         "theta' = 0", with "rising" or "falling" behind it for one direction only; one that begins with "stop when" ends
         the motion. by_steps: for time stepping, which does not follow single contacts. tells_borders: loads that act on
         one side only have events where they begin and end; stops_at_borders: their motion stops there and begins anew,
-        as one with derivatives must not. Raises CannotAnswer naming parameters without a value, or what contradicts
-        itself at the start."""
+        as one with derivatives must not. like: of the same system from another start, perhaps, of which what does not
+        hang on that is taken. placed: the system in numbers and its pose at the start (`placed_at_start`), where that
+        is known. Raises CannotAnswer naming parameters without a value, or what contradicts itself at the start."""
         self.system = system
         for name, value in (values or {}).items():
             if name in system.parameters and system.parameters[name].sign == "positive" and not value > 0.0:
                 raise InputError(
                     Message("{name} = {value:g} is not positive; the model says that it is", name=name, value=value)
                 )
-        self.reference = Reference(system, values)
-        q = assembled_touching(self.reference)
+        self.reference, q = placed or placed_at_start(system, values)
         self.blow = checked_blow(self.reference, q)
         v = start_velocities(self.reference, q)
         self._began = q, v if self.blow is None else self.blow.before
@@ -84,7 +88,13 @@ class Simulator:
         self.borders = frozenset(watch.name for watch in borders)
         watches += borders
         self.bounded = None if by_steps or not has_phases(system) else Bounded(self.numbers, watches, tracked)
-        self.engine = Engine(self.numbers, watches, tracked) if self.bounded is None else self.bounded.free
+        again = None if like is None or self.bounded is not None else like.engine_of(system, self.numbers, watches)
+        if self.bounded is None:
+            self.engine = again or Engine(self.numbers, watches, tracked)
+        else:
+            self.engine = self.bounded.free
+        if again is not None and like is not None and not system.space:  # in space where axes start is drawn
+            self.scene = like.scene
         self.start = self.engine.state(*self.reference.by_body(q, v))
         start = self.reference.snapshot(q, v)
         check_laws(self.reference, start.geometry)
@@ -105,6 +115,19 @@ class Simulator:
             raise CannotAnswer(further(str(error), *islice(without_value(system), 1))) from error
         if self.engine.layout.has_gap[0] or self.engine.room.info[factoring.N_LEFT_OUT]:
             _ = start.accelerations  # the dense solution refuses what moves without inertia or contradicts itself
+
+    def engine_of(self, system: System, numbers: Numbers, watches: Sequence[EngineWatch]) -> Engine | None:
+        """An engine of the same system from another start, by what is packed already; None where other arrays would
+        be packed. Those of contact modes are changed on the way, and are not taken."""
+        is_packed_alone = self.bounded is None and self.engine.watches == tuple(watches)
+        return self.engine.again(numbers) if is_packed_alone and self.system.starts_otherwise(system) else None
+
+    @cached_property
+    def scene(self) -> Scene:
+        """What is drawn of it."""
+        from freebody.present.scene import Scene  # of a motion that is shown
+
+        return Scene.of(self.system, self.reference.number)
 
     @cached_property
     def assumptions(self) -> tuple[str, ...]:
@@ -167,6 +190,13 @@ class Simulator:
 
     def _told(self, course: Trajectory) -> Trajectory:
         return replace(course, events=with_borders(self.system, course.events, told=self.tells_borders))
+
+
+def placed_at_start(system: System, values: Mapping[str, float] | None = None) -> tuple[Reference, Array]:
+    """A system in numbers, and its pose at the start. values: of parameters, in SI, instead of the model's. Raises
+    CannotAnswer naming parameters without a value, or what contradicts itself."""
+    reference = Reference(system, values)
+    return reference, assembled_touching(reference)
 
 
 _TOUCHES = 1e-8  # of the size of a measure
