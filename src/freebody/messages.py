@@ -40,6 +40,15 @@ class Message(str):
         message.arguments = filled
         return message
 
+    @classmethod
+    def of_parts(cls, parts: Sequence[str]) -> Message:
+        """Parts that are told one after the other, each of which may remember a formula."""
+        return cls("".join(f"{{p{k}}}" for k in range(len(parts))), **{f"p{k}": p for k, p in enumerate(parts)})
+
+    def of(self, **arguments: object) -> Message:
+        """The same sentence with other arguments."""
+        return type(self)(self.template, **arguments)
+
     def __str__(self) -> str:
         return self  # str(error) is still the message that was raised
 

@@ -31,7 +31,8 @@ def stands_at(names: Names, point: Point, along: Direction, seen: frozenset[str]
     if body.name in seen:
         return None
     if body.name == GROUND:
-        return along_of(point.offset, along)
+        nowhere = names.free_ground_points if len(names.free_ground_points) > 1 else {}  # a single one is the origin
+        return None if point.name.rpartition(".")[2] in nowhere else along_of(point.offset, along)
     if body.fixed:
         return _of_fixed(body, point, along)
     for connection in names.connections.values():

@@ -56,7 +56,7 @@ class _House:
             case Shown() | Stated():  # a formula
                 return part
             case Message() if all(isinstance(value, str) for value in part.arguments.values()):
-                return Message(part.template, **{name: self.written(value) for name, value in part.arguments.items()})
+                return part.of(**{name: self.written(value) for name, value in part.arguments.items()})
             case str():
                 return _DECIMAL.sub(rf"\1{self.style.decimal}\2", part)
             case tuple():

@@ -71,8 +71,7 @@ class _Words:
         """With the formulas that a message remembers still in it."""
         if not isinstance(words, (Message, Stated)):
             return self.catalogue.said(words)
-        parts = self.catalogue.parts(words)
-        return Message("".join(f"{{p{k}}}" for k in range(len(parts))), **{f"p{k}": p for k, p in enumerate(parts)})
+        return Message.of_parts(self.catalogue.parts(words))
 
     def blocks(self, blocks: Iterable[Block]) -> tuple[Block, ...]:
         return tuple(self.block(block) for block in blocks)

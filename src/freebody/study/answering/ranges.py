@@ -224,8 +224,12 @@ class RangeSearch(TruthInNumbers):
         ):
             notes.append(Message("the end itself is the limit between two cases, and is not decided here"))
         if self.is_seen_in_numbers:
-            told = "for some values of {name} no case has formulas: whether it is so there was looked at in numbers"
-            notes.append(Message(told, name=name))
+            notes.append(
+                Message(
+                    "for some values of {name} no case has formulas: whether it is so there was looked at in numbers",
+                    name=name,
+                )
+            )
         if self.parameter.value is not None:
             notes.append(Message("the number that the file gives for {name} is left out", name=name))
         return Finding(element, evidence, conditions, notes, has_value=self.setup.has_values, is_complete=True)
