@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _WAYS = ("distance", "displacement", "distance travelled")
 _STAYS = {"hold", "fly", "move", "stay_on"}  # verbs of what is in the air
-_COMES = ("hit", "leave", "slack", "turn_back", "return", "run_off", "slide")  # what a motion may come to
+_COMES = ("hit", "leave", "slack", "turn_back", "return", "run_off", "slide", "stop")  # what a motion may come to
 _TO_THE_END = ("ask", "quantity", "verb", "name", *SILENT)
 COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event, and at no instant
 
@@ -55,6 +55,9 @@ def time(names: Names, sentence: Sentence) -> Groups:
             yield [f"time when {name} stops" for name in losing.runs_down(names) if name in (of or [name])]
         if head.only("verb", "name", *SILENT) and set(head.all("verb")) == {"fly"} and not joining.strikes(names):
             yield [f"time when {cord} goes taut" for cord in lookup.catching(names, pulls=True)]
+            flying = next(iter(of), "")
+            landing = lookup.falling(names, flying) if len(of) <= 1 and lookup.flies(names, flying) else []
+            yield [f"time when {height} = 0" for height in landing]
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
         joint = joining.slipping_on(names, head.names)

@@ -33,12 +33,17 @@ _SLIPS = re.compile(r"\b(?:slips?|slipping|rolls?|rolling)\b")
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?\w+ (?:for|so) ")
 _STATES = ("move", "slide", "slip", "rest", "stay", "hold", "tip", "stand", "stick", "start")  # of the whole, too
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
+_STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 
 def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether each name and each number of what was asked stands in words of the grammar, and its kind and way."""
     if dropped(words, text) or not is_accounted_for(names, words, text):
+        return False
+    if (found := _STEADY.fullmatch(text)) and any(
+        load.load == found[1] and free_symbols(load.law) <= names.parameters.keys() for load in names.applied_loads
+    ):  # what is given stays as it is: another one is asked for
         return False
     things = {thing for thing in _THING.findall(text) if _is_thing(names, thing)}
     if _counts_from(names, words, text, things):
