@@ -44,8 +44,11 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         yield [lookup.come(names, way, value) for way in lookup.level(names, who)]
         return
     if dimensions.is_speed(value, names) or dimensions.is_turning_speed(value, names):
-        found = lookup.places if dimensions.is_speed(value, names) else lookup.angles
-        yield [f"rate({measure}) = {value}" for measure in found(names, who)]
+        is_turning = dimensions.is_turning_speed(value, names)
+        found = (lookup.angles if is_turning else lookup.places)(names, who)
+        yield [f"rate({measure}) = {value}" for measure in found]
+        if not found and names.measures and who in lookup.moving(names):  # of which the file measures nothing
+            yield [f"{'angular velocity' if is_turning else 'speed'} of {who} = {value}"]
         return
     if dimensions.is_time(value, names):
         return

@@ -145,7 +145,11 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(other, "find")
     elif (slips := _told_of_words(names, text)) is not None:
         names.problem(slips, "find")
-    elif instead or (_is_specific(told) and not _is_of_kinds(names, told)) or _is_misspelt(told, text):
+    elif (
+        instead
+        or (_is_specific(told) and not (_is_of_kinds(names, told) or _is_strange_condition(names, told, text)))
+        or _is_misspelt(told, text)
+    ):
         names.problems += (
             told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
         )
@@ -387,6 +391,15 @@ def _is_of_words(names: Names, problems: list[Problem]) -> bool:
     """Whether they take words for names, as in `the string`, or for a condition: the way to mean them says more."""
     messages = [p.message for p in problems if isinstance(p.message, Message)]
     return any(m.startswith("cannot read the condition") for m in messages) or _is_of_kinds(names, problems)
+
+
+def _is_strange_condition(names: Names, problems: list[Problem], text: str) -> bool:
+    """Whether they say that a condition is not read which has words that nothing is known of: the drum turns, where
+    there is no drum."""
+    messages = [p.message for p in problems if isinstance(p.message, Message)]
+    elements = elements_of(names)
+    is_strange = absent(elements, text) or not_understood(names.parameters, elements, text)
+    return bool(is_strange) and any(m.startswith("cannot read the condition") for m in messages)
 
 
 def _is_of_kinds(names: Names, problems: list[Problem]) -> bool:
