@@ -47,8 +47,8 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         is_turning = dimensions.is_turning_speed(value, names)
         found = (lookup.angles if is_turning else lookup.places)(names, who)
         yield [f"rate({measure}) = {value}" for measure in found]
-        if not found and names.measures and who in lookup.moving(names):  # of which the file measures nothing
-            yield [f"{'angular velocity' if is_turning else 'speed'} of {who} = {value}"]
+        if is_turning and not found and names.measures and who in lookup.turning(names):  # of which none is measured
+            yield [f"angular velocity of {who} = {value}"]
         return
     if dimensions.is_time(value, names):
         return

@@ -117,6 +117,7 @@ def whether(names: Names, sentence: Sentence) -> Groups:
     plain = main.only("verb", "name", *SILENT) and not sentence.others
     sticks = lookup.rests(names) and any("contact" in names.called.get(name, ()) for name in joining.rough(names, ""))
     is_begun = verbs == ["slide"] and not sticks  # what slides already does not begin to
+    is_begun |= verbs == ["stop"] and lookup.rests(names)
     is_begun |= verbs == ["turn_back"] and joining.is_rough(names)  # where it comes to rest it may stay
     if plain and len(verbs) == 1 and verbs[0] in _COMES and not joining.is_still(names) and not is_begun:
         for group in conditions(names, main):

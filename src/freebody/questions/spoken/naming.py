@@ -302,8 +302,9 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
         own = own or [e for e in of_kind if words[0] in _alike(e.name)]  # the elevator among them is the cabin
         yield from ((element.name, INFERRED) for element in own or of_kind)
         if not (meant or of_kind) and words[0].endswith("s") and len(words[0]) > _SHORTEST_PLURAL:
-            of_one = list(_named(elements, [written[0][:-1]]))  # the hinges of a door that has one
-            yield from ((name, INFERRED) for name, _ in of_one if len(of_one) == 1)
+            one = words[0][:-1]  # the hinges of a door that has one
+            of_one = [e.name for e in elements.exact.values() if one == e.name.lower() or one in e.words]
+            yield from ((name, INFERRED) for name in of_one if len(of_one) == 1)
     for k in range(1, len(words)):  # a name beside the word for its kind; `the bead lift off` has a verb
         behind = [] if is_verb(words[k]) else [(written[:k], words[k:])]
         for rest, kind in (*behind, (written[k:], words[:k])):
