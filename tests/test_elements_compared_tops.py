@@ -1,6 +1,6 @@
 """Rattleback and tippe top beside what their motions keep, told from poses and velocities alone.
 
-The rattleback rolls: the lowest point of its ellipsoid, of the half axes a_i, lies at -A u/sqrt(u . A u) from its middle
+The rattleback rolls: the lowest point of its ellipsoid, half axes a_i, lies at -A u/sqrt(u . A u) from its middle
 with A = diag(a_i^2) and u up, and has no velocity; the energy is kept. Its principal axes of inertia are turned against
 those of the surface, so that it turns its spin round for one sense (Garcia & Hubbard, Proc. R. Soc. London A 418, 1988;
 the stone of Kane & Levinson, 1982). A force at the contact of the tippe top leaves Jellett's L . r constant, with the
