@@ -311,3 +311,17 @@ def test_a_product_that_memory_would_not_hold_is_refused() -> None:
     assert len((a * x).num) == len(a.num)
     with pytest.raises(CannotAnswer, match="more than 60000 terms"):
         _ = a * b
+
+
+@pytest.mark.parametrize("n", [5, 7, 9, 11, 15, 21])
+def test_sines_and_cosines_of_equally_spaced_angles_sum_to_zero(n: int) -> None:
+    f = SignedField()
+    x = f.parameter("x")
+    c, s = cos_sin(f, x)
+    parts = [cos_sin(f, 2 * k * f.pi / n) for k in range(n)]
+    turned = sum((a * c - b * s for a, b in parts), f.zero)  # cos(x + 2 k pi/n)
+    assert f.lowest_terms(turned).is_zero()
+    values = f.complete({})
+    for k, (a, b) in enumerate(parts):
+        assert float(f.evaluate(a, values)) == pytest.approx(math.cos(2 * k * math.pi / n), abs=1e-14)
+        assert float(f.evaluate(b, values)) == pytest.approx(math.sin(2 * k * math.pi / n), abs=1e-14)

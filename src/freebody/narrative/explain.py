@@ -167,7 +167,9 @@ def _derived(
     context.next_number = here.next_number
     new, again = told.shared(stages)
     lines = lines_of(stages)
-    if lines and lines[-1].number in again:
+    if stages and stages[-1].title.key == "stage.numeric":  # nothing was found in its equations, told before or not
+        new = [*(stage for stage in new if stage.title != stages[-1].title), stages[-1]]
+    elif lines and lines[-1].number in again:
         found = Sentence("result.found", {"line": again[lines[-1].number]})
         new.append(DerivationStage(Sentence("stage.value"), None, (found,)))
     new = _with_result(new, ends, told)

@@ -234,6 +234,8 @@ class Field(PolynomialRing):
         self.arguments: dict[int, tuple[str, Ratio]] = {}  # name and argument of every function atom
         self.waves: dict[Any, Any] = {}  # products of sines and cosines as sums, kept by `tidy`
         self.angles: dict[int, Ratio] = {}  # the angle of every cosine generator
+        self.equal_parts: dict[int, dict[int, int]] = {}  # generators cos(pi p/q), by q and by p
+        self.sums_of_parts: dict[int, Ratio] = {}  # such cosines that are sums of others
         self.arcs: dict[int, tuple[str, Ratio]] = {}  # how such an angle is written: an arc, or "half", of an element
         self.known_pairs: dict[int, tuple[Ratio, Ratio]] = {}  # cosine and sine of angles that are made of them
         self.doubled_pairs: dict[Any, tuple[Ratio, Ratio]] = {}  # cosine and sine of twice an angle, by its key
@@ -575,7 +577,10 @@ class Field(PolynomialRing):
 
     # -- common factors -----------------------------------------------------------------------
     def lowest_terms(self, x: Ratio) -> Ratio:
-        """Cancels what numerator and denominator share once c^2 + s^2 = 1 is used."""
+        """Cancels what numerator and denominator share once c^2 + s^2 = 1 is used, and sums of the cosines of equal
+        parts of a turn."""
+        if self.sums_of_parts and (shorter := self.substitute(x, self.sums_of_parts)).n_terms < x.n_terms:
+            x = shorter
         if x.den is None:
             return x
         pairs = [p for p in self.pairs(self.used(x.den)) if self.generators[p[0]].kind == "cos"]

@@ -1,8 +1,9 @@
 """Sines, cosines and the other elementary functions over the field.
 
 An angle is a sum of terms k g + constants. Each distinct term (up to a small integer multiple) is one atom with its
-own cosine and sine generators; sums and small multiples are expanded by the addition theorems, multiples of
-15 degrees are exact. So cos(theta - pi/2) is sin(theta), and two ways to write an angle give one element.
+own cosine and sine generators; sums and small multiples are expanded by the addition theorems, and parts of a turn are
+what `parts_of_a_turn` makes of them. So cos(theta - pi/2) is sin(theta), and two ways to write an angle give one
+element.
 
 A term k x in which x is no angle (a wheel of 0.035 m that rolls by x turns by 200 x/7) is an atom as it stands: no
 formula wants the cosine of a length. A later term is expanded if it is a small multiple of one that is known.
@@ -18,21 +19,17 @@ from typing import Any, Literal
 from freebody.language.expression import LAMBERT, Call, Expr, GivenCall, evaluate
 from freebody.symbolic.atoms import elliptic_atom, function_atom, given_atom, unit_pair
 from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
+from freebody.symbolic.parts_of_a_turn import Complex, of_a_part, part_of_a_turn, times
 
-Complex = tuple[Ratio, Ratio]
 IsNegative = Callable[[Ratio], bool | None]
 MOST_MULTIPLE = 12  # larger multiples of an angle are angles of their own
-
-
-def _times(a: Complex, b: Complex) -> Complex:
-    return a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]
 
 
 def _power(a: Complex, n: int) -> Complex:
     """(c + i s)^n for n >= 1."""
     result = a
     for _ in range(n - 1):
-        result = _times(result, a)
+        result = times(result, a)
     return result
 
 
@@ -51,7 +48,7 @@ def cos_sin(field: Field, angle: Ratio) -> Complex:
             pair = _atom(field, base)
         if multiple < 0:
             pair = pair[0], -pair[1]
-        result = _times(result, _power(pair, abs(multiple)))
+        result = times(result, _power(pair, abs(multiple)))
     return result
 
 
@@ -102,9 +99,13 @@ def _standard(field: Field, term: Ratio) -> tuple[Ratio, int]:
 
 
 def _atom(field: Field, base: Ratio) -> Complex:
-    turn = _turns(field, base)
-    if turn is not None:
-        return _fifteenths(field, turn)
+    share = part_of_a_turn(field, base)
+    if share is not None:
+        return of_a_part(field, share, lambda part: _new_atom(field, field.element(part) * field.pi))
+    return _new_atom(field, base)
+
+
+def _new_atom(field: Field, base: Ratio) -> Complex:
     shown = field.expression(base)
     acute = False
     if len(base.generators()) == 1:
@@ -144,36 +145,6 @@ def _of_inverse(field: Field, name: str, u: Ratio) -> Complex | None:
     if name == "acos":
         return u, field.sqrt(1 - u * u)
     return None
-
-
-def _turns(field: Field, base: Ratio) -> Fraction | None:
-    """base / pi, if that is a multiple of 1/12."""
-    pi = field.pi
-    if base.generators() != frozenset({field.index(pi)}):
-        return None
-    share = (base / pi).fraction()
-    return share if share is not None and (12 * share).denominator == 1 else None
-
-
-def _fifteenths(field: Field, share: Fraction) -> Complex:
-    """Cosine and sine of share * pi, share a multiple of 1/12."""
-    n = int(12 * share) % 24
-    quarters, rest = divmod(n, 6)
-    result: Complex = (field.one, field.zero)
-    for _ in range(quarters):
-        result = -result[1], result[0]
-    half = field.one / 2
-    if rest:
-        root2, root3 = field.sqrt(field.element(2)), field.sqrt(field.element(3))
-        table: dict[int, Complex] = {
-            1: (root2 * (root3 + 1) / 4, root2 * (root3 - 1) / 4),
-            2: (root3 / 2, half),
-            3: (root2 / 2, root2 / 2),
-            4: (half, root3 / 2),
-            5: (root2 * (root3 - 1) / 4, root2 * (root3 + 1) / 4),
-        }
-        result = _times(result, table[rest])
-    return result
 
 
 def atan2(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio:
