@@ -192,16 +192,15 @@ def test_an_expression_of_ten_operations_costs_less_than_200_ns() -> None:
     )
 
     def seconds(simulator: fb.Simulator) -> float:
-        n = 100_000
-        began = time.perf_counter()
+        """Of the processor, for an evaluation: in runs so short that most of them are not interrupted."""
+        n = 20_000
+        began = time.thread_time()
         simulator.engine.evaluate(simulator.start, 0.0, n)
-        return (time.perf_counter() - began) / n
+        return (time.thread_time() - began) / n
 
-    def cost() -> float:
-        return min(seconds(loaded) for _ in range(3)) - min(seconds(plain) for _ in range(3))
-
-    # another process on the machine makes a run longer, never shorter
-    assert any(cost() < 200e-9 for _ in range(10))
+    # another process on the machine makes a run longer, never shorter: the least of many, of both in turn
+    runs = np.array([[seconds(loaded), seconds(plain)] for _ in range(20)])
+    assert -np.diff(runs.min(axis=0))[0] < 200e-9
 
 
 # -- the linear system ------------------------------------------------------------------------

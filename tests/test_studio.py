@@ -208,7 +208,25 @@ def test_a_question_is_understood_while_it_is_typed() -> None:
     assert found.understood == "angular velocity of rod"
     unclear = suggest(SuggestRequest(text=PENDULUM, question="blah of rod"))
     assert unclear.message
-    assert "acceleration of rod" in unclear.suggestions
+    assert "acceleration of rod" in [each.question for each in unclear.suggestions]
+
+
+def test_what_can_be_asked_is_said_in_the_language_of_the_page_and_asked_in_that_of_the_grammar() -> None:
+    found = suggest(SuggestRequest(text=PENDULUM, question="", language="de"))
+    said = {each.question: each.said for each in found.suggestions}
+    assert said["angular acceleration of theta"] == "Winkelbeschleunigung von theta"
+    assert all(said[question] != question for question in said)
+    understood = suggest(SuggestRequest(text=PENDULUM, question="Wie schnell dreht sich der Stab?", language="de"))
+    assert understood.understood == "Winkelgeschwindigkeit von rod"
+    assert [q.text for q in read(ReadRequest(text=PENDULUM, language="de")).questions] == ["Beschleunigung von theta"]
+
+
+def test_the_ends_of_a_contact_are_said_in_german() -> None:
+    """The two directions of friction, and the edges of a box."""
+    from freebody.studio.telling import told
+
+    assert told("friction force 2 of bed at crate left-bottom", "de") == "Reibkraft 2 von bed an crate left-bottom"
+    assert told("tipping moment z of bed at crate", "de") == "Kippmoment z von bed an crate"
 
 
 def test_a_planet_with_less_than_half_a_tooth_is_read() -> None:

@@ -1,5 +1,6 @@
 // What is seen in the scene, in words, for whoever does not see it.
 import { local, unitPrinted } from "./text";
+import { type Units, unitIn } from "./units";
 import type { Line } from "./wire";
 
 /** Of what the player draws: where the bodies are at every frame. planar: x, y and the angle of each, else x, y, z and four of a quaternion */
@@ -13,6 +14,7 @@ export interface Poses {
 }
 interface Words {
   language: string;
+  units: Units;
   atTime: string;
   turnedBy: string;
   more: string;
@@ -30,11 +32,13 @@ export function shortOf(value: number, language = "en"): string {
 /** Where the bodies are, and what is measured, at a time. selected: the body that is told alone */
 export function spoken(poses: Poses, lines: Line[], time: number, selected: string | null, words: Words): string {
   const short = (value: number) => shortOf(value, words.language);
+  const behind = (unit: string) => (unit === "1" ? "" : `${unit === "deg" ? "" : " "}${unitPrinted(unit)}`); // 60° has no space
+  const lengths = unitIn("m", words.units);
   const frame = Math.max(0, Math.min(poses.n_frames - 1, poses.dt > 0 ? Math.round((time - poses.t0) / poses.dt) : 0));
   const stride = poses.planar ? 3 : 7, axes = poses.planar ? ["x", "y"] : ["x", "y", "z"];
   const bodies = poses.names.map((name, k) => {
     const at = (c: number) => poses.columns[stride * k + c]?.[frame] ?? 0;
-    const place = axes.map((axis, c) => `${axis} = ${short(at(c))} m`).join(", ");
+    const place = axes.map((axis, c) => `${axis} = ${short(at(c) * lengths.factor)}${behind(lengths.unit)}`).join(", ");
     const angle = poses.planar ? `, ${words.turnedBy} ${short((at(2) * 180) / Math.PI)}°` : "";
     return { name, said: `${name}: ${place}${angle}` };
   });
@@ -42,7 +46,7 @@ export function spoken(poses: Poses, lines: Line[], time: number, selected: stri
   const unit = lines.find((line) => !ENERGY.includes(line.name))?.unit;
   const measured = lines.filter((line) => line.unit === unit && !ENERGY.includes(line.name)).flatMap((line) => {
     const value = line.values[frame];
-    return value == null ? [] : [`${line.name} = ${short(value)}${unit === "1" ? "" : ` ${unitPrinted(unit!)}`}`];
+    return value == null ? [] : [`${line.name} = ${short(value)}${behind(unit!)}`];
   });
   const rest = told.length > MOST ? [words.more.replace("{}", String(told.length - MOST))] : [];
   return [`${words.atTime} ${short(time)} s`, ...told.slice(0, MOST).map((body) => body.said), ...rest, ...measured.slice(0, MOST)].join("; ") + ".";

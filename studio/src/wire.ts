@@ -22,7 +22,7 @@ export interface Arrow {
   of: string;
 }
 
-/** A question of the file. */
+/** A question of the file. text: in the language of the page where its words are those of the grammar */
 export interface Asked {
   id: string;
   text: string;
@@ -523,11 +523,11 @@ export interface StudyRequest {
   prefix?: string;
 }
 
-/** understood: the question in the words of the grammar, empty if it cannot be read; then why: message */
+/** understood: how the grammar puts the question, in the language of the page, empty if it cannot be read; then why: message */
 export interface SuggestAnswer {
   understood: string;
   message: string;
-  suggestions: string[];
+  suggestions: Suggestion[];
 }
 
 /** What a question that is being typed means, and others that are near. */
@@ -535,6 +535,12 @@ export interface SuggestRequest {
   text: string;
   language?: "en" | "de";
   question: string;
+}
+
+/** question: in the words of the grammar, to be asked; said: the same in the language of the page */
+export interface Suggestion {
+  question: string;
+  said: string;
 }
 
 /** What comes of a name at each of its values, in its unit. about: what was looked at; statuses: of each case in words */

@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import { shortOf, spoken } from "../src/spoken";
+import { SI } from "../src/units";
 
-const words = { language: "en", atTime: "At", turnedBy: "turned by", more: "{} more" };
+const words = { language: "en", units: SI, atTime: "At", turnedBy: "turned by", more: "{} more" };
 const line = (name: string, unit: string, values: (number | null)[]) => ({ name, label: name, math: "", unit, values });
 const rod = { planar: true, names: ["rod"], columns: [[0.25, 0.5], [-0.43301, 0], [-Math.PI / 3, 0]], t0: 0, dt: 0.5, n_frames: 2 };
 
@@ -27,6 +28,11 @@ test("a value that is not there is not told", () => {
 });
 
 test("numbers are written as the language writes them", () => {
-  const german = { language: "de", atTime: "Zur Zeit", turnedBy: "gedreht um", more: "{} mehr" };
+  const german = { language: "de", units: SI, atTime: "Zur Zeit", turnedBy: "gedreht um", more: "{} mehr" };
   expect(spoken(rod, [line("a", "m/s^2", [-0.5, 0])], 0.2, null, german)).toBe("Zur Zeit 0,2 s; rod: x = 0,25 m, y = −0,433 m, gedreht um −60°; a = −0,5 m/s².");
+});
+
+test("lengths and angles are told in the units that are chosen", () => {
+  const told = spoken(rod, [line("theta", "deg", [-60, 0])], 0, null, { ...words, units: { length: "cm", angle: "deg" } });
+  expect(told).toBe("At 0 s; rod: x = 25 cm, y = −43.3 cm, turned by −60°; theta = −60°.");
 });

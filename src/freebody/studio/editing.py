@@ -11,7 +11,14 @@ from freebody.language.document.writer import flow_text
 from freebody.messages import Message
 from freebody.studio.reading import checked_system, document_of
 from freebody.studio.telling import told
-from freebody.studio.wire.texts import AddRequest, EditRequest, SuggestAnswer, SuggestRequest, TextAnswer
+from freebody.studio.wire.texts import (
+    AddRequest,
+    EditRequest,
+    SuggestAnswer,
+    Suggestion,
+    SuggestRequest,
+    TextAnswer,
+)
 
 
 def edit(request: EditRequest) -> TextAnswer:
@@ -68,10 +75,12 @@ def suggest(request: SuggestRequest) -> SuggestAnswer:
     understood, message = "", ""
     if request.question.strip():
         try:
-            understood = "; ".join(asked.understood or asked.text for asked in system.asked(request.question))
+            meant = [asked.understood or asked.text for asked in system.asked(request.question)]
+            understood = "; ".join(told(each, request.language) for each in meant)
         except ModelError as error:
             message = told(error.problems[0].message, request.language)
         except InputError as error:
             message = told(str(error), request.language)
     near = suggestions(system.names, request.question, (), read)
-    return SuggestAnswer(understood=understood, message=message, suggestions=near)
+    offered = [Suggestion(question=each, said=told(each, request.language)) for each in near]
+    return SuggestAnswer(understood=understood, message=message, suggestions=offered)

@@ -80,7 +80,9 @@ def read(request: ReadRequest) -> ReadAnswer:
         remarks=remarks,
         elements=elements,
         parameters=[] if document is None else list(parameters_of(document, system, places)),
-        questions=[] if system is None else [Asked(id=q.id, text=q.text) for q in system.questions],
+        questions=[]
+        if system is None
+        else [Asked(id=q.id, text=told(q.text, request.language)) for q in system.questions],
         moving=[] if system is None else [body.name for body in system.moving],
     )
 

@@ -135,7 +135,7 @@ class Parameter(Said):
 
 
 class Asked(Said):
-    """A question of the file."""
+    """A question of the file. text: in the language of the page where its words are those of the grammar"""
 
     id: str
     text: str
@@ -181,12 +181,20 @@ class SpotsAnswer(Said):
     spots: list[Spot]
 
 
+class Suggestion(Said):
+    """question: in the words of the grammar, to be asked; said: the same in the language of the page"""
+
+    question: str
+    said: str
+
+
 class SuggestAnswer(Said):
-    """understood: the question in the words of the grammar, empty if it cannot be read; then why: message"""
+    """understood: how the grammar puts the question, in the language of the page, empty if it cannot be read; then why:
+    message"""
 
     understood: str
     message: str
-    suggestions: list[str]
+    suggestions: list[Suggestion]
 
 
 class Kind(Said):
