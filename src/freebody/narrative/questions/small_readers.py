@@ -8,7 +8,7 @@ Where connections bind velocities alone, as in rolling in space, values of the c
 are: from the equilibrium, with what is bound there put in, the pose goes along e_k, to first order, whose errors of
 second order cancel in differences.
 
-Modes are numbered as the formulas of their squares are. Which of two is the slower one depends on the numbers, so a mode
+Modes are numbered as the formulas of their squares are. Which of two is slower depends on the numbers, so a mode
 is found among the numbers by the place that its formula has by size in that draw.
 """
 

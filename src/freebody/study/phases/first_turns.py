@@ -3,7 +3,8 @@
 What is no place, as a velocity, may be farthest between two phases: it grows until something comes to rest, or jumps in
 an impact and falls from there. With a quantity Q, counted towards the side that is asked for, this is
 
-    without an impact:  dQ/dt > 0 before, dQ/dt <= 0 behind;        in an impact:  Q behind > Q before, dQ/dt <= 0 behind.
+    without an impact:  dQ/dt > 0 before, dQ/dt <= 0 behind;
+    in an impact:       Q behind > Q before, dQ/dt <= 0 behind.
 """
 
 from __future__ import annotations
@@ -97,9 +98,7 @@ def _rate_behind(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> 
     return _rate_of(tree, struck[-1], event)
 
 
-def _between(
-    tree: PhaseTree, question: Question, event: Peak, side: int, way: WayToPhase
-) -> Iterator[AnswerBranch]:
+def _between(tree: PhaseTree, question: Question, event: Peak, side: int, way: WayToPhase) -> Iterator[AnswerBranch]:
     """Where a quantity is farthest between two phases."""
     phase = way.last.phase
     for edge in way.last.edges:
