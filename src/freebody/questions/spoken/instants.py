@@ -168,7 +168,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = _at_most(names, main)
     tails, main = _tails(names, main)
     if main.has("quantity", *_LANDING):
-        main = Clause([Word("quantity", _LANDING.get(w.what, w.what)) if w.kind == "quantity" else w for w in main.words])
+        main = Clause(
+            [Word("quantity", _LANDING.get(w.what, w.what)) if w.kind == "quantity" else w for w in main.words]
+        )
         struck = {GROUND, *names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
         landing = Clause([*(w for w in main.words if w.kind == "name" and w.what in struck), *_LANDS])
         main = Clause([w for w in main.words if w not in landing.words])

@@ -250,7 +250,11 @@ def _heading(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names if name in lookup.massive(names)]
     if rest.only("name", *SILENT) and len(of) == len(rest.names) <= 1:
         bodies = of or lookup.massive(names)
-        form = "angle of velocity of {} below the horizontal" if quantity == "angle of descent" else "direction of velocity of {}"
+        form = (
+            "angle of velocity of {} below the horizontal"
+            if quantity == "angle of descent"
+            else "direction of velocity of {}"
+        )
         yield [form.format(body) for body in bodies]
 
 

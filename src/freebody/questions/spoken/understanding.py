@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
-from freebody.questions.spoken.bounces import as_third, at_nth
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.assumed import what_does_not_hold, without_what_holds
+from freebody.questions.spoken.bounces import as_third, at_nth
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
@@ -184,9 +184,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     return []
 
 
-def _at_later_impact(
-    names: Names, text: str, n: int, read: Callable[[str], AskedT | None]
-) -> list[tuple[AskedT, str]]:
+def _at_later_impact(names: Names, text: str, n: int, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What a text asks of the third impact, asked of the n-th."""
     with names.quietly():
         found = understood(names, text, read)
