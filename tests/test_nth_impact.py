@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from freebody.errors import ModelError
 from posed import is_formula, posed
 
 DROPPED = """
@@ -53,3 +54,13 @@ def test_a_ball_against_the_air_has_no_series() -> None:
         "weight: {gravity: g}", "weight: {gravity: g}, drag: {law: {measure: y, force: -c*rate(y)}}"
     )
     assert posed(air, "speed of ball after n impacts").expression is None
+
+
+@pytest.mark.parametrize("question", ["greatest y after the tenth impact", "greatest y after 10 impacts"])
+def test_the_tenth_impact_is_counted(question: str) -> None:
+    is_formula(DROPPED, question, "h*e^20", factors=(1.0, 0.9))
+
+
+def test_a_count_that_is_no_number_is_refused() -> None:
+    with pytest.raises(ModelError, match="k is no number of impacts"):
+        posed(DROPPED, "greatest y after k impacts")

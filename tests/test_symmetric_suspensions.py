@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from posed import is_formula
+from posed import is_derived, is_formula
 
 BIFILAR = """
 space: {up: z}
@@ -45,3 +45,9 @@ measures: {x: x of trolley}
 )
 def test_a_symmetric_suspension_has_the_formula_of_its_pose(text: str, question: str, formula: str) -> None:
     is_formula(text, question, formula)
+
+
+def test_two_modes_of_which_either_may_be_the_slower_are_told_apart_by_value() -> None:
+    """It swings with w^2 = g/l as a pendulum and turns with w^2 = g a^2/(l k^2), slower where k > a."""
+    told = is_derived(BIFILAR, "period of small oscillations of psi")
+    assert "g/l" in told["en"]

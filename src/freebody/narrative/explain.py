@@ -156,6 +156,11 @@ def _derived(
     derive = derivation_of(context.system, question)
     here = context.of_question(question) if answer.is_answered else context
     stages, reason = _attempt(here, question, answer, method, derive)
+    if reason and (turned := _at_first_turn(context.system, question, answer)) is not None:
+        question, derive = turned, derivation_of(context.system, turned)
+        here = context.of_question(question)
+        stages, trouble = _attempt(here, question, answer, method, derive)
+        reason = reason if trouble else ""
     compared: Sequence[DerivationStage] = ()
     if second is not None and not reason:
         with here.as_if_alone():
@@ -185,6 +190,17 @@ def _at_its_turn(context: Context, question: Question) -> Question:
         return question
     of, event, _side = turn
     return replace(question, quantity=of, event=event)
+
+
+def _at_first_turn(system: System, question: Question, answer: Answer) -> Question | None:
+    """The question what it is where it first turns, where contacts part the motion and it has the same answer."""
+    turn = question.quantity.turn
+    if turn is None or not has_phases(system) or not answer.is_answered:
+        return None
+    of, event, _side = turn
+    asked = replace(question, quantity=of, event=event, options={}, key=None)
+    (given,) = solve(replace(system, questions=(asked,))).answers
+    return asked if given.expression == answer.expression else None
 
 
 def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], told: ToldSoFar) -> list[DerivationStage]:

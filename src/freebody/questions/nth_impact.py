@@ -20,6 +20,7 @@ from freebody.language.expression import (
     FLOAT_FUNCTIONS,
     Call,
     Expr,
+    Number,
     PowerOf,
     ProductOf,
     Sum,
@@ -28,6 +29,7 @@ from freebody.language.expression import (
     evaluate,
     free_symbols,
     multiply,
+    number,
     power,
 )
 from freebody.language.notation import to_text
@@ -47,8 +49,12 @@ N_GIVEN, N_LOOKED_AT = 3, 5
 _SAME = 1e-9  # relative: two numbers that are one
 _NO_SERIES = CannotAnswer(Message("from impact to impact it follows no geometric series, so there is no formula in n"))
 _NTH = re.compile(
-    rf"\b(?:the )?(?P<n>{NAME})-?th (?P<what>{IMPACT})\b|\bafter (?P<k>{NAME}) (?:impacts|bounces|collisions|hits)\b"
+    rf"\b(?:the )?(?P<n>{NAME}|\d+)-?(?:th|(?<=\d)(?:st|nd|rd)) (?P<what>{IMPACT})\b"
+    rf"|\bafter (?P<k>{NAME}|\d+) (?:impacts|bounces|collisions|hits)\b"
 )
+_WORDS = ("two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+_NUMBERS = {word: n for n, word in enumerate(_WORDS, 2)} | {"eigh": 8, "nin": 9, "twelf": 12, "one": 1}
+_MOST = 1000  # impacts
 
 
 @dataclass(frozen=True)
@@ -88,12 +94,15 @@ questions: {it: speed of ball after n impacts}
 
     @property
     def remarks(self) -> tuple[Message, ...]:
+        if isinstance(self.count.expr, Number):
+            return ()
         return (Message("{n} counts the impacts: 1, 2, 3 and so on", n=to_text(self.count.expr)),)
 
     def made_of(self, values: tuple[Any, ...], of: Functions) -> Any:
         refuse_vectors(values)
         *seen, e, n = values
-        grown = of.function("exp", n * of.function("log", e))
+        times = self.count.expr
+        grown = e ** int(times.value) if isinstance(times, Number) else of.function("exp", n * of.function("log", e))
         if _is_series(seen, e):
             return _at(seen, e, grown)
         squares = [x * x for x in seen]
@@ -160,24 +169,44 @@ def _in_powers(e: Expr) -> Expr:
 def read_nth(names: Names, phrase: str, read: Callable[[str], Meant | None]) -> Meant | None:
     """What a phrase asks at the n-th impact. read: what is asked at one of the first impacts, in words."""
     found = _NTH.search(phrase)
-    name = None if found is None else found["n"] or found["k"]
-    if found is None or name not in names.parameters:
+    if found is None or (found["n"] and f"{found['n']}th" in ORDINALS):
         return None
-    count = OfParameters(Symbol(name), names.parameters[name].dimension)
+    name = str(found["n"] or found["k"])
+    words = f"the {{nth}} {found['what']}" if found["n"] else "after the {nth} impact"
+    template = f"{phrase[: found.start()]}{words}{phrase[found.end() :]}"
+    count = _count(names, name, is_counted=found["k"] is not None)
+    if count is None:
+        return None
+    if isinstance(count.expr, Number) and count.expr.value <= N_LOOKED_AT:
+        return read(template.format(nth=_ordinal(int(count.expr.value))))
     bouncing = [c for c in names.connections.values() if getattr(c, "restitution", 0) not in (0, "0")]
     if count.dimension != DIMENSIONLESS or len(bouncing) != 1:
         told = Message("the n-th impact is told of what bounces on one contact, with a plain number for {n}", n=name)
         names.problem(told, "find")
         return None
     restitution = OfParameters(read_restitution(names, vars(bouncing[0])["restitution"]), DIMENSIONLESS)
-    words = f"the {{nth}} {found['what']}" if found["n"] else "after the {nth} impact"
-    template = f"{phrase[: found.start()]}{words}{phrase[found.end() :]}"
     template = template.replace("time of the {nth}", "time when the {nth}")
     seen: list[Quantity] = []
-    ordinals = [next(word for word, n in ORDINALS.items() if n == k + 1) for k in range(N_LOOKED_AT)]
-    for ordinal in ordinals:
-        meant = read(template.format(nth=ordinal))
+    for k in range(N_LOOKED_AT):
+        meant = read(template.format(nth=_ordinal(k + 1)))
         if meant is None:
             return None
         seen.append(AtEvent(meant.quantity, meant.event, meant.at_start, meant.transition))
     return Meant(AtNthImpact(tuple(seen), restitution, count))
+
+
+def _ordinal(n: int) -> str:
+    return next(word for word, k in ORDINALS.items() if k == n)
+
+
+def _count(names: Names, said: str, *, is_counted: bool) -> OfParameters | None:
+    """How many impacts are meant: a parameter or a number. None, with a problem noted, where something else is said
+    that counts, as an n that is no parameter. is_counted: whether it can be nothing else (the smooth impact)."""
+    if said in names.parameters:
+        return OfParameters(Symbol(said), names.parameters[said].dimension)
+    n = int(said) if said.isdigit() else _NUMBERS.get(said, 0)
+    if 1 <= n <= _MOST:
+        return OfParameters(number(n), DIMENSIONLESS)
+    if is_counted or len(said) == 1 or said.isdigit():
+        names.problem(Message("{n} is no number of impacts; write one, or a parameter without a unit", n=said), "find")
+    return None

@@ -7,6 +7,9 @@ With e_j the velocities in which coordinate j changes at unit rate and no other 
 Where connections bind velocities alone, as in rolling in space, values of the coordinates do not say where the bodies
 are: from the equilibrium, with what is bound there put in, the pose goes along e_k, to first order, whose errors of
 second order cancel in differences.
+
+Modes are numbered as the formulas of their squares are. Which of two is slower depends on the numbers, so a mode
+is found among the numbers by the place that its formula has by size in that draw.
 """
 
 from __future__ import annotations
@@ -38,10 +41,13 @@ _STEPS = 4
 
 
 class SmallMotions:
-    """Reads by draws. equilibrium: the claimed values of the coordinates, from which the true ones are looked for."""
+    """Reads by draws. equilibrium: the claimed values of the coordinates, from which the true ones are looked for.
+    squares: of the claimed frequencies, which number the modes."""
 
-    def __init__(self, setup: Setup, equilibrium: Mapping[int, Ratio]) -> None:
-        self.setup, self.equilibrium = setup, equilibrium
+    def __init__(
+        self, setup: Setup, equilibrium: Mapping[int, Ratio], squares: Callable[[], Sequence[Ratio]] = tuple
+    ) -> None:
+        self.setup, self.equilibrium, self._squares = setup, equilibrium, squares
         self._values: dict[int, tuple[Draw, Array]] = {}
         self._matrices: dict[int, tuple[Array, Array]] = {}
         self.measures: list[Measure] = []
@@ -108,7 +114,7 @@ class SmallMotions:
 
         def read(world: World) -> float:
             mass, stiffness = self._linear(world.draw)
-            v = generalized_modes(mass, stiffness)[1][:, k]
+            v = generalized_modes(mass, stiffness)[1][:, self._place(world.draw, k)]
             first = next(x for x in v if abs(x) > SETTLED * np.abs(v).max())
             return float(v[j] / first)
 
@@ -155,8 +161,17 @@ class SmallMotions:
         return float(stiffness[0, 0] / mass[0, 0])
 
     def frequency(self, k: int) -> Callable[[World], float]:
-        """The natural frequencies of the full system about the equilibrium, ascending."""
-        return lambda world: float(np.sort(self._frequencies(world.draw))[k])
+        """The natural frequency of the full system about the equilibrium that the k-th formula is of."""
+        return lambda world: float(np.sort(self._frequencies(world.draw))[self._place(world.draw, k)])
+
+    def _place(self, draw: Draw, k: int) -> int:
+        """By size in this draw, of the k-th of the claimed squares; equal ones keep their order."""
+        squares = self._squares()
+        if len(squares) < 2:
+            return k
+        start = draw.start()
+        values = [element_at(self.setup, (square,), draw, start)[0] for square in squares]
+        return sorted(range(len(values)), key=lambda j: values[j]).index(k)
 
     def _frequencies(self, draw: Draw) -> Array:
         return frequencies_at(self.setup, draw, list(zip(self.measures, map(float, self._at(draw)), strict=True)))

@@ -60,7 +60,7 @@ class SmallTelling:
         else:
             self.free = FreeOscillations(self.model, find_equilibrium(self.model, start, stable_first=False))
         self.values: Mapping[int, Ratio] = self.free.equilibrium
-        self.readers = SmallMotions(context.setup, self.values)
+        self.readers = SmallMotions(context.setup, self.values, lambda: self.squares)
         self.at_rest: dict[str, Expr] = {}  # coordinates by their symbols at the equilibrium
         self.found: list[_Equation] = []
         self.places: list[int] = []  # lines of the equilibrium

@@ -293,7 +293,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         elif "turn" in verbs and main.has("ask", "far", "much", "large"):
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:
-            went = [f"{counted} {name}" for name in lookup.went(names, who)]
+            is_path = counted != "change of" and who not in names.measures and lookup.is_free(names, who)
+            went = [] if is_path else [f"{counted} {name}" for name in lookup.went(names, who)]
             is_plain = counted == "change of" and not went and who in lookup.moving(names)
             yield went or [f"change of {axis} of {who}" for axis in joining.guided_along(names, who) if is_plain]
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:

@@ -25,6 +25,8 @@ _CONTINUOUS = (
         "velocity",
         "speed",
         "angular velocity",
+        "angle of descent",
+        "direction of motion",
         "deflection",
         *lookup.STRETCHED,
         "spring force",
@@ -39,7 +41,7 @@ _CONTINUOUS = (
 )
 _OF_WHAT_MOVES = (
     *("velocity", "speed", "angular velocity", "kinetic energy", "linear momentum", "angular momentum"),
-    *("rotational energy", "translational energy"),
+    *("rotational energy", "translational energy", "angle of descent", "direction of motion"),
 )
 _PLACES = {
     "at the top": poses.tops,
@@ -54,6 +56,7 @@ _PLACES = {
 }
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
+_LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
 _BLOWS = ("after the impact", "before the impact")
 _NTH = re.compile(rf"(?P<side>after|before|at) the {NTH} impact")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
@@ -164,8 +167,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if not others and not main.has("instant") and main.has("ask", "far", "much", "large"):
         main = _at_most(names, main)
     tails, main = _tails(names, main)
-    if main.has("quantity", "impact speed"):
-        main = Clause([Word("quantity", "speed") if w == Word("quantity", "impact speed") else w for w in main.words])
+    if main.has("quantity", *_LANDING):
+        main = Clause(
+            [Word("quantity", _LANDING.get(w.what, w.what)) if w.kind == "quantity" else w for w in main.words]
+        )
         struck = {GROUND, *names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
         landing = Clause([*(w for w in main.words if w.kind == "name" and w.what in struck), *_LANDS])
         main = Clause([w for w in main.words if w not in landing.words])

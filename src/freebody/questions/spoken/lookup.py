@@ -106,6 +106,13 @@ def went(names: Names, body: str) -> list[str]:
     return ways(names, body) or fixed
 
 
+def is_free(names: Names, body: str) -> bool:
+    """Whether a body, or all that moves, has places along several directions: its path is as long as none of them."""
+    straight = [names.measures[name] for name in places(names, body)]
+    along = [(m.of.body, m.along) for m in straight if isinstance(m, Displacement)]
+    return any(one[0] == other[0] and one[1] != other[1] for one in along for other in along)
+
+
 def of_places(names: Names) -> list[str]:
     """What is measured and is no angle, or what moves where nothing is; with the angles where no place is that of a
     mass centre, but each one of a point of a body that turns."""

@@ -14,6 +14,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.assumed import what_does_not_hold, without_what_holds
+from freebody.questions.spoken.bounces import as_third, at_nth
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
@@ -118,6 +119,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     del names.problems[n_before:]
     if (asked := without_context(names, elements_of(names), text)) != text:
         return understood(names, asked, read)
+    if (counted := as_third(text)) is not None and (later := _at_later_impact(names, *counted, read)):
+        return later
     if (sides := sides_of(text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
@@ -183,6 +186,17 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             )
         names.unknown(text, none, "find")
     return []
+
+
+def _at_later_impact(names: Names, text: str, n: int, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What a text asks of the third impact, asked of the n-th."""
+    with names.quietly():
+        found = understood(names, text, read)
+    words = [at_nth(said, n) for _asked, said in found]
+    if not words or None in words:
+        return []
+    each = [(asked, said) for said in words if said is not None and (asked := read(said)) is not None]
+    return each if len(each) == len(words) else []
 
 
 def _compared(

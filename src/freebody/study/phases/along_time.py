@@ -165,8 +165,7 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
     until = np.where(np.isfinite(ends), ends, horizon)
     for watch in watches:
         seen = np.array([at(watch, np.where(until > 0.0, s * until, t)) for s, t in zip(_SHARES, _TIMES, strict=True)])
-        with np.errstate(invalid="ignore"):
-            missed = (seen < -_NOW * np.abs(seen).max(axis=0)).any(axis=0)
+        missed = _falls_unseen(at(watch, np.zeros(sets.n)), seen)
         if not (missed & mine & ~too_near).any():
             continue
         if watch.kind != "changes sign" or missed[0] or not mine[0]:
@@ -177,6 +176,17 @@ def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, ind
     found.tests = _times_in_order(course, found.candidates, sets) + found.tests
     found.too_near = too_near & mine
     return found
+
+
+def _falls_unseen(first: Array, seen: Array) -> Mask:
+    """Where a function becomes negative. What is negative from the start on, as the gap to the far side of a block, has
+    to be positive before it falls."""
+    with np.errstate(invalid="ignore"):
+        size = np.maximum(np.abs(seen).max(axis=0), np.abs(first))
+        negative, positive = seen < -_NOW * size, seen > _NOW * size
+        falls = (negative[1:] & np.logical_or.accumulate(positive, axis=0)[:-1]).any(axis=0)
+        result: Mask = negative.any(axis=0) & (falls | ~(first < -_NOW * size))
+    return result
 
 
 def _units_of_time(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets) -> Array:

@@ -1,4 +1,11 @@
-"""How far a motion gets until it first turns, through its phases: the ways on which it does."""
+"""How far a motion gets until it first turns, through its phases: the ways on which it does.
+
+What is no place, as a velocity, may be farthest between two phases: it grows until something comes to rest, or jumps in
+an impact and falls from there. With a quantity Q, counted towards the side that is asked for, this is
+
+    without an impact:  dQ/dt > 0 before, dQ/dt <= 0 behind;
+    in an impact:       Q behind > Q before, dQ/dt <= 0 behind.
+"""
 
 from __future__ import annotations
 
@@ -11,12 +18,15 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import Question
-from freebody.study.phases.branch import AnswerBranch
+from freebody.study.answering.finding import NO_FORM
+from freebody.study.phases.branch import AnswerBranch, branch_at
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.pieces import at_turning_impacts, pieces
 from freebody.study.phases.reached import rate_of
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.state import SymbolicState
+from freebody.tolerances import ROUNDED
 
 
 def is_behind_an_impact(question: Question) -> bool:
@@ -51,14 +61,21 @@ def first_turns(tree: PhaseTree, question: Question) -> tuple[Question, Ratio, l
 
     # an impact may turn it: behind one that does the first place without speed is on the other side
     asked = replace(question, quantity=of, event=event)
+    found_first: list[tuple[AnswerBranch, Sequence[Ratio]]] = []
     with suppress(CannotAnswer):
         if behind:
             take(asked, [(p, (_rate_behind(tree, p, event),)) for p in pieces(tree, asked, blow) if p.nodes[0] is root])
         else:
             found_first = [o for p in pieces(tree, asked) if p.nodes[0] is root for o in _setting_out(tree, p, event)]
-            take(asked, found_first)
     struck = replace(question, quantity=of)
     way = WayToPhase((root,), (), (*tree.assumed, *root.conditions))
+    between: list[AnswerBranch] = []
+    with suppress(*NO_FORM):
+        if isinstance(event, Peak) and not behind and not of.may_jump:
+            between += _between(tree, struck, event, side, way)
+    ordered = [(len(o[0].nodes), asked, o) for o in found_first] + [(len(p.nodes), struck, (p, ())) for p in between]
+    for _n, told, one in sorted(ordered, key=lambda x: x[0]):
+        take(told, [one])
     if not isinstance(event, Peak) and not behind:
         take(struck, [(p, (rate,)) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
     return question, rate, found
@@ -79,6 +96,33 @@ def _rate_behind(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> 
     """The rate with which something sets out from the last blow or impact on its way."""
     struck = [node for node in piece.nodes if node.impact is not None]
     return _rate_of(tree, struck[-1], event)
+
+
+def _between(tree: PhaseTree, question: Question, event: Peak, side: int, way: WayToPhase) -> Iterator[AnswerBranch]:
+    """Where a quantity is farthest between two phases."""
+    phase = way.last.phase
+    for edge in way.last.edges:
+        if edge.first is None:
+            continue
+        for node in edge.nodes:
+            on = way.on(edge, node)
+            conditions = [*edge.conditions, *node.conditions]
+            piece = branch_at(tree, question, way, edge.first, conditions, node.sets)
+            if node.impact is None:
+                there = SymbolicState(phase.model, {**phase.still, **edge.first.zero.values})
+                grows = tree.to_home(phase, there.here(phase.model.in_independent_speeds(rate_of(tree, phase, event))))
+            else:
+                struck = branch_at(tree, question, way, edge.first, conditions, node.sets, node)
+                if isinstance(struck.value, tuple) or isinstance(piece.value, tuple):
+                    return
+                grows, piece = struck.value - piece.value, struck
+            behind = _rate_of(tree, node, event)
+            turns = (side * tree.numbers(grows) > ROUNDED) & (side * tree.numbers(behind) <= ROUNDED)
+            sets = node.sets[turns[node.sets]]
+            if len(sets):
+                needed = tree.conditions([(side * grows, ">", ""), (-side * behind, ">=", "")], sets)
+                yield replace(piece, sets=sets, conditions=[*piece.conditions, *needed])
+            yield from _between(tree, question, event, side, on)
 
 
 def _setting_out(
