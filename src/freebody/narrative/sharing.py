@@ -233,7 +233,10 @@ def without_echo(
     lines = lines_of(stages)
     if len(lines) < 2 or _key(lines[-1], lines[-1].when) != _key(lines[-2], lines[-2].when):
         return list(stages), dict(again)
-    if any(not isinstance(item, NumberedFormula | Legend) for item in stages[-1].items) or lines[-2] in stages[-1].items:
+    if (
+        any(not isinstance(item, NumberedFormula | Legend) for item in stages[-1].items)
+        or lines[-2] in stages[-1].items
+    ):
         return list(stages), dict(again)
     return list(stages[:-1]), {**again, lines[-1].number: lines[-2].number}
 

@@ -26,8 +26,8 @@ _FARTHER = (2.5, 9.0, 18.0, 30.0, 45.0, 62.0, 80.0)  # [points] from the anchor
 @dataclass(frozen=True)
 class Wish:
     """A label and where it would like to be: beside anchors (2,), in directions (2,); the best place first. within: the
-    middle and half of the sizes of an area in the colour of the label, over which it stands wholly or not at all; of: as
-    of a `Shape`."""
+    middle and half of the sizes of an area in the colour of the label, over which it stands wholly or not at all;
+    of: as of a `Shape`."""
 
     label: Label
     places: tuple[tuple[Array, Array], ...]
