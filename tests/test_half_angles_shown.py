@@ -21,9 +21,9 @@ loads: {weight: {gravity: g}}
 
 @pytest.mark.parametrize("degrees", [20.0, 45.0, 65.0, 80.0])
 def test_a_ladder_as_rough_at_both_ends_stays_by_the_tangent_of_half_the_angle_from_upright(degrees: float) -> None:
-    """tan((90 - alpha)/2): on the verge at both ends the lines of the reactions, turned by rho = atan mu, meet above the
-    mass centre at a right angle. The middle of the ladder is that of the circle through both ends and this point, which
-    lies straight above it where 2 rho = 90 degrees - alpha."""
+    """tan((90 - alpha)/2): on the verge at both ends the lines of the reactions, turned by rho = atan mu, meet above
+    the mass centre at a right angle. The middle of the ladder is that of the circle through both ends and this point,
+    which lies straight above it where 2 rho = 90 degrees - alpha."""
     asked = fb.System.from_text(LADDER.replace("65 deg", f"{degrees} deg")).solve("least mu so that it stays at rest")
     answer = asked.answers[0]
     assert answer.value == pytest.approx(math.tan(math.radians(90.0 - degrees) / 2), rel=1e-10)

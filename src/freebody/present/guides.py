@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 
 import numpy as np
@@ -84,12 +85,15 @@ class Guides:
         return low, high, level
 
     def _held_from(self, rail: Rail) -> Iterator[Place]:
-        """The places of its guide from which springs hold what slides on a rail."""
+        """The places of its guide from which springs hold what slides on a rail. Several side by side would lie on its
+        hatching."""
+        held = Counter[tuple[Place, Place]]()
         for spring in self.scene.springs:
             ends = spring.first, spring.second
             for foot, end in (ends, ends[::-1]):
                 if foot.body == rail.along.body == GROUND and end.body == rail.point.body:
-                    yield foot
+                    held[foot, end] += 1
+        yield from (foot for (foot, _end), n in held.items() if n == 1)
 
     def _track(self, track: Track) -> Iterator[Stroke]:
         """The line on which a circle rolls, unless it is a surface for others too."""
