@@ -321,7 +321,7 @@ def test_bodies_drawn_beside_each_other_have_their_coordinates_where_they_are_dr
 def test_a_wall_behind_a_spring_is_hatched_once() -> None:
     picture = example("two_masses_three_springs").picture()
     hatched = [s for s in picture.shapes if s.stroke == Ink("muted") and s.width == 0.8 and len(s.points) > 4]
-    assert len(hatched) == 4  # two walls and two rails
+    assert len(hatched) == 3  # two walls and the rail of both
 
 
 def test_forces_at_the_corners_of_a_body_are_named_by_their_corners() -> None:

@@ -35,6 +35,11 @@ loads: {weight: {gravity: g}}
 """
 
 
+def test_where_nothing_resists_the_open_contacts_are_named_with_their_gaps() -> None:
+    level = IN_THE_AIR.replace("at: [0, h]", "at: [0, h], angle: 0").replace("nu: 0.2, ", "")
+    assert System.from_text(level).statics().fails == "nothing resists block: floor is open by 1.9 m"  # 2 m - 0.2 m/2
+
+
 def test_a_coefficient_of_friction_decides_nothing_where_nothing_touches() -> None:
     in_the_air = System.from_text(IN_THE_AIR.replace("nu: 0.2, ", ""))
     assert "nothing touches" in in_the_air.solve("least mu so that it does not slip").answers[0].reason

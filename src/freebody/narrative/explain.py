@@ -20,7 +20,7 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, Sentence
 from freebody.narrative.numbering import numbered
 from freebody.narrative.opening import opening
-from freebody.narrative.sharing import ToldSoFar, lines_of, sentences_of
+from freebody.narrative.sharing import ToldSoFar, lines_of, sentences_of, without_echo
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.results import Result
@@ -177,6 +177,7 @@ def _derived(
     elif lines and lines[-1].number in again:
         found = Sentence("result.found", {"line": again[lines[-1].number]})
         new.append(DerivationStage(Sentence("stage.value"), None, (found,)))
+    new, again = without_echo(new, again)
     new = _with_result(new, ends, told)
     told.take(new)
     here.keep_found(again, told.numbers)

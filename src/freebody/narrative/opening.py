@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from typing import Any, cast
 
@@ -86,9 +86,11 @@ def _symbols(context: Context, script: Script) -> None:
         key = "symbol.function" if p.form is not None else "symbol.parameter"
         entries.append((Symbol(p.name), Sentence(key), _unit(p.dimension)))
     given = cast("dict[str, Any]", system.document.data.get("measures") or {})
+    rotations = dict(_rotations(context))
     for name, measure in system.measures.items():
         phrase = phrase_text(given.get(name)) or name
-        entries.append((Symbol(name), Sentence("symbol.measure", {"phrase": phrase}), _unit(measure.dimension)))
+        what = Sentence("symbol.measure", {"phrase": phrase})
+        entries.append((Symbol(name), what if name in given else rotations.get(name, what), _unit(measure.dimension)))
     for state in system.states.values():
         entries.append((Symbol(state.name), Sentence("symbol.state"), _unit(state.dimension)))
     context.introduced |= {e[0].name for e in entries if isinstance(e[0], Symbol)} | {"t"}
@@ -99,6 +101,15 @@ def _symbols(context: Context, script: Script) -> None:
         context.introduced.add(name)
     if entries:
         script.add(Legend(tuple(entries)))
+
+
+def _rotations(context: Context) -> Iterator[tuple[str, Sentence]]:
+    """What the angles are by which bodies are turned one after another."""
+    for body in context.system.bodies.values():
+        named = [turn.name for turn in body.chain if turn.name]
+        for n, name in enumerate(named, start=1):
+            key = "symbol.rotation_number" if len(named) > 1 else "symbol.rotation_of"
+            yield name, Sentence(key, {"body": body.name, "n": f"@{n}"})
 
 
 def coordinate_words(context: Context, name: str) -> tuple[Sentence, str]:

@@ -226,6 +226,21 @@ def _stands_in(entry: tuple[Expr, Sentence, str], line: NumberedFormula) -> bool
     return any(told.get(name, repr(what)) == repr(what) for name in names)
 
 
+def without_echo(
+    stages: Sequence[DerivationStage], again: Mapping[int, int]
+) -> tuple[list[DerivationStage], dict[int, int]]:
+    """Without a last stage whose only line says what the line before it has said, which stands for it from then on."""
+    lines = lines_of(stages)
+    if len(lines) < 2 or _key(lines[-1], lines[-1].when) != _key(lines[-2], lines[-2].when):
+        return list(stages), dict(again)
+    if (
+        any(not isinstance(item, NumberedFormula | Legend) for item in stages[-1].items)
+        or lines[-2] in stages[-1].items
+    ):
+        return list(stages), dict(again)
+    return list(stages[:-1]), {**again, lines[-1].number: lines[-2].number}
+
+
 # -- what belongs to a line -------------------------------------------------------------------
 @dataclass(frozen=True)
 class _Piece:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 
 import numpy as np
@@ -16,6 +17,7 @@ from freebody.present.symbols import capsule, circle, hatched
 
 _RAIL = 6.0  # half of the rail of what is short, in sizes of symbols
 _SHORT = 5.0  # what is shorter, in sizes of symbols
+_FAR = 60.0  # a rail goes on to what is nearer, in sizes of symbols
 _ROLLED_ON = 2.6  # half of a line on which a wheel rolls, by the radius of the wheel
 
 
@@ -43,21 +45,55 @@ class Guides:
                     pass
 
     def _rail(self, rail: Rail) -> Iterator[Stroke]:
-        """A hatched rail on the ground, a line on a body; a slot for a pin that turns in it."""
-        figure = self.scene.figure_of(rail.point.body)
-        is_slot = rail.turning != "not"
-        back, ahead = self._lengths(figure, rail.point, rail.along)
-        is_short = back + ahead < _SHORT * self.u
-        more = max(0.5 * (2 * _RAIL * self.u - back - ahead), self.u) if is_short else self.u
-        reach = (3.0 * self.u, 3.0 * self.u) if is_slot else (back + more, ahead + more)
-        low, high, level = self._run(rail.point, rail.along, reach)
-        if is_slot:
+        """A hatched rail on the ground, a line on a body; a slot for a pin that turns in it. Rails that lie on one line
+        and nearly meet are one."""
+        if rail.turning != "not":
+            low, high, level = self._run(rail.point, rail.along, (3.0 * self.u, 3.0 * self.u))
             slot = capsule((low, 0.0), (high, 0.0), 0.9 * self.u)
             yield self._on_line(rail.along, level, slot, "slot", is_closed=True)
             return
+        low, high, level = self._guided(rail)
+        others = [other for other in self.scene.rails if _goes_along(other, rail)]
+        runs = [self._guided(other) for other in others]
+        of_line = sorted((a, b, k) for k, (a, b, at) in enumerate(runs) if abs(at - level) < 0.1 * self.u)
+        together = [of_line[0]] if of_line else []
+        for run in of_line[1:]:
+            if run[0] > max(b for _a, b, _k in together) + 2 * _RAIL * self.u:
+                if any(others[k] is rail for *_, k in together):
+                    break
+                together = []
+            together.append(run)
+        if together and others[min(k for *_, k in together)] is not rail:
+            return  # drawn with the first of them
+        low, high = min([low, *(a for a, _b, _k in together)]), max([high, *(b for _a, b, _k in together)])
+        yield from self._edge(rail.along, level, low, high, -1.0)
+
+    def _guided(self, rail: Rail) -> tuple[float, float, float]:
+        """From where to where a body needs its rail, up to the springs that hold it from the ground on this line, and
+        how far on the left of the origin the rail is [m]."""
+        figure = self.scene.figure_of(rail.point.body)
+        back, ahead = self._lengths(figure, rail.point, rail.along)
+        is_short = back + ahead < _SHORT * self.u
+        more = max(0.5 * (2 * _RAIL * self.u - back - ahead), self.u) if is_short else self.u
+        low, high, level = self._run(rail.point, rail.along, (back + more, ahead + more))
+        for foot in self._held_from(rail):
+            s, across = travel(foot, rail.along, self.poses)
+            if abs(float(across[0]) - level) < self.u and low - _FAR * self.u < s[0] < high + _FAR * self.u:
+                low, high = min(low, float(s[0])), max(high, float(s[0]))
         below, above = extent_across(figure, rail.point, rail.along, self.poses) if figure else (0.0, 0.0)
         level += below if below < -1e-9 else -0.8 * self.u if above < 1e-9 else 0.0
-        yield from self._edge(rail.along, level, low, high, -1.0)
+        return low, high, level
+
+    def _held_from(self, rail: Rail) -> Iterator[Place]:
+        """The places of its guide from which springs hold what slides on a rail. Several side by side would lie on its
+        hatching."""
+        held = Counter[tuple[Place, Place]]()
+        for spring in self.scene.springs:
+            ends = spring.first, spring.second
+            for foot, end in (ends, ends[::-1]):
+                if foot.body == rail.along.body == GROUND and end.body == rail.point.body:
+                    held[foot, end] += 1
+        yield from (foot for (foot, _end), n in held.items() if n == 1)
 
     def _track(self, track: Track) -> Iterator[Stroke]:
         """The line on which a circle rolls, unless it is a surface for others too."""
@@ -122,3 +158,9 @@ class Guides:
             return 0.0, 0.0
         low, high = extent_across(figure, point, along.quarter_back(), self.poses)
         return -low, high
+
+
+def _goes_along(other: Rail, rail: Rail) -> bool:
+    """Whether a body slides on another rail of the same direction."""
+    a, b = other.along, rail.along
+    return other.turning == "not" and a.body == b.body and abs(a.x - b.x) + abs(a.y - b.y) < 1e-9

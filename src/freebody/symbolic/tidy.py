@@ -16,6 +16,7 @@ from freebody.language.expression import Call, Expr, Sum, add, divide, multiply,
 from freebody.symbolic.decimals_shown import in_decimals
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import complement_atom
+from freebody.symbolic.half_angles_shown import by_conjugates
 from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
 from freebody.symbolic.roots_in_quotients import (
     is_root_generator,
@@ -82,7 +83,8 @@ def _as_it_is(x: Ratio) -> Expr:
     if x.den is not None and sign_is_negative(x.denominator()):
         x = Ratio(x.field, -x.num, -x.den)
     shorter = _root_of_a_quotient(x) or _over_a_root(x)
-    return _quotient(x) if shorter is None else shorter
+    others = [_quotient(other) for other in by_conjugates(x)] if shorter is None else []
+    return min([_quotient(x) if shorter is None else shorter, *others], key=n_operations)
 
 
 def _quotient(x: Ratio) -> Expr:

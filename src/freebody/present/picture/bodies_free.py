@@ -107,8 +107,19 @@ def name_beside(sketch: Sketch, figure: Figure, poses: Array, label: Label) -> N
     places = [*places, *((at + 5.0 * way, way) for at, way in places)]
     size = 9.0 if not label.latex else 10.5
     ink = Ink("body", figure.number)
-    wish = Wish(label, tuple(places), size, ink, is_needed=False, is_missed=True, weight=1.0)
+    within = _full_area(sketch, middle, ink)
+    wish = Wish(label, tuple(places), size, ink, is_needed=False, is_missed=True, weight=1.0, within=within)
     sketch.wish(wish)
+
+
+def _full_area(sketch: Sketch, middle: Array, ink: Ink) -> tuple[Array, Array] | None:
+    """The middle of an area round a place that is full of a colour, and half of its sizes; None where there is none."""
+    for shape in sketch.shapes:
+        if shape.fill == ink and shape.is_closed:
+            low, high = shape.points.min(axis=0), shape.points.max(axis=0)
+            if ((low < middle) & (middle < high)).all():
+                return 0.5 * (low + high), 0.5 * (high - low)
+    return None
 
 
 def add_axes(sketch: Sketch) -> None:

@@ -25,8 +25,9 @@ _FARTHER = (2.5, 9.0, 18.0, 30.0, 45.0, 62.0, 80.0)  # [points] from the anchor
 
 @dataclass(frozen=True)
 class Wish:
-    """A label and where it would like to be: beside anchors (2,), in directions (2,); the best place first. of: as of a
-    `Shape`."""
+    """A label and where it would like to be: beside anchors (2,), in directions (2,); the best place first. within: the
+    middle and half of the sizes of an area in the colour of the label, over which it stands wholly or not at all;
+    of: as of a `Shape`."""
 
     label: Label
     places: tuple[tuple[Array, Array], ...]
@@ -36,6 +37,7 @@ class Wish:
     is_missed: bool = False  # one that is not needed goes farther away, too, where it finds no room, but hides nothing
     weight: float = 0.0  # the heavier ones are placed first
     gap: float = 2.5  # [points]
+    within: tuple[Array, Array] | None = None
     of: str = ""
 
 
@@ -70,7 +72,21 @@ def _best(wish: Wish, points: Array, signs: Array, taken: Sequence[Word]) -> Wor
         late = _cheapest(wish, around(anchor, (float(first[0]), float(first[1]))), points, signs, taken)
         if late is not None and (best is None or late[0] + _LATER * len(wish.places) < best[0]):
             best = late
-    return None if best is None else best[1]
+    found = None if best is None else best[1]
+    inside = _inside(wish, found, signs, taken)
+    return found if inside is None else inside
+
+
+def _inside(wish: Wish, found: Word | None, signs: Array, taken: Sequence[Word]) -> Word | None:
+    """The word in the middle of an area of its colour, in the colour of paper, where it would hang over its edge."""
+    if wish.within is None or found is None:
+        return None
+    middle, half = wish.within
+    word = Word(wish.label, middle, wish.size, Ink("paper"), has_halo=False, of=wish.of)
+    if not (np.abs(found.at - middle) < found.half + half - 0.5).all() or (word.half > half).any():
+        return None
+    is_free = not _below(word, signs) and not any(word.overlaps(other) for other in taken)
+    return word if is_free else None
 
 
 def _cheapest(

@@ -25,6 +25,8 @@ from freebody.present.view import AZIMUTH, ELEVATION, STRENGTH, View
 
 _SYMBOL = 0.026  # of the size of a scene
 _ROOM = 0.2  # [m] to each side of a scene without size, beside which signs are small
+_SEEN = 0.45  # the share of it that a picture shows at least
+_BELOW = 0.35  # a plane reaches so far on either side, by how far bodies are above it
 _TINY = 1e-9  # [m] a scene of less has no lengths at all
 _N_KEYS = 40
 
@@ -58,7 +60,7 @@ class SpatialDrawing:
         room = np.zeros((0, 3))
         if float(np.linalg.norm(high - low)) <= _TINY:
             low, high = low - _ROOM, high + _ROOM
-            room = 0.5 * (low + high) + _ROOM * np.concatenate((np.eye(3), -np.eye(3)))
+            room = 0.5 * (low + high) + _SEEN * _ROOM * np.concatenate((np.eye(3), -np.eye(3)))
         u = _SYMBOL * float(np.linalg.norm(high - low))
         drawing = cls(scene, poses, u, low - u, high + u, has_lengths=size > 0.0, room=room)
         used = _used(scene)
@@ -118,9 +120,9 @@ class SpatialDrawing:
         axes = basis(self.poses.heading(normal, 0))
         over = (points - self.poses.place(through, 0)) @ axes.T
         low, high = box_round(over[:, :2])
-        step = round_length((float((high - low).max()) or self.size or 1.0) / 6)
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
-        half = np.maximum(half, 0.5 * half.max())
+        half = np.maximum(half, max(0.5 * float(half.max()), _BELOW * float(np.abs(over[:, 2]).max())))
+        step = round_length((2.0 * float(half.max()) or self.size or 1.0) / 6)
         low, high = step * np.floor((middle - half) / step - 0.4), step * np.ceil((middle + half) / step + 0.4)
         corners = np.array([(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])])
         lines: list[Array] = []

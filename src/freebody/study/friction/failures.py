@@ -9,14 +9,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message, in_turn
+from freebody.language.sentences import Message, in_turn, listed
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import Optimum, unresisted
 from freebody.numeric.jets import Array
 from freebody.numeric.rest_problem import RestProblem
+from freebody.present.lines import number_text
 from freebody.study.answering.draws import Draw
-from freebody.study.friction.touching import TouchingAtRest
+from freebody.study.friction.touching import TouchingAtRest, apart
 from freebody.symbolic.active_set import Failure
 from freebody.system.corners import in_words, position_of
 
@@ -97,9 +98,27 @@ def how_it_fails(touching: TouchingAtRest, problem: RestProblem, draw: Draw) -> 
     """The failure of a system that nothing can hold, or the one that is nearest, in words."""
     loose = unresisted(problem)
     if loose is not None:
-        return Message("nothing resists {body}", body=touching_most(touching, problem, loose))
+        body = touching_most(touching, problem, loose)
+        if apart := list(_open_contacts(touching, draw, body)):
+            return Message("nothing resists {body}: {contacts}", body=body, contacts=listed(apart))
+        return Message("nothing resists {body}", body=body)
     found = margin(problem)
     return "" if found is None else seen(touching, problem, found, draw).words
+
+
+def _open_contacts(touching: TouchingAtRest, draw: Draw, body: str) -> Iterator[str]:
+    """The contacts, stops and ropes of a body that are open in the start pose, and by how much."""
+    reference, closed = draw.reference, {bound.name for bound in touching.bounds}
+    own = [b for b in touching.system.bounds if body in _owners(b.row)]
+    held = {b.row.connection for b in own if b.name in closed}
+    gaps: dict[str, tuple[float, str]] = {}
+    for gap, name in apart(reference, reference.geometry(draw.q, np.zeros_like(draw.q), 0.0), own).values():
+        row = next(b.row for b in own if b.name == name)
+        if row.connection not in held:
+            unit = str(row.measure.dimension)
+            gaps[row.connection] = min(gaps.get(row.connection, (math.inf, unit)), (gap, unit))
+    for contact, (gap, unit) in gaps.items():
+        yield Message("{contact} is open by {gap}", contact=contact, gap=f"{number_text(gap)} {unit}".strip())
 
 
 def touching_most(touching: TouchingAtRest, problem: RestProblem, v: Array) -> str:

@@ -76,8 +76,8 @@ class TouchingAtRest:
         g = reference.geometry(q, np.zeros_like(q), 0.0)
         slack, closed = TOUCHES * reference.sizes.length, {bound.name for bound in self.bounds}
         beyond = [bound.name for bound in self.bounds if not is_within(reference, g, bound, slack)]
-        apart = _apart(reference, g, self.system.bounds)
-        deep = [name for gap, name in apart.values() if gap < -slack and name not in closed]
+        found = apart(reference, g, self.system.bounds)
+        deep = [name for gap, name in found.values() if gap < -slack and name not in closed]
         if self.system.space:
             deep += [f"{a}, {b}" for a, b, depth, _of in overlaps(reference, g, self.system.bounds) if depth > slack]
         return beyond + deep
@@ -178,13 +178,13 @@ def _first(
                     for site in itertools.chain(*places)
                     if is_within(reference, g, site)
                 }
-            furthest = list(_apart(reference, g, sites).values())
+            furthest = list(apart(reference, g, sites).values())
             least = min(gap for gap, _name in furthest) + _TOGETHER * reference.sizes.length
             return {name for gap, name in furthest if gap <= least}
     return set()
 
 
-def _apart(
+def apart(
     reference: Reference, g: JetGeometry, sites: Iterable[UnilateralConstraint]
 ) -> dict[tuple[str, ...], tuple[float, str]]:
     """How far every point or circle is from every other body, and the site that tells.
