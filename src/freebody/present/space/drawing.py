@@ -25,7 +25,7 @@ from freebody.present.view import AZIMUTH, ELEVATION, STRENGTH, View
 
 _SYMBOL = 0.026  # of the size of a scene
 _ROOM = 0.2  # [m] to each side of a scene without size, beside which signs are small
-_SEEN = 0.45  # the share of it that a picture shows at least
+_SEEN = 0.55  # the share of it that a picture shows at least
 _BELOW = 0.35  # a plane reaches so far on either side, by how far bodies are above it
 _TINY = 1e-9  # [m] a scene of less has no lengths at all
 _N_KEYS = 40
