@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import pytest
 
-import freebody as fb
 from freebody.api import System
 from freebody.narrative.sheets.asking import asking
 from freebody.narrative.telling.catalogue import Catalogue
