@@ -50,4 +50,4 @@ def test_a_symmetric_suspension_has_the_formula_of_its_pose(text: str, question:
 def test_two_modes_of_which_either_may_be_the_slower_are_told_apart_by_value() -> None:
     """It swings with w^2 = g/l as a pendulum and turns with w^2 = g a^2/(l k^2), slower where k > a."""
     told = is_derived(BIFILAR, "period of small oscillations of psi")
-    assert "g/l" in told["en"]
+    assert "defect" not in told["en"]  # a step that does not hold is told as one
