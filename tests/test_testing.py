@@ -489,8 +489,8 @@ ROUND = [
 ]
 
 
-# a defect: beside one more body solve lists no phases of this belt and counts its freedoms as if it slipped (3 for 2); its
-# answers are the same
+# a defect: beside one more body solve lists no phases of this belt and counts its freedoms as if it slipped (3 for 2);
+# its answers are the same
 COUNTED_OF_THE_WHOLE = {("belt_with_a_tightener", "unrelated body")}
 
 
