@@ -104,15 +104,16 @@ class Simulation(MeasuredMotion, Result):
         return replace(self._film(speed), tell=self.in_language, language=language)
 
     def _film(self, speed: float) -> Film:
-        from freebody.present import animation as plane
-        from freebody.present.marks import ContactTrack
-        from freebody.present.space import animation as space
-
         course, number, title = self.course, self.simulator.reference.number, self.system.title
         scene, poses = self.simulator.scene, course.poses[:, :-1]
         if course.rotation is not None:
+            from freebody.present.space import animation as space
+
             turned = course.rotation.quaternions[:, :-1]
             return space.film_of(scene, course.times, poses[:, :, :3], turned, title=title, speed=speed)
+        from freebody.present import animation as plane
+        from freebody.present.marks import ContactTrack
+
         contacts = ContactTrack.of(self.system, number, course.contact)
         return plane.film_of(scene, course.times, poses, title=title, speed=speed, contacts=contacts)
 

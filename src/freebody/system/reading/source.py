@@ -383,7 +383,7 @@ class Source:
                 if (
                     not isinstance(value, dict)
                     or len(cast("dict[str, Any]", value)) != 1
-                    or (name in kinds and not any(key in kinds for key in cast("dict[str, Any]", value)))
+                    or (not any(key in kinds for key in cast("dict[str, Any]", value)) and name in kinds)
                 ):
                     self.names.problem(self._kind_wanted(name, value, kinds))
                     continue
