@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, joining, lookup
+from freebody.questions.spoken import along_lines, dimensions, joining, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -18,6 +18,14 @@ def _angles_at(names: Names, who: str) -> list[str]:
     if who in names.measures or who not in lookup.moving(names):
         return []
     return lookup.angles(names, who) if who in lookup.turning(names) else lookup.hung(names, who)
+
+
+def _turning_in(names: Names, who: str) -> str:
+    """The only body of a connection that turns by a measured angle: the cam's, where the connection is called cam."""
+    if who not in names.connections or who in names.bodies or lookup.angles(names, who):
+        return who
+    turning = [body for body in sorted(names.connections[who].mentions(names)) if lookup.angles(names, body)]
+    return turning[0] if len(turning) == 1 else who
 
 
 def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
@@ -52,7 +60,11 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         return
     if dimensions.is_time(value, names):
         return
-    doing = set(verbs) - {"start"}
+    if not verbs and clause.names[-1:] == [("from", of[-1] if of else "")]:  # it is 0.8 m from the axle
+        yield along_lines.counted_from(names, who if len(of) > 1 else "", of[-1], value)
+        return
+    doing = {"reach" if verb == "hold" and dimensions.is_angle(value) else verb for verb in verbs} - {"start"}
+    who = _turning_in(names, who) if doing == {"turn"} or dimensions.is_angle(value) else who
     sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
     sense = 1 if clause.has("updown", "up") or clause.has("part", "upward") else sense
     if sense and doing <= {"move", "slide", "roll", "fly", "fall", "rise"}:

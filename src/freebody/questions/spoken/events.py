@@ -10,7 +10,7 @@ from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.course import can_change
 from freebody.questions.event import leads_to
-from freebody.questions.spoken import dimensions, joining, lookup, losing, poses, strings
+from freebody.questions.spoken import along_lines, dimensions, joining, lookup, losing, poses, strings
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.coming import come_so_far
 from freebody.questions.spoken.composing import SILENT, Groups
@@ -279,7 +279,7 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
     if other in names.loads:  # nothing is said of where a spring no longer pushes, unless it only pushes
         yield [f"{other} is relaxed"] if other in lookup.catching(names, pulls=False) else []
         return
-    if off := strings.run_off(names, who):
+    if off := strings.run_off(names, who) or along_lines.at_point(names, who, other):
         yield off
         return
     free = {row.connection for row in names.constraint_rows if row.unilateral or row.reaction == "tension"}
@@ -354,7 +354,9 @@ def _returns(names: Names, who: str, other: str) -> Groups:
 
 def _reaches(names: Names, who: str, other: str) -> Groups:
     """A place that is reached is struck, where it can be, and not only led to."""
-    if drawn := _drawn_to(names, who, other):
+    if at := along_lines.at_point(names, who, other):
+        yield at
+    elif drawn := _drawn_to(names, who, other):
         yield [f"{body} reaches {other}" for body in drawn]
     elif other in lookup.catching(names, pulls=False):
         yield [f"{other} is reached"]

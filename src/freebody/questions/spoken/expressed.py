@@ -39,7 +39,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "when t grows": r"grows|steady|end|terminal|stop|until|limit|when",
         "at the end": r"grows|steady|end|terminal|stop|until|limit|when|=|equilibrium",
         "over the motion": r"over|until|greatest|least|work|period|^(?!.*\b(?:when|at start)\b)",
-        "for a full turn": r"turn|cycle|period|round|stroke|range of|largest|least .* so that",
+        "for a full turn": r"turn|cycle|period|round|stroke|range of|largest|least .* so that|pi \* ratio",
         "over a turn": r"turn|cycle|period|range|stroke|mean|greatest|least|ratio|pi\b|extremes",
         "at once": r"once|immediately|start",
         "at the top": rf"{_END_OF_SWING}|height|start",

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken import along_lines, given, joining, lookup
 from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.expressed import dropped
 from freebody.questions.spoken.lexicon import ENGLISH, Word, tells_apart
@@ -141,7 +141,8 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
     if body == GROUND or thing in names.bodies[GROUND].lines or thing in names.bodies[GROUND].planes:
         return _ground_stands(names, thing, things)
     if _is_point_of_moving(names, thing):  # another point of its body is not meant, nor its body
-        return bool({joining.pinned_at(names, thing), joining.joined_at(names, thing)} & things)
+        places = {joining.pinned_at(names, thing), joining.joined_at(names, thing)}
+        return bool(places & things) or any(along_lines.is_along(names, other, body) for other in things)
     if any(other.partition(".")[0] == body for other in things):
         return True
     if thing in names.bodies:

@@ -11,6 +11,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import free_symbols
+from freebody.measures.displacement import Displacement
 from freebody.questions.spoken import given, joining, lookup, of_forces
 from freebody.questions.spoken.accounting import PLACED
 from freebody.questions.spoken.composing import SILENT, Groups
@@ -25,6 +27,7 @@ _ENDS_REST = {"slide", "move", "fall", "rise", "turn", "start", "tip"}  # verbs 
 _VERBS = _ENDS_REST | {"hold", "stop", "exert", "act", "end"}
 _MARKS = ("until", "so_that", "to", "when", "without")
 _OF_LIMIT = re.compile(r"^(?:least|largest|range of) (\w+) (?:so that|that keeps|for which) ")
+_ALONG = {"horizontal": {"right", "left"}, "vertical": {"up", "down"}}  # a force, and the directions of a file
 _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not tip"
 
 
@@ -40,8 +43,11 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         yield from _grip(names, words)
     if not known or not lookup.rests(names) or not set(clause.all("verb")) <= _VERBS:
         return
+    ways = [part for part in clause.all("part") if part in _ALONG]
+    clause = clause.without("part", *ways) if ways else clause
     if set(clause.all("instant")) - {"in equilibrium"} or set(clause.all("part")) - {"only", "upward", "downward"}:
         return
+    words = [word for word in words if word.kind != "part" or word.what not in ways]
     if clause.has("ask", "where", "when", "long", "soon", "way"):
         return
     if any(mark not in _MARKS for mark in clause.all("mark")) or len(clause.all("degree")) > 1:
@@ -59,6 +65,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     parameter = _parameter(names, head, [name for _, name in state.names if name in names.loads])
     if lasts is None or parameter is None or _is_lifted_by_choice(names, clause, parameter):
         return
+    if not all(_pushes_along(names, parameter, way) for way in ways):
+        return
     end = _end(names, head, state, modal)
     if end in ("least", "largest"):
         yield [f"{end} {parameter} so that {lasts}"]
@@ -66,6 +74,12 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         yield [f"range of {parameter} for which {lasts}"]
     elif end == "range":
         yield [f"range of {parameter} that keeps it at rest"]
+
+
+def _pushes_along(names: Names, parameter: str, way: str) -> bool:
+    """Whether a parameter is that of a force which the file lets act in a direction: the horizontal force."""
+    pushed = [load.measure for load in names.applied_loads if parameter in free_symbols(load.law)]
+    return bool(pushed) and all(isinstance(m, Displacement) and m.along.name in _ALONG[way] for m in pushed)
 
 
 def _is_lifted_by_choice(names: Names, clause: Clause, parameter: str) -> bool:

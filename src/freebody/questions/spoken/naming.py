@@ -227,6 +227,9 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
     if tokens[k] == _ONESELF and (around[0] in _ASKING or around[1] in _ASKING):
         yield tokens[k], 1, WRITTEN  # which torque do I need, where I is a moment of inertia
         return
+    if tokens[k] == "a" and (around[1] in quantity_words(ENGLISH) or (around[1],) in elements.spoken):
+        yield tokens[k], 1, WRITTEN  # with a push of 120 N, though a is a length
+        return
     seen: dict[str, int] = {}
     for n in range(_LONGEST, 0, -1):
         window = tokens[k : k + 2 * n - 1]

@@ -1,0 +1,68 @@
+"""Where something is on the line that it goes along: at the end of the rod, 0.8 m from the axle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import Expr, free_symbols
+from freebody.language.notation import to_python
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import Components
+from freebody.questions.spoken import joining
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def at_point(names: Names, who: str, point: str) -> list[str]:
+    """The condition that something, or whatever does, which goes along a line of a body is at a point of that line."""
+    body, _, name = point.partition(".")
+    if body not in names.bodies or name not in names.bodies[body].points:
+        return []
+    at = names.bodies[body].points[name]
+    lines = [(measure, m) for measure, m in _lines(names, who) if m.origin.body == m.along.body == body]
+    return [
+        f"{measure} = {_written(names, place)}"
+        for measure, m in lines
+        if (place := _place(names, at, m.origin.offset, m.along.components)) is not None
+    ]
+
+
+def is_along(names: Names, measure: str, body: str) -> bool:
+    """Whether a measure says where something is along a line of a body."""
+    m = names.measures.get(measure)
+    return isinstance(m, Displacement) and m.origin.body == m.along.body == body
+
+
+def _lines(names: Names, who: str) -> Iterator[tuple[str, Displacement]]:
+    for measure, m in names.measures.items():
+        if isinstance(m, Displacement) and who in ("", m.of.body):
+            yield measure, m
+
+
+def _place(names: Names, at: Components, origin: Components, along: Components) -> Expr | None:
+    """How far a point is along a line from its origin; None where it is not on that line."""
+    (x, y), (a, b) = (p - q for p, q in zip(at[:2], origin[:2], strict=True)), along[:2]
+    aside = names.numeric(x * b - y * a)
+    return x * a + y * b if len(at) == 2 and aside == 0.0 else None
+
+
+def _written(names: Names, length: Expr) -> str:
+    value = names.numeric(length)
+    if free_symbols(length) or value is None:
+        return to_python(length).replace("**", "^")
+    return f"{value:g} m"
+
+
+def counted_from(names: Names, who: str, other: str, value: str) -> list[str]:
+    """The condition that something is so far from a thing at which the only measure of where it is begins."""
+    here = {other, *(joining.ends_of(names, other) if other in names.connections else ())}
+    found = [name for name, m in _lines(names, who) if str(m.origin) in here]
+    for name, m in names.measures.items():
+        if isinstance(m, Distance):
+            ends = {str(m.start), str(m.end)}
+            found += [name] if ends & here and who in ("", m.start.body, m.end.body) else []
+    return [f"{found[0]} = {value}"] if len(found) == 1 else []
+
