@@ -28,6 +28,13 @@ _STARTED = re.compile(  # a value of the only parameter that has it: if released
     r"(?P<value>\d+(?:\.\d+)? ?[A-Za-z°][A-Za-z0-9/^]*(?: m)?)(?=[ ,.?!]|$)",
     re.IGNORECASE,
 )
+_EXERTED = re.compile(  # a value of what is exerted: with a push of 120 N, to hold a torque of 60 N m
+    r"(?:(?P<with> (?:with|for|under|given|mit|für|unter|bei) )|(?<= )(?:hold|lift|carry|support|raise|um) )"
+    r"(?:an? |the |one |eine[rmns]? |de[rmn] |das |die )?(?:[^\W\d]+ )?"
+    r"[^\W\d]*(?:force|torque|load|push|pull|moment|mass|thrust|kraft|last|masse)"
+    r"(?P<of> (?:of |von )?(?P<value>\d+(?:\.\d+)? ?(?:[kM]?N(?: ?(?:m|mm|cm))?|kg|g|t)))(?=[ ,.?!]|$)",
+    re.IGNORECASE,
+)
 _CHANGED = re.compile(  # what happens if the force F is doubled
     r"\b(?:if|when|wenn|falls) (?:(?:the|die|der|das|one|you|man) )?(?:(?:force|kraft|mass|masse|speed|torque) )?"
     r"(?P<name>\w+) (?:is |gets |becomes |wird |sich )?"
@@ -52,6 +59,23 @@ def same_value(names: Names, text: str) -> str | None:
             if said.value != 0.0 and [names.number_of(name) for name in alike].count(said.value) == 1:
                 swings = " with a finite amplitude" if found["swing"] else ""  # a period is then none of small ones
                 return _without(text[: found.end()] + swings + text[found.end() :], found)
+    if (exerted := _exerted(names, text)) is not None and exerted[2]:
+        found = exerted[0]
+        begin, end = found.span() if found["with"] else found.span("of")
+        return " ".join(f"{text[:begin]} {text[end:]}".split()).replace(" ?", "?")
+    return None
+
+
+def _exerted(names: Names, text: str) -> tuple[re.Match[str], list[str], bool] | None:
+    """What is said of how hard something pushes, the parameters that it can be, and whether one has that value."""
+    found = _EXERTED.search(text)
+    if found is None:
+        return None
+    with suppress(UnitError, ValueError):
+        said = parse_quantity(re.sub(r"(?<=N)(?=m|cm)", " ", found["value"]))
+        alike = [p.name for p in names.parameters.values() if p.dimension == said.dimension and p.value is not None]
+        same = [name for name in alike if names.number_of(name) == said.value]
+        return found, same or alike, len(same) == 1
     return None
 
 
@@ -70,6 +94,14 @@ def other_value(names: Names, text: str) -> Message | None:
                 said=found[0],
                 value=found["value"],
             )
+    if (exerted := _exerted(names, text)) is not None and len(exerted[1]) == 1 and not exerted[2]:
+        found, [name], _ = exerted
+        return Message(
+            "the file gives {name} its value; ask without '{said}', with --set '{name}={value}'",
+            name=name,
+            said=found["of"].strip(),
+            value=found["value"],
+        )
     return _changed(names, text)
 
 

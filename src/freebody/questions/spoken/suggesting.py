@@ -14,7 +14,7 @@ from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
-from freebody.questions.spoken.lexicon import is_verb, languages, quantity_words, things
+from freebody.questions.spoken.lexicon import is_verb, languages, phrases_at, quantity_words, things
 from freebody.questions.spoken.naming import linked
 from freebody.questions.spoken.words import Unknown, words_of
 
@@ -92,6 +92,8 @@ def absent(elements: Elements, text: str) -> str:
     known |= {word for key in elements.spoken for word in key}
     for word in re.findall(r"[^\W\d_]{3,}", text):
         for language in languages():
+            if any(meant.kind == "filler" for meant, _ in phrases_at(word.lower(), 0, language)):
+                break  # Germans say `man` of anyone
             said = in_english_nouns(word, language).lower()
             is_thing = not ({said, word.lower()} & known or is_verb(said)) and said not in quantity_words(language)
             if is_thing and any(form in things() for form in (said, said.removesuffix("s"))):

@@ -38,6 +38,7 @@ from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.several import each_of, of_rivals, paired, parts, sides_of
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import spelt_out
+from freebody.questions.spoken.weights import in_weights
 from freebody.questions.spoken.words import Unknown, respelt, without_unit, words_of
 
 if TYPE_CHECKING:
@@ -251,6 +252,8 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
             fitting = (one for one in every if one and all(_fits_event(asked) for asked, _ in one))
             some = next((one for one in fitting if all(asked not in before for asked, _ in one)), None)
             some = some or (_there(names, part.there, found_here[0][1], read) if found_here and part.there else [])
+            if found_here and found_here[0][1].startswith("time when ") and not any(one.event for one, _ in some):
+                some = _then(names, part.texts, found_here[0][1], read) or some
             if not some or any(asked in before for asked, _ in some):  # nothing that is said is dropped
                 break
             found_here += some
@@ -300,6 +303,14 @@ def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | N
         return []
     said = (f"{text} {mark} {event[1]}" for mark in ("when", "until"))
     return next((found for one in said if (found := _one(names, one, read))), None) or []
+
+
+def _then(
+    names: Names, texts: Iterable[str], first: str, read: Callable[[str], AskedT | None]
+) -> list[tuple[AskedT, str]]:
+    """What is asked beside a time, at that time: how long does it take, and how far does it get?"""
+    each = (_there(names, text, first, read) for text in texts)
+    return next((found for found in each if found and all(_fits_event(asked) for asked, _ in found)), [])
 
 
 def _is_of_each(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
@@ -443,7 +454,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
         text = re.sub(contexts(language)["at_once"], "", text)
         text = re.sub(contexts(language)["on_crest"], contexts(language)["at_top"], text)
     elements = elements_of(names)
-    text = without_unit(without_what_holds(names, text), elements.exact)
+    text = in_weights(names, elements, without_unit(without_what_holds(names, text), elements.exact))
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():

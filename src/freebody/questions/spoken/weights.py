@@ -1,0 +1,60 @@
+"""Forces as multiples of a weight: twice the weight of the rod, dreimal so groß wie sein Gewicht."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import Expr, free_symbols
+from freebody.language.notation import to_python
+from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.lexicon import languages
+from freebody.questions.spoken.naming import Elements, linked, plain_names
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_FACTORS = {"twice": "2", "double": "2", "half": "1/2", "thrice": "3", "doppelt": "2", "halb": "1/2", "": "1"}
+_COUNTED = (("two", "three", "four", "five", "six"), ("zwei", "drei", "vier", "fünf", "sechs"))
+_COUNTS = {word: str(n) for words in _COUNTED for n, word in enumerate(words, 2)}
+_COUNT = rf"(?P<count>\d+(?:[.,]\d+)?|{'|'.join(_COUNTS)})"
+_TIMES = (
+    r"(?:as (?:large|big|great|high|strong) as )?"
+    rf"(?:(?P<factor>twice|double|half|thrice|doppelt|halb)|{_COUNT}(?: times| ?mal|-?fach(?:e[ns]?)?)|equal to|gleich|just)"
+    r"(?: (?:as (?:large|big|great|high|strong|heavy) as|so (?:groß|gross|stark|hoch|schwer) wie|vo[nm]|of))?"
+)
+_MULTIPLE = re.compile(
+    rf"\b{_TIMES} (?:the |its |his |her |their |das |dem |des |sein(?:em|es)? |ihr(?:em|es)? )?(?:own )?"
+    r"(?:weight|Gewicht(?:s(?:kraft)?|es)?)(?: (?:of (?:the )?|des |der |von (?:der |dem )?|vom )(?P<of>[^\W\d]\w*))?"
+    r"(?=[ ,.?!]|$)",
+    re.IGNORECASE,
+)
+
+
+def in_weights(names: Names, elements: Elements, text: str) -> str:
+    """A text in which multiples of the weight of a body are products of the file's parameters, or numbers."""
+    return _MULTIPLE.sub(lambda found: _value(names, elements, found) or found[0], text)
+
+
+def _value(names: Names, elements: Elements, found: re.Match[str]) -> str | None:
+    weights = {
+        load.component: load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())
+    }
+    meant = [*weights]
+    if found["of"]:
+        said = {in_english_nouns(found["of"], language, elements.taken) for language in languages()}
+        marked = {plain_names(way.text) for word in said for way in linked(elements, word)}
+        meant = [body for body in weights if body in marked or found["of"] == body]
+    if len(meant) != 1:
+        return None
+    count = (found["count"] or "").lower().replace(",", ".")
+    factor = _COUNTS.get(count, count) or _FACTORS[(found["factor"] or "").lower()]
+    return f"= {_product(names, factor, weights[meant[0]])}"
+
+
+def _product(names: Names, factor: str, weight: Expr) -> str:
+    number = names.numeric(weight)
+    if free_symbols(weight) or number is None:
+        return f"{factor}*{to_python(weight).replace('**', '^')}".removeprefix("1*")
+    over = 2.0 if factor == "1/2" else 1.0
+    return f"{float(factor.removesuffix('/2')) / over * number:g} N"
