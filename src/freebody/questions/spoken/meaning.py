@@ -68,7 +68,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
     is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
-    words = _stretched(names, _from_rest(names, words))
+    words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(said)))
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))

@@ -66,13 +66,18 @@ def same_value(names: Names, text: str) -> str | None:
     return None
 
 
+def _parted(value: str) -> str:
+    """A value whose unit has its factors parted: 60 N m."""
+    return re.sub(r"(?<=N)(?=m|cm)", " ", value)
+
+
 def _exerted(names: Names, text: str) -> tuple[re.Match[str], list[str], bool] | None:
     """What is said of how hard something pushes, the parameters that it can be, and whether one has that value."""
     found = _EXERTED.search(text)
     if found is None:
         return None
     with suppress(UnitError, ValueError):
-        said = parse_quantity(re.sub(r"(?<=N)(?=m|cm)", " ", found["value"]))
+        said = parse_quantity(_parted(found["value"]))
         alike = [p.name for p in names.parameters.values() if p.dimension == said.dimension and p.value is not None]
         same = [name for name in alike if names.number_of(name) == said.value]
         return found, same or alike, len(same) == 1
@@ -100,7 +105,7 @@ def other_value(names: Names, text: str) -> Message | None:
             "the file gives {name} its value; ask without '{said}', with --set '{name}={value}'",
             name=name,
             said=found["of"].strip(),
-            value=found["value"],
+            value=_parted(found["value"]),
         )
     return _changed(names, text)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken import along_lines, given, joining, lookup
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.lexicon import Word
@@ -376,3 +376,14 @@ def by_friction(words: list[Word]) -> list[Word]:
     is_lost = Word("quantity", "energy lost") in words or {Word("quantity", "energy"), Word("verb", "lost")} <= {*words}
     k = words.index(friction) if friction in words and is_lost else 0
     return [*words[: k - 1], *words[k + 1 :]] if k > 1 and words[k - 1].kind == "preposition" else words
+
+
+def far_from_origin(names: Names, words: list[Word]) -> list[Word]:
+    """How far something is from the thing from which its place is measured: its position."""
+    said = [word for word in words if word.kind != "filler"]
+    if [word.kind for word in said[:4]] != ["ask", "name", "preposition", "name"] or said[0].what != "far":
+        return words
+    _, who, leads, other = said[:4]
+    if leads.what != "from" or not along_lines.counted_from(names, who.what, other.what, ""):
+        return words
+    return [Word("quantity", "position"), Word("preposition", "of"), who, *said[4:]]
