@@ -328,8 +328,21 @@ def axle_of(names: Names, body: str) -> str:
     """Where a body turns about an axle of the ground: at its mass `center` or `beside` it; else nothing."""
     points = axle_points(names, body)
     if not points:
-        return ""
+        return "center" if _is_coaxial(names, body) else ""
     return "center" if names.bodies[body].points["mass_center"] in points else "beside"
+
+
+def _is_coaxial(names: Names, body: str) -> bool:
+    """Whether a body is held at its centre by that of another one which turns about an axle of the ground: the wheel
+    of a differential in its carrier."""
+    for name in () if names.closing_later else axles(names):
+        others = names.connections[name].mentions(names) - {body, GROUND}
+        if len(others) == 1 and body in names.connections[name].mentions(names):
+            [other] = others
+            here = (_points_of(names, one, [name]) == {names.bodies[one].points["mass_center"]} for one in (body, other))
+            if names.bodies[other].points["mass_center"] in axle_points(names, other) and all(here):
+                return True
+    return False
 
 
 def leaning(names: Names, body: str, *, level: bool) -> list[str]:

@@ -35,6 +35,7 @@ from freebody.questions.spoken.lexicon import (
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.other_values import other_value, same_value
+from freebody.questions.spoken.own_axles import about_own_axles
 from freebody.questions.spoken.several import each_of, of_rivals, paired, parts, sides_of
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import spelt_out
@@ -454,7 +455,8 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
         text = re.sub(contexts(language)["at_once"], "", text)
         text = re.sub(contexts(language)["on_crest"], contexts(language)["at_top"], text)
     elements = elements_of(names)
-    text = in_weights(names, elements, without_unit(without_what_holds(names, text), elements.exact))
+    text = about_own_axles(names, elements, without_unit(without_what_holds(names, text), elements.exact))
+    text = in_weights(names, elements, text)
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():
