@@ -83,7 +83,7 @@ def explain(
     chosen = _method(method)
     second = None if compare is None else _method(compare)
     known = {q.id: q for q in system.questions}
-    asked = system.questions if question is None else _asked(system, known, each(question))
+    system, asked = (system, system.questions) if question is None else _asked(system, known, each(question))
     asked = tuple(placed(system, asked, solve)[0])
     system = system if asked == system.questions else replace(system, questions=asked)
     context = Context(system)
@@ -103,8 +103,9 @@ def explain_solved(system: System, solution: Solution, k: int, *, language: str 
     return _explained(Context(alone), found, "auto", None, language)
 
 
-def _asked(system: System, known: Mapping[str, Question], texts: Sequence[str]) -> tuple[Question, ...]:
-    """Questions of the file by their ids, and others in words, in the order in which they are asked."""
+def _asked(system: System, known: Mapping[str, Question], texts: Sequence[str]) -> tuple[System, tuple[Question, ...]]:
+    """Questions of the file by their ids, and others in words, in the order in which they are asked; and the system
+    with the values that they state."""
     for text in texts:
         if text.isidentifier() and text not in known:
             told = Message(
@@ -112,8 +113,8 @@ def _asked(system: System, known: Mapping[str, Question], texts: Sequence[str]) 
             )
             raise InputError(told)
     if all(text in known for text in texts):
-        return tuple(known[text] for text in texts)
-    return system.asked(*(known[text].text if text in known else text for text in texts))
+        return system, tuple(known[text] for text in texts)
+    return system.asked_with(*(known[text].text if text in known else text for text in texts))
 
 
 def _explained(

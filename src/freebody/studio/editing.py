@@ -75,7 +75,7 @@ def suggest(request: SuggestRequest) -> SuggestAnswer:
     understood, message = "", ""
     if request.question.strip():
         try:
-            meant = [asked.understood or asked.text for asked in system.asked(request.question)]
+            meant = [asked.understood or asked.text for asked in system.asked_with(request.question)[1]]
             understood = "; ".join(told(each, request.language) for each in meant)
         except ModelError as error:
             message = told(error.problems[0].message, request.language)

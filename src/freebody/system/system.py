@@ -8,7 +8,7 @@ reader and give the same value.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any, Self, cast
 
@@ -130,6 +130,33 @@ class System(SystemDescription):
             once = dict.fromkeys((p.path[3:], p.message) for p in names.problems)
             raise ModelError([Problem(path, message) for path, message in once])
         return found
+
+    def asked_with(self, *texts: str) -> tuple[Self, tuple[Question, ...]]:
+        """What texts ask for, as `asked` tells, and the system of which they do: a text that cannot be read states
+        values of parameters, as in `tension of rope with m2 = 3 kg`, and is asked of the system that has them."""
+        try:
+            return self, self.asked(*texts)
+        except ModelError:
+            stated = self._with_stated(texts[0]) if len(texts) == 1 else None
+            if stated is None:
+                raise
+        return stated
+
+    def _with_stated(self, text: str) -> tuple[Self, tuple[Question, ...]] | None:
+        """The system with the values of parameters that a text states, and what is asked of it; None without them."""
+        from freebody.questions.spoken.other_values import stated_values
+
+        values, rest = stated_values(self.names, text)
+        if not values:
+            return None
+        system = self.with_parameters(**values)
+        try:
+            found = system.asked(rest)
+        except ModelError:
+            return None
+        told = " and ".join(f"{name} = {value}" for name, value in values.items())
+        asked = tuple(replace(q, understood=f"{q.understood or q.text} with {told}") for q in found)
+        return system, asked if len(asked) > 1 else (replace(asked[0], text=text),)
 
     def to_yaml(self) -> str:
         """The model file, with its comments."""

@@ -65,4 +65,3 @@ def counted_from(names: Names, who: str, other: str, value: str) -> list[str]:
             ends = {str(m.start), str(m.end)}
             found += [name] if ends & here and who in ("", m.start.body, m.end.body) else []
     return [f"{found[0]} = {value}"] if len(found) == 1 else []
-

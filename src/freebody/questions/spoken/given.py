@@ -128,10 +128,10 @@ def of_kind(names: Names, kind: str) -> list[str]:
     """Parameters that are a force, an angle, a speed, as their units say."""
     given = [parameter for parameter in names.parameters.values() if parameter.form is None]
     found = [parameter.name for parameter in given if is_by_unit(kind) and KIND_OF[kind].has(parameter)]
-    return [name for name in found if kind != "acceleration" or name not in _weighed_by(names)]
+    return [name for name in found if kind != "acceleration" or name not in weighed_by(names)]
 
 
-def _weighed_by(names: Names) -> frozenset[str]:
+def weighed_by(names: Names) -> frozenset[str]:
     """The parameters in the laws of gravity."""
     weights = [load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())]
     return frozenset[str]().union(*map(free_symbols, weights))

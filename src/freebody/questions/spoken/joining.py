@@ -339,7 +339,9 @@ def _is_coaxial(names: Names, body: str) -> bool:
         others = names.connections[name].mentions(names) - {body, GROUND}
         if len(others) == 1 and body in names.connections[name].mentions(names):
             [other] = others
-            here = (_points_of(names, one, [name]) == {names.bodies[one].points["mass_center"]} for one in (body, other))
+            here = (
+                _points_of(names, one, [name]) == {names.bodies[one].points["mass_center"]} for one in (body, other)
+            )
             if names.bodies[other].points["mass_center"] in axle_points(names, other) and all(here):
                 return True
     return False

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from freebody.errors import UnitError
 from freebody.language.sentences import Message
-from freebody.language.units.quantity import parse_quantity
+from freebody.language.units.quantity import Quantity, parse_quantity
+from freebody.questions.spoken import given, joining
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -34,6 +35,27 @@ _EXERTED = re.compile(  # a value of what is exerted: with a push of 120 N, to h
     r"[^\W\d]*(?:force|torque|load|push|pull|moment|mass|thrust|kraft|last|masse)"
     r"(?P<of> (?:of |von )?(?P<value>\d+(?:\.\d+)? ?(?:[kM]?N(?: ?(?:m|mm|cm))?|kg|g|t)))(?=[ ,.?!]|$)",
     re.IGNORECASE,
+)
+_UNIT = r"(?: ?[A-Za-z°][A-Za-z0-9/^]*(?: (?:m|s)(?:\^?2)?(?!\w))*)?"
+# what a parameter is, and a value of it: at an acceleration of 5 m/s^2, when the push is 50 N
+_OF_KIND = re.compile(
+    r"(?:[, ]*\b(?:(?:with|for|under|at|given|mit|für|unter|bei) (?:an? |the |eine[rmns]? |de[rmn] )?"
+    r"|(?:if|when|while|where|wenn|falls) (?:the |die |der |das )?))"
+    r"(?:[^\W\d]+ )?(?P<noun>[^\W\d]*(?:force|torque|load|push|pull|moment|mass|thrust|drive|acceleration|friction|"
+    r"slope|incline|inclination|gradient|kraft|last|masse|moment|beschleunigung|reibung|steigung|neigung|reibungszahl))"
+    rf"(?: of| is| equals| von| ist| beträgt|) (?P<value>\d+(?:\.\d+)?{_UNIT})"
+    r"(?=[ ,.?!]|$)",
+    re.IGNORECASE,
+)
+_UNNAMED = re.compile(  # how hard something pushes, before what does: with 4000 N of drive
+    r"[, ]*\b(?:with|under|mit|unter) (?P<value>\d+(?:\.\d+)? ?[kM]?N(?: ?(?:m|mm|cm))?)(?: of [^\W\d]+)?(?=[ ,.?!]|$)"
+)
+_AND = re.compile(  # and of another parameter
+    r"(?:,|,? (?:and|und)) (?:with |for |mit |für )?(?P<name>\w+) ?= ?"
+    rf"(?P<value>\d+(?:\.\d+)?{_UNIT})(?=[ ,.?!]|$)"
+)
+_AT_SPEED = re.compile(  # how fast something is driven: at 100 rad/s, bei 300 U/min
+    r"[, ]*\b(?:at|with|bei|mit) (?P<value>\d+(?:\.\d+)? ?(?:rad/s|rpm|1/min|U/min))(?=[ ,.?!]|$)"
 )
 _CHANGED = re.compile(  # what happens if the force F is doubled
     r"\b(?:if|when|wenn|falls) (?:(?:the|die|der|das|one|you|man) )?(?:(?:force|kraft|mass|masse|speed|torque) )?"
@@ -61,14 +83,78 @@ def same_value(names: Names, text: str) -> str | None:
                 return _without(text[: found.end()] + swings + text[found.end() :], found)
     if (exerted := _exerted(names, text)) is not None and exerted[2]:
         found = exerted[0]
-        begin, end = found.span() if found["with"] else found.span("of")
-        return " ".join(f"{text[:begin]} {text[end:]}".split()).replace(" ?", "?")
+        return _cut(text, *(found.span() if found["with"] else found.span("of")))
     return None
+
+
+def stated_values(names: Names, text: str) -> tuple[dict[str, str], str]:
+    """The values of parameters that a text states, by name, and the text without them; none where one of them can be
+    that of several parameters."""
+    values: dict[str, str] = {}
+    for pattern in (_AND, _IN_PASSING, _OF_KIND, _UNNAMED):
+        for found in reversed([*pattern.finditer(text)]):
+            named = found.groupdict().get("name")
+            if named is not None and named not in names.parameters:
+                continue
+            name = named or _alone(names, found["value"], found.groupdict().get("noun", ""))
+            if name is None or name in values or not _is_value_of(names, name, found["value"]):
+                return {}, text
+            values[name] = _with_unit(names, name, found["value"])
+            text = _without(text, found)
+    speeds = [name for name in joining.drive_parameters(names) if name not in values]
+    if (found := _AT_SPEED.search(text)) is not None and (name := _alone(names, found["value"], "")) in speeds:
+        values[name] = found["value"].replace("U/min", "rpm").replace("1/min", "rpm")
+        text = _without(text, found)
+    exerted = _exerted(names, text)
+    if exerted is not None and len(exerted[1]) == 1 and exerted[1][0] not in values:  # to hold a torque of 60 N m
+        found, [name], _ = exerted
+        values[name] = _parted(found["value"])
+        text = _cut(text, *found.span("of"))
+    return values, text
+
+
+def _alone(names: Names, value: str, noun: str) -> str | None:
+    """The only parameter that a value can be of, but for the strength of gravity."""
+    if re.search(r"friction|reibung", noun, re.IGNORECASE):
+        alike = given.parameters(names, "friction coefficient", "")
+        return alike[0] if len(alike) == 1 else None
+    with suppress(UnitError, ValueError):
+        said, weights = _quantity(value), given.weighed_by(names)
+        fitting = [p for p in names.parameters.values() if p.dimension == said.dimension and p.form is None]
+        alike = [p.name for p in fitting if p.name not in weights and p.is_angle == _is_angle(value)]
+        return alike[0] if len(alike) == 1 else None
+    return None
+
+
+def _is_angle(value: str) -> bool:
+    return re.search(r"(?:°|deg|rad|degrees|Grad)$", value) is not None
+
+
+def _is_value_of(names: Names, name: str, value: str) -> bool:
+    parameter = names.parameters[name]
+    with suppress(UnitError, ValueError):
+        is_of = _is_zero(value) or _quantity(value).dimension == parameter.dimension
+        return is_of and parameter.form is None
+    return False
+
+
+def _is_zero(value: str) -> bool:
+    """Whether a value is zero without a unit, as it may be of everything."""
+    return re.fullmatch(r"0+(?:\.0+)?", value) is not None
+
+
+def _with_unit(names: Names, name: str, value: str) -> str:
+    dimension = str(names.parameters[name].dimension)
+    return f"{value} {dimension}" if _is_zero(value) and dimension != "1" else _parted(value)
+
+
+def _quantity(value: str) -> Quantity:
+    return parse_quantity(_parted(value))
 
 
 def _parted(value: str) -> str:
     """A value whose unit has its factors parted: 60 N m."""
-    return re.sub(r"(?<=N)(?=m|cm)", " ", value)
+    return re.sub(r"(?<=N)(?=m|cm)", " ", re.sub(" ?°", " deg", value))
 
 
 def _exerted(names: Names, text: str) -> tuple[re.Match[str], list[str], bool] | None:
@@ -77,7 +163,7 @@ def _exerted(names: Names, text: str) -> tuple[re.Match[str], list[str], bool] |
     if found is None:
         return None
     with suppress(UnitError, ValueError):
-        said = parse_quantity(_parted(found["value"]))
+        said = _quantity(found["value"])
         alike = [p.name for p in names.parameters.values() if p.dimension == said.dimension and p.value is not None]
         same = [name for name in alike if names.number_of(name) == said.value]
         return found, same or alike, len(same) == 1
@@ -85,7 +171,11 @@ def _exerted(names: Names, text: str) -> tuple[re.Match[str], list[str], bool] |
 
 
 def _without(text: str, found: re.Match[str]) -> str:
-    return re.sub(r" (?=[.?!])", "", " ".join((text[: found.start()] + text[found.end() :]).split())).strip(" ,")
+    return _cut(text, *found.span())
+
+
+def _cut(text: str, begin: int, end: int) -> str:
+    return re.sub(r" (?=[.?!])", "", " ".join(f"{text[:begin]} {text[end:]}".split())).strip(" ,")
 
 
 def other_value(names: Names, text: str) -> Message | None:

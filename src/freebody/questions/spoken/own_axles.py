@@ -1,5 +1,4 @@
-"""What turns about its own axle: a planet on its carrier, a disk on the shaft that goes round. It turns relative to what
-carries the axle."""
+"""What turns about its own axle, as a planet does on its carrier: it turns relative to what carries that."""
 
 from __future__ import annotations
 
@@ -16,7 +15,8 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _OWN = re.compile(
-    r"(?P<kind>[^\W\d]\w* )?(?P<who>[^\W\d]\w*) (?P<turns>(?:spin|turn|rotat|revolv)(?:s|es|e|ing)?) (?:about|around|on) (?:its|their) "
+    r"(?P<kind>[^\W\d]\w* )?(?P<who>[^\W\d]\w*) (?P<turns>(?:spin|turn|rotat|revolv)(?:s|es|e|ing)?) "
+    r"(?:about|around|on) (?:its|their) "
     r"(?:own )?(?:axis|axes|axles?|pins?|shafts?|bearings?|spindles?|cent(?:re|er)s?)\b"
     r"|(?P<sich>dreht?|drehen|rotiert|rotieren) (?:sich )?(?:der |die |das )?(?P<wer>[^\W\d]\w*) (?:sich )?"
     r"(?:um|auf) (?:sein|ihr)e[nr]? (?:eigenen? )?(?:Achsen?|Bolzen|Zapfen|Welle)\b",

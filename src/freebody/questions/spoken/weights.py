@@ -20,7 +20,8 @@ _COUNTS = {word: str(n) for words in _COUNTED for n, word in enumerate(words, 2)
 _COUNT = rf"(?P<count>\d+(?:[.,]\d+)?|{'|'.join(_COUNTS)})"
 _TIMES = (
     r"(?:as (?:large|big|great|high|strong) as )?"
-    rf"(?:(?P<factor>twice|double|half|thrice|doppelt|halb)|{_COUNT}(?: times| ?mal|-?fach(?:e[ns]?)?)|equal to|gleich|just)"
+    rf"(?:(?P<factor>twice|double|half|thrice|doppelt|halb)|{_COUNT}(?: times| ?mal|-?fach(?:e[ns]?)?)"
+    r"|equal to|gleich|just)"
     r"(?: (?:as (?:large|big|great|high|strong|heavy) as|so (?:groß|gross|stark|hoch|schwer) wie|vo[nm]|of))?"
 )
 _MULTIPLE = re.compile(
@@ -37,9 +38,7 @@ def in_weights(names: Names, elements: Elements, text: str) -> str:
 
 
 def _value(names: Names, elements: Elements, found: re.Match[str]) -> str | None:
-    weights = {
-        load.component: load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())
-    }
+    weights = {load.component: load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())}
     meant = [*weights]
     if found["of"]:
         said = {in_english_nouns(found["of"], language, elements.taken) for language in languages()}

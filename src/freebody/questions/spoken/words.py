@@ -55,7 +55,8 @@ _NO_UNITS = ("", "in", "a", "as", "at")
 # a unit in which an answer is wanted: of its letters alone, or in full
 _UNIT_NAMES = "newton|joule|watt|second|sekunde|metre|meter|degree|grad|radian|kilonewton|hertz|rpm"
 _ASKED_UNIT = re.compile(
-    rf"[, (]+in (?P<unit>(?i:{_UNIT_NAMES})[sn]?|(?:k?N|k?J|k?W|[mck]?m|k?g|t|s|min|h|rad|deg|Hz|MPa|kPa|N ?mm?|N cm|U/min|1/min)"
+    rf"[, (]+in (?P<unit>(?i:{_UNIT_NAMES})[sn]?|(?:k?N|k?J|k?W|[mck]?m|k?g|t|s|min|h|rad|deg|Hz|MPa|kPa|N ?mm?|N cm|"
+    r"U/min|1/min)"
     r"(?:(?:\^?2|²)?(?:[/*·](?:min|ms|[a-z]{1,2})(?:\^?2|²)?)*))\)?(?=[ ,?!.]|$)"
 )
 _KEYBOARD = ("qwertyuiop", "qwertzuiopü", "asdfghjklöä", "zxcvbnm", "yxcvbnm")

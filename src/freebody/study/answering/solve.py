@@ -41,7 +41,10 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
 
     Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
-    asked = system.questions if question is None else system.asked(*each(question))
+    asked = system.questions
+    if question is not None:
+        own, asked = system.asked_with(*each(question))
+        system, setup = own, setup if own is system else None
     questions, no_place = placed(system, asked, solve)
     found = _solved(system, [q for q in questions if q.id not in no_place], setup)
     answers = {a.id: a for a in found.answers}
