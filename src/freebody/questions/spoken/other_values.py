@@ -110,7 +110,7 @@ def stated_values(names: Names, text: str) -> tuple[dict[str, str], str]:
         found, [name], _ = exerted
         values[name] = _parted(found["value"])
         text = _cut(text, *found.span("of"))
-    return values, text
+    return {name: values[name] for name in names.parameters if name in values}, text
 
 
 def _alone(names: Names, value: str, noun: str) -> str | None:
