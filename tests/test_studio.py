@@ -336,6 +336,23 @@ def test_friction_cones_say_what_is_used_of_them() -> None:
     assert [c[0] for c in cone.axis] == pytest.approx((-math.sin(math.radians(25)), math.cos(math.radians(25)), 0.0))
 
 
+def test_friction_cones_of_forces_that_are_not_unique_are_drawn_and_nothing_is_said_to_be_used_of_them() -> None:
+    """A ladder that both walls hold by dry friction: what presses is not unique, and where the cones are is known."""
+    text = (ROOT / "examples" / "ladder_rough_wall.yaml").read_text(encoding="utf-8")
+    answer = overlaid(text, "friction-cones", "reaction", until=0.1)[""]
+    found = {tuple(c[0] for c in cone.axis): cone for cone in answer.cones}
+    assert set(found) == {(0.0, 1.0, 0.0), (-1.0, 0.0, 0.0)}  # up from the floor, and away from the wall
+    for cone, end in zip(found.values(), (-2.0, 2.0), strict=True):
+        assert math.tan(cone.half) == pytest.approx(0.4, rel=1e-9)
+        assert cone.at[0][0] == pytest.approx(end)
+        assert set(cone.used) == {None}
+    assert not answer.arrows
+    assert answer.messages == [
+        "not drawn where they are not unique: reactions of floor, wall",
+        "what is used of the friction cones of floor, wall is not unique",
+    ]
+
+
 def test_an_overlay_that_there_is_not_says_why() -> None:
     answer = overlaid(PENDULUM, "friction-cones")[""]
     assert not answer.cones
