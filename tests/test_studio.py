@@ -576,6 +576,20 @@ def test_a_slider_is_marked_where_a_ball_reaches_the_floor_within_the_time_that_
     assert any("innerhalb von 1 s" in word for word in found[0].words)
 
 
+@pytest.mark.parametrize("parameters", ["", "parameters: {m: 1 kg}\n"], ids=["without parameters", "beside parameters"])
+def test_the_slider_of_a_start_is_marked_as_that_of_a_parameter_is(parameters: str) -> None:
+    """Dropped from h it is at the floor within 0.4 s from h = g (0.4 s)^2/2 on. No parameter of the file is varied."""
+    text = parameters + (
+        "ground: {lines: {floor: {along: right}}}\nbodies: {ball: {particle: {mass: 1 kg}}}\n"
+        "connections: {c: {contact: {between: [ball, floor], restitution: 0, touching: false}}}\n"
+        "loads: {w: {gravity: 9.81 m/s^2}}\nmeasures: {h: {height of ball}}\nstart: {h: 1 m}\n"
+    )
+    ranges = [Range(name="h", low=0.5, high=2.0, unit="m")]
+    found = changes(MarksRequest(text=text, ranges=ranges, until=0.4)).marks
+    assert {mark.name for mark in found} == {"h"}
+    assert found[0].at == pytest.approx(9.81 * 0.4**2 / 2.0, abs=1e-3 * 1.5)
+
+
 def test_where_a_linkage_cannot_be_assembled_its_slider_is_marked() -> None:
     """Two rods of the lengths L and 1 m between points 3 m apart: from L = 2 m on, and up to 4 m."""
     text = (
