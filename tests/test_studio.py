@@ -121,6 +121,12 @@ def test_a_misspelt_word_is_marked_and_its_fix_mends_it() -> None:
         assert text[: fix.span.start] + fix.text + text[fix.span.end :] == PENDULUM
 
 
+def test_a_wrong_entry_of_a_list_is_marked_in_its_list_and_no_further() -> None:
+    text = PENDULUM.replace("[ground.A, rod.start]", "[ground.A, rod.strat]")
+    [remark] = read(ReadRequest(text=text)).remarks
+    assert text[remark.span.start : remark.span.end] == "[ground.A, rod.strat]"
+
+
 def test_a_broken_text_is_marked_where_it_breaks() -> None:
     found = read(ReadRequest(text="bodies: {a: [}\n", language="de"))
     assert not found.is_model
