@@ -19,7 +19,7 @@ from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.phrases import phrases_of
 from freebody.narrative.telling.reports import ReportTeller
 from freebody.present.report import blocks
-from freebody.present.report.results import Result
+from freebody.present.report.result import Result
 from freebody.studies import STUDIES
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

@@ -19,7 +19,7 @@ import freebody.study as freebody_study
 from command import freebody
 from freebody.present.report.blocks import Entries, Entry, Equations, Report, Section, Table
 from freebody.present.report.latex_text import latex_words
-from freebody.present.report.results import Result
+from freebody.present.report.result import Result
 from freebody.studies import STUDIES, Option, study
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -170,7 +170,8 @@ from freebody.errors import InputError
 from freebody.language.expression import Expr, add
 from freebody.language.notation import to_python
 from freebody.present.report.blocks import Equation, Equations, Formula, Report
-from freebody.present.report.results import Result, summary
+from freebody.present.report.result import Result
+from freebody.present.report.results import summary
 from freebody.system.system import System
 
 

@@ -121,6 +121,12 @@ def test_a_misspelt_word_is_marked_and_its_fix_mends_it() -> None:
         assert text[: fix.span.start] + fix.text + text[fix.span.end :] == PENDULUM
 
 
+def test_a_wrong_entry_of_a_list_is_marked_in_its_list_and_no_further() -> None:
+    text = PENDULUM.replace("[ground.A, rod.start]", "[ground.A, rod.strat]")
+    [remark] = read(ReadRequest(text=text)).remarks
+    assert text[remark.span.start : remark.span.end] == "[ground.A, rod.strat]"
+
+
 def test_a_broken_text_is_marked_where_it_breaks() -> None:
     found = read(ReadRequest(text="bodies: {a: [}\n", language="de"))
     assert not found.is_model
@@ -334,6 +340,23 @@ def test_friction_cones_say_what_is_used_of_them() -> None:
     assert math.tan(cone.half) == pytest.approx(0.3, rel=1e-9)
     assert cone.used[1] == pytest.approx(math.atan(0.3), rel=1e-5)
     assert [c[0] for c in cone.axis] == pytest.approx((-math.sin(math.radians(25)), math.cos(math.radians(25)), 0.0))
+
+
+def test_friction_cones_of_forces_that_are_not_unique_are_drawn_and_nothing_is_said_to_be_used_of_them() -> None:
+    """A ladder that both walls hold by dry friction: what presses is not unique, and where the cones are is known."""
+    text = (ROOT / "examples" / "ladder_rough_wall.yaml").read_text(encoding="utf-8")
+    answer = overlaid(text, "friction-cones", "reaction", until=0.1)[""]
+    found = {tuple(c[0] for c in cone.axis): cone for cone in answer.cones}
+    assert set(found) == {(0.0, 1.0, 0.0), (-1.0, 0.0, 0.0)}  # up from the floor, and away from the wall
+    for cone, end in zip(found.values(), (-2.0, 2.0), strict=True):
+        assert math.tan(cone.half) == pytest.approx(0.4, rel=1e-9)
+        assert cone.at[0][0] == pytest.approx(end)
+        assert set(cone.used) == {None}
+    assert not answer.arrows
+    assert answer.messages == [
+        "not drawn where they are not unique: reactions of floor, wall",
+        "what is used of the friction cones of floor, wall is not unique",
+    ]
 
 
 def test_an_overlay_that_there_is_not_says_why() -> None:
@@ -557,6 +580,20 @@ def test_a_slider_is_marked_where_a_ball_reaches_the_floor_within_the_time_that_
     assert {mark.name for mark in found} == {"h"}
     assert found[0].at == pytest.approx(9.81 / 2.0, abs=1e-3 * 9.0)
     assert any("innerhalb von 1 s" in word for word in found[0].words)
+
+
+@pytest.mark.parametrize("parameters", ["", "parameters: {m: 1 kg}\n"], ids=["without parameters", "beside parameters"])
+def test_the_slider_of_a_start_is_marked_as_that_of_a_parameter_is(parameters: str) -> None:
+    """Dropped from h it is at the floor within 0.4 s from h = g (0.4 s)^2/2 on. No parameter of the file is varied."""
+    text = parameters + (
+        "ground: {lines: {floor: {along: right}}}\nbodies: {ball: {particle: {mass: 1 kg}}}\n"
+        "connections: {c: {contact: {between: [ball, floor], restitution: 0, touching: false}}}\n"
+        "loads: {w: {gravity: 9.81 m/s^2}}\nmeasures: {h: {height of ball}}\nstart: {h: 1 m}\n"
+    )
+    ranges = [Range(name="h", low=0.5, high=2.0, unit="m")]
+    found = changes(MarksRequest(text=text, ranges=ranges, until=0.4)).marks
+    assert {mark.name for mark in found} == {"h"}
+    assert found[0].at == pytest.approx(9.81 * 0.4**2 / 2.0, abs=1e-3 * 1.5)
 
 
 def test_where_a_linkage_cannot_be_assembled_its_slider_is_marked() -> None:

@@ -70,7 +70,8 @@ def test_curves_and_the_scene_in_words_have_the_chosen_units(page: Any) -> None:
     page.get_by_label("Angles").select_option("deg")
     page.get_by_label("Lengths").select_option("mm")
     page.keyboard.press("Escape")
-    page.wait_for_function("() => document.querySelector('#scene-said').textContent.includes('theta = −60 deg')")
+    said = "document.querySelector('#scene-said').textContent"
+    page.wait_for_function(f"() => {said}.includes('x = 250 mm') && {said}.includes('theta = −60°')")
     with page.expect_download() as given:
         page.click(".plots button:text-is('CSV')")
     head, first = Path(given.value.path()).read_text(encoding="utf-8").splitlines()[:2]

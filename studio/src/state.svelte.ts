@@ -64,6 +64,7 @@ export class Studio {
   motionMessage = $state("");
   motionText = $state("");
   count = $state.raw<StudyAnswer | null>(null);
+  private countText = $state("");
   /** Where something changes along the sliders. */
   readonly marks = new Marks(this);
   isStale = $state(false);
@@ -150,6 +151,10 @@ export class Studio {
   /** Whether what is shown is that of the text as it stands. */
   get isCurrent(): boolean {
     return this.model !== null && this.modelText === this.text;
+  }
+  /** Whether the freedoms that are shown are those of the text as it stands; of a shared page they are those of its file. */
+  get isCounted(): boolean {
+    return this.isCurrent && (this.isShared || this.countText === this.text);
   }
   /** Whether what follows from the text as it stands is on its way: not that of a text that is no model, or could not be read. */
   get isAwaited(): boolean {
@@ -297,7 +302,7 @@ export class Studio {
     this.counting.run(async () => {
       const told = await this.asked("count", { text, language: this.language, name: "mobility", prefix: "count-" });
       if (text !== this.modelText) return; // the next one is on its way
-      if (told?.answer) this.count = told.answer;
+      if (told?.answer) [this.count, this.countText] = [told.answer, text];
       else if (told && told.status !== "replaced") this.count = null;
     });
   });

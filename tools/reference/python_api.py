@@ -7,7 +7,7 @@ from inspect import isclass, isfunction
 
 import freebody as fb
 from freebody.model.spec import Spec
-from freebody.present.report.results import Result
+from freebody.present.report.result import Result
 from freebody.studies import STUDIES
 from reference.page import Page, block, joined, words_of
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from freebody.present.report.results import Result
+    from freebody.present.report.result import Result
     from freebody.system.system import System
 
 

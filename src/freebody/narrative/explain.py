@@ -23,7 +23,7 @@ from freebody.narrative.opening import opening
 from freebody.narrative.sharing import ToldSoFar, lines_of, sentences_of, without_echo
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
-from freebody.present.report.results import Result
+from freebody.present.report.result import Result
 from freebody.progress import busy_with
 from freebody.questions.event import OfQuantity
 from freebody.questions.reading import Question

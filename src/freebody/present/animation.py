@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,7 +22,9 @@ from freebody.present.marks import ContactTrack
 from freebody.present.page import Pages
 from freebody.present.plane_page import note_on, page
 from freebody.present.scene import Scene
-from freebody.present.stage import Show, Stage, show_of_plane
+
+if TYPE_CHECKING:
+    from freebody.present.stage import Show
 
 RATE = 30  # frames a second of shown time
 GIF_RATE = 25  # GIF counts hundredths of a second
@@ -65,6 +67,8 @@ def film_of(
     motion = _checked(scene, times, poses, contacts)
 
     def show(n_frames: int) -> tuple[Show, Array]:
+        from freebody.present.stage import show_of_plane  # a page needs no labels set in pixels
+
         drawing, shown = motion.drawn(scene, n_frames)
         return show_of_plane(drawing, note_on(drawing)), shown
 
@@ -118,6 +122,8 @@ class Film:
 
     def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
         """A figure, and an iterator that brings it to one frame after the other, at a rate [1/s]."""
+        from freebody.present.stage import Stage
+
         show, shown = self.show(self.n_frames(rate))
         stage = Stage.of(show, _INCHES, title=self.title, tell=self.tell)
         clock = stage.figure.text(0.97, 0.03, "", ha="right", va="bottom", fontsize=9, color=stage.theme.muted)

@@ -420,11 +420,13 @@ function overlaid({ found, isStale }) {
   const time = data.t0 + at * data.dt, inks = { velocity: "velocity", acceleration: "acceleration", reaction: "reaction", load: "force" };
   pen.globalAlpha = isStale ? 0.3 : 1;
   for (const cone of found.cones) coneOf(cone, time);
+  const centres = [];
   for (const spot of found.spots) {
     const p = footOf(spot, time);
     if (p && spot.kind === "mass-centres") massCentre(p, spot.label ? 6 : 9);
-    else if (p) instantCentre(p, spot.label);
+    else if (p) { instantCentre(p); centres.push([p, spot.label]); }
   }
+  if (shown.hasNames()) for (const [p, label] of centres) nameOfCentre(p, label);
   for (const each of found.arrows) {
     const p = footOf(each, time), v = sampled(each.vector, each.times, time);
     if (!p || !v) continue;
@@ -492,18 +494,28 @@ function massCentre([x, y], r) {
   pen.arc(x, y, r, 0, 2 * Math.PI);
   pen.stroke();
 }
-function instantCentre([x, y], label) {
+function instantCentre([x, y]) {
   pen.beginPath();
   for (const s of [-1, 1]) { pen.moveTo(x - 6, y - 6 * s); pen.lineTo(x + 6, y + 6 * s); }
   pen.strokeStyle = theme().acceleration;
   pen.lineWidth = 2;
   pen.stroke();
-  pen.textAlign = "left";
-  if (shown.hasNames()) write(label, [x + 9, y - 9], theme().acceleration);
+  valued.push({ spot: [x, y], half: [6, 6] });
+}
+function nameOfCentre([x, y], label) {
+  // at one of its corners, or farther up or down: where the least lies below it
+  const half = [pen.measureText(label).width / 2 + 2, 8];
+  const places = [0, 16, 32].flatMap((far) => [[1, -1], [-1, -1], [1, 1], [-1, 1]].map(([right, down]) => [x + right * (8 + half[0]), y + down * (9 + far)]));
+  const isOut = ([u, v]) => u < half[0] || u > view.width - half[0] || v < half[1] + (shown.head ?? 0) || v > view.height - half[1];
+  const costs = places.map((spot) => valued.filter((other) => areOver(other, { spot, half })).length + 4 * isOut(spot));
+  const spot = places[costs.indexOf(Math.min(...costs))];
+  pen.textAlign = "center";
+  write(label, spot, theme().acceleration);
+  valued.push({ spot, half });
 }
 function coneOf(cone, time) {
   const p = footOf(cone, time), axis = sampled(cone.axis, cone.times, time), used = sampled([cone.used], cone.times, time);
-  if (!p || !axis || !used) return;
+  if (!p || !axis) return;
   const side = (a) => {
     const [c, s] = [Math.cos(a), Math.sin(a)], [dx, dy] = onSheet([c * axis[0] - s * axis[1], s * axis[0] + c * axis[1], 0]);
     return [p[0] + CONE / c * dx, p[1] + CONE / c * dy];
@@ -519,7 +531,7 @@ function coneOf(cone, time) {
     pen.globalAlpha = before;
   };
   part(-cone.half, cone.half, 0.12);
-  part(0, used[0], 0.3);
+  if (used) part(0, used[0], 0.3); // nothing where it is not unique
   pen.beginPath();
   for (const a of [-cone.half, cone.half]) { pen.moveTo(...p); pen.lineTo(...side(a)); }
   pen.strokeStyle = theme().reaction;

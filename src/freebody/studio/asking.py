@@ -15,7 +15,8 @@ from freebody.language.notation.parts import decimals_with
 from freebody.messages import Message
 from freebody.model.noting import did_you_mean
 from freebody.present.report.formats.html import html_content
-from freebody.present.report.results import Result, finite
+from freebody.present.report.result import Result
+from freebody.present.report.results import finite
 from freebody.studies import STUDIES, Study
 from freebody.studio.meanings import meanings
 from freebody.studio.reading import checked_system

@@ -68,8 +68,10 @@ def _without_formula(system: System) -> list[AnswerEvaluator]:
 
 @dataclass
 class _Along:
-    """One name along its slider. evaluators: of the questions without a formula; most: values that are looked at"""
+    """One name along its slider. read: the system of the text, system: that in which the name is a parameter;
+    evaluators: of the questions without a formula; most: values that are looked at"""
 
+    read: System
     system: System
     parameter: str
     unit: float
@@ -89,7 +91,7 @@ class _Along:
         found = (
             evaluators if system is own else _without_formula(system)
         )  # a start value is a parameter of its own there
-        return cls(system, one.parameter, unit, along, until, found, most)
+        return cls(own, system, one.parameter, unit, along, until, found, most)
 
     def happens(self, at: float) -> frozenset[str]:
         """All that can be said of a motion with this value."""
@@ -125,7 +127,7 @@ class _Along:
 
     def _impossible(self, values: dict[str, float]) -> str:
         """Why there is no motion; nothing where there is one."""
-        if not_admissible(self.system, values) or refused_by_reader(self.system, values):
+        if not_admissible(self.system, values) or refused_by_reader(self.read, values):
             return _REFUSED
         return _NONE if self._motion(values) is None else ""
 

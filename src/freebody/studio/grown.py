@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import gc
+import os
 import signal
 
 gc.disable()  # what is imported stays: looking through it for what may go takes a tenth of the time
+os.environ.setdefault(
+    "PYDANTIC_DISABLE_PLUGINS", "__all__"
+)  # of other packages, for which all that is installed is read
 
 from freebody.studio.worker import deaf_to_standing_aside, keep_to_one_core  # noqa: E402
 

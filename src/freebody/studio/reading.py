@@ -117,6 +117,9 @@ def _where(problem: Problem, places: Places, document: Document | None) -> tuple
             return key
         if value is not None:
             return value
+        around = document.span(problem.path[:-1])  # an entry of a list may be called by its field
+        if around is not None and places.text[around[0] : around[0] + 1] == "[":
+            return around
     return places.word(problem.line or 1, problem.column or 1)
 
 

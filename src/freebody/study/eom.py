@@ -14,7 +14,8 @@ from freebody.model.elements import NonholonomicForm
 from freebody.model.states import shown_rate, state_name
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Formula, Paragraph, Remark, Report, Section
-from freebody.present.report.results import Result, line, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import line, summary, table
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio

@@ -33,7 +33,8 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Report, Section
-from freebody.present.report.results import Result, entries, entry, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, summary, table
 from freebody.study.prescribed_motion import CONNECTION, Course, PrescribedMeasure
 from freebody.study.settled import settled
 from freebody.study.small_motion.equilibrium import moved_most

@@ -31,7 +31,8 @@ from freebody.present.files import replaced
 from freebody.present.lines import number_text
 from freebody.present.plots import Curve, figure_over, save
 from freebody.present.report.blocks import Block, Report, Section
-from freebody.present.report.results import Result, entries, entry, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, summary, table
 from freebody.study.given import named_measure
 from freebody.study.inverse_dynamics import InverseDynamics, inverse_dynamics
 from freebody.study.small_motion.found import unit_of

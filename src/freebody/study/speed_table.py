@@ -27,7 +27,8 @@ from freebody.measures.angle import Angle
 from freebody.model.gear_train import GearTrain, gear_trains
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Report, Section
-from freebody.present.report.results import Result, entries, entry, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, summary, table
 from freebody.questions.gear_trains import OfRollingPower, passed_on
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words

@@ -21,7 +21,7 @@ from types import FrameType
 
 from freebody.api import System
 from freebody.errors import FreebodyError, RoutesDisagree, RoutesUntold
-from freebody.present.report.results import Result
+from freebody.present.report.result import Result
 from freebody.study.answering.answer import Answer
 
 DISAGREE = ("routes disagree", "defect of freebody", "another formula than the solver")

@@ -83,3 +83,8 @@ def circle(radius: Expr) -> tuple[Components, ...]:
     """Places on a full circle about the reference point, from its x axis to there again."""
     angles = [divide(2 * k * PI, number(N_SIDES)) for k in range(N_SIDES + 1)]
     return tuple((radius * Call("cos", angle), radius * Call("sin", angle)) for angle in angles)
+
+
+def plate_tensor(Ix: Expr, Iy: Expr, xy: Expr = ZERO) -> Components:
+    """The tensor of a plate in the plane of x and y: I_z = I_x + I_y."""
+    return Ix, Iy, Ix + Iy, xy, ZERO, ZERO

@@ -23,7 +23,8 @@ from freebody.present.report.blocks import (
     Paragraph,
     Report,
 )
-from freebody.present.report.results import Result, entries, entry, line
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, line
 from freebody.questions.reading import Question
 
 _LONGEST = 200  # characters of an unreadable answer that are told

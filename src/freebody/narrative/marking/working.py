@@ -17,7 +17,8 @@ from freebody.language.typed import read_equation
 from freebody.narrative.marking.equations import equations_of
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Block, Formula, Paragraph, Report
-from freebody.present.report.results import Result, entries, entry
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry
 from freebody.system.system import System
 
 MOST_LINES = 60

@@ -11,7 +11,8 @@ from freebody.assess.verdict import Judgement, Verdict
 from freebody.language.expression import Expr, in_one_order
 from freebody.language.notation import stated_plain, to_latex, to_python
 from freebody.present.report.blocks import Report
-from freebody.present.report.results import Result, summary
+from freebody.present.report.result import Result
+from freebody.present.report.results import summary
 from freebody.questions.reading import Question
 from freebody.study.answering.named_formulas import Chain
 from freebody.study.answering.told import answer_blocks

@@ -10,7 +10,8 @@ from freebody.language.sentences import Message
 from freebody.model.states import state_name
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Remark, Report
-from freebody.present.report.results import Result, line, summary
+from freebody.present.report.result import Result
+from freebody.present.report.results import line, summary
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.told import answer_section
 from freebody.symbolic.model import SymbolicModel

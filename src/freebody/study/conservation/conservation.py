@@ -10,17 +10,8 @@ from freebody.language.expression import Expr, n_operations
 from freebody.language.sentences import Message, in_turn
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Entry, Formula, Paragraph, Report, Section
-from freebody.present.report.results import (
-    Result,
-    entries,
-    entry,
-    line,
-    notes,
-    options,
-    question_title,
-    remark,
-    summary,
-)
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, line, notes, options, question_title, remark, summary
 from freebody.study.conservation.constancy import Confirmation, CounterMotion
 from freebody.study.conservation.verdicts import Verdicts
 from freebody.system.system import System

@@ -16,7 +16,8 @@ from freebody.present.charts.lines import line_chart
 from freebody.present.lines import number_text
 from freebody.present.picture.picture import Picture
 from freebody.present.report.blocks import Block, Figure, Report, Section
-from freebody.present.report.results import Result, entries, entry, notes, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, notes, summary, table
 from freebody.study.fitting.estimate import Estimate
 from freebody.study.fitting.unknowns import Unknown
 from freebody.system.system import System

@@ -16,7 +16,8 @@ from freebody.numeric.friction_limits import unresisted
 from freebody.numeric.rest_problem import FrictionCone, RestProblem, rest_problem
 from freebody.present.lines import number_text, system_line
 from freebody.present.report.blocks import Block, Report, Section
-from freebody.present.report.results import Result, entries, line, notes, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, line, notes, summary, table
 from freebody.study.answering.draws import Draw
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.failures import how_it_fails, seen

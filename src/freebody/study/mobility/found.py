@@ -11,7 +11,8 @@ from freebody.language.sentences import Message, in_turn
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.numeric.mobility.rank import Rank
 from freebody.present.report.blocks import Block, Entry, Report, Section
-from freebody.present.report.results import Result, entries, entry, line, notes, options, question_title, summary
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, line, notes, options, question_title, summary
 from freebody.questions.reading import Question
 from freebody.study.mobility.conflicts import Conflict
 from freebody.study.mobility.gruebler import Gruebler

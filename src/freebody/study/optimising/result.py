@@ -17,7 +17,8 @@ from freebody.present.files import check_writable, replaced
 from freebody.present.lines import amount_text, number_text
 from freebody.present.picture.picture import Picture
 from freebody.present.report.blocks import Block, Figure, Report, Section
-from freebody.present.report.results import Result, entries, entry, notes, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, notes, summary, table
 from freebody.study.optimising.conditions import Conditions
 from freebody.study.optimising.problem import Problem
 from freebody.study.optimising.quantities import Quantity

@@ -18,7 +18,8 @@ from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Report, Section
-from freebody.present.report.results import Result, entries, line, notes, summary
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, line, notes, summary
 from freebody.study.phases.case import PhaseCase, PhaseResult
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode
 from freebody.study.phases.numbers import Chosen, coefficients_of_friction

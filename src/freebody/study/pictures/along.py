@@ -24,7 +24,7 @@ from freebody.present.picture.forces import ShownForce
 from freebody.present.scene import Scene
 from freebody.study.mobility.centres import instant_centres
 from freebody.study.pictures.instant import instant_along
-from freebody.study.pictures.shown import forces_in_numbers
+from freebody.study.pictures.shown import forces_acting
 from freebody.study.senses import drawn_symbols
 
 if TYPE_CHECKING:
@@ -66,7 +66,8 @@ class Spot:
 class Cone:
     """Within which dry friction holds, in the plane. at: (n, 3) [m] from the mass centre along the axes of the body;
     axis: (n, 3) the direction of the normal force, NaN where nothing presses; half: [rad] from there to its sides;
-    used: (n,) [rad] to the resultant of normal force and friction, counter-clockwise positive."""
+    used: (n,) [rad] to the resultant of normal force and friction, counter-clockwise positive, NaN where one of the
+    two is not unique."""
 
     label: str
     body: str
@@ -75,6 +76,11 @@ class Cone:
     axis: Array
     half: float
     used: Array
+
+    @property
+    def is_half_known(self) -> bool:
+        """Whether it is there at some time at which its resultant is not known."""
+        return bool((~np.isnan(self.axis[:, 0]) & np.isnan(self.used)).any())
 
 
 @dataclass(frozen=True)
@@ -167,10 +173,10 @@ class MotionShown:
         return [Spot("instant-centres", name, self.course.times[self.few], at) for name, at in found.items()]
 
     @cached_property
-    def _forces(self) -> list[list[ShownForce]]:
-        """At the few instants: at the first of their bodies that moves."""
+    def _forces(self) -> list[tuple[list[ShownForce], list[ShownForce]]]:
+        """At the few instants: at the first of their bodies that moves; then those that are not unique."""
         symbols = drawn_symbols(self.system)
-        return [forces_in_numbers(instant_along(self.motion, k), symbols) for k in self.few]
+        return [forces_acting(instant_along(self.motion, k), symbols) for k in self.few]
 
     def forces(self, kinds: Sequence[str]) -> list[Arrow]:
         """Of some of `FORCES`."""
@@ -179,7 +185,7 @@ class MotionShown:
         owners |= {push.name: push.load for push in self.system.applied_loads}
         n, times = len(self.few), self.course.times[self.few]
         found: dict[tuple[str, str, bool, int], Arrow] = {}
-        for i, forces in enumerate(self._forces):
+        for i, (forces, _unknown) in enumerate(self._forces):
             counted: dict[tuple[str, str, bool], int] = {}
             for force in forces:
                 if force.kind not in wanted:
@@ -219,17 +225,19 @@ class MotionShown:
                 continue
             half = float(np.arctan(number(rub.static)))
             at, axis = np.full((2, n, 3), np.nan)
-            used, body = np.zeros(n), ""
-            for i, forces in enumerate(self._forces):
-                acting = {f.name: f for f in forces if not f.is_couple}
-                normal, along = acting.get(rub.load[0]), acting.get(rub.name)
+            used, body = np.full(n, np.nan), ""
+            for i, (forces, unknown) in enumerate(self._forces):
+                acting, loose = ({f.name: f for f in of if not f.is_couple} for of in (forces, unknown))
+                normal = acting.get(rub.load[0]) or loose.get(rub.load[0])  # it presses where it is positive
                 if normal is None:
                     continue
                 e = _padded(normal.force) / np.linalg.norm(normal.force)
-                resultant = normal.size * e
+                body, at[i], axis[i] = normal.body, self._local(normal, i), e
+                if normal.name in loose or rub.name in loose:
+                    continue
+                resultant, along = normal.size * e, acting.get(rub.name)
                 if along is not None:  # on the same body: both are at the first that moves
                     resultant = resultant + (along.value or 0.0) * _padded(along.force)
-                body, at[i], axis[i] = normal.body, self._local(normal, i), e
                 used[i] = np.arctan2(np.cross(e, resultant)[2], e @ resultant)
             if body:
                 yield Cone(rub.of or rub.name, body, self.course.times[self.few], at, axis, half, used)
@@ -253,10 +261,21 @@ class MotionShown:
                 found.messages.append(str(error))
         if "friction-cones" in show:
             found.cones.extend(self.friction_cones())
-            if not found.cones:
-                none = Message("there is no friction cone: nothing presses with dry friction of one coefficient")
-                found.messages.append(str(none))
+        found.messages.extend(map(str, self._missing(show, found.cones)))
         return found
+
+    def _missing(self, show: Sequence[str], cones: Sequence[Cone]) -> Iterator[Message]:
+        """What of forces is not drawn, and why."""
+        owners = {row.name: row.connection for row in self.system.rows}
+        unknown = {owners[force.name]: None for _, of in self._forces for force in of} if "reaction" in show else {}
+        if unknown:
+            yield Message("not drawn where they are not unique: reactions of {names}", names=", ".join(unknown))
+        if "friction-cones" in show and not cones:
+            yield Message("there is no friction cone: nothing presses with dry friction of one coefficient")
+        half_known = {owners.get(c.label, c.label): None for c in cones if c.is_half_known}
+        if half_known:
+            names = ", ".join(half_known)
+            yield Message("what is used of the friction cones of {names} is not unique", names=names)
 
 
 @dataclass(frozen=True)

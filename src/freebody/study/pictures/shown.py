@@ -68,22 +68,33 @@ def _centres(system: System, found: Instant) -> list[tuple[str, Array]]:
 def forces_in_numbers(found: Instant, symbols: Mapping[str, ReactionSymbol] | None = None) -> list[ShownForce]:
     """Loads, and reactions at the first of their bodies that moves: components at one point as their resultant.
     symbols: `drawn_symbols` of the system, where many instants have the same"""
+    return forces_acting(found, symbols)[0]
+
+
+def forces_acting(
+    found: Instant, symbols: Mapping[str, ReactionSymbol] | None = None
+) -> tuple[list[ShownForce], list[ShownForce]]:
+    """`forces_in_numbers`, and the reactions that are not unique, each for itself in the sense in which it is counted
+    positive."""
     system = found.snapshot.reference.system
     moving = [body.name for body in system.moving]
     closed, sides = closed_bounds(found.snapshot), found.other_sides
     free = FreeBody(found.snapshot, moving, closed=closed, symbols=symbols, other_sides=sides)
     valued: list[ShownForce] = []
+    unknown: list[ShownForce] = []
     reactions = free.reaction_values(found.reactions)
-    seen: set[str] = set()
+    first: dict[str, str] = {}  # the body at which a reaction is drawn
     for force in free.all_forces():
         value = reactions.get(force.name) if force.kind == "reaction" else free.load_value(force.name)
-        first = force.name not in seen or any(f.name == force.name and f.body == force.body for f in valued)
-        if value is not None and (force.kind != "reaction" or first):
+        if force.kind == "reaction" and first.setdefault(force.name, force.body) != force.body:
+            continue
+        if value is not None:
             valued.append(replace(force, value=value))
-        seen.add(force.name)
+        elif force.kind == "reaction":
+            unknown.append(force)
     found_forces = list(_resultants(valued, system))
     largest = max((force.size for force in found_forces), default=0.0)
-    return [_positive(force) for force in found_forces if force.size > _NOTHING * largest]
+    return [_positive(force) for force in found_forces if force.size > _NOTHING * largest], unknown
 
 
 def _resultants(forces: Sequence[ShownForce], system: System) -> list[ShownForce]:

@@ -19,7 +19,8 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.vectorised import VectorFunction
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Equation, Equations, Formula, Report, Section
-from freebody.present.report.results import Result, entries, entry, line, question_title, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, line, question_title, summary, table
 from freebody.study.given import each
 from freebody.study.sensitivity.derivatives import AnswerGradient, Derivative
 from freebody.study.sensitivity.motions import of_motion

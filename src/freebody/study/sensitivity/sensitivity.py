@@ -18,7 +18,8 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Report, Section
-from freebody.present.report.results import Result, entries, entry, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, summary, table
 from freebody.study.sensitivity.local import Gradient, gradient
 from freebody.study.sweeps.plan import Given
 from freebody.study.sweeps.result import Sweep

@@ -17,13 +17,11 @@ from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
-from freebody.present.report.blocks import Report
-from freebody.present.report.results import Result, summary
+from freebody.present.report.result import Result
 from freebody.study.simulation.at_rest import is_unstable_rest, staying
 from freebody.study.simulation.measured import MeasuredMotion
 from freebody.study.simulation.pressed_sides import on_the_sides_that_bear
 from freebody.study.simulation.simulator import Progress, Simulator
-from freebody.study.simulation.told import motion_blocks
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -32,6 +30,7 @@ if TYPE_CHECKING:
 
     from freebody.present.animation import Film
     from freebody.present.recording import Recording
+    from freebody.present.report.blocks import Report
 
 
 N_OUTPUTS = 1001
@@ -50,6 +49,9 @@ class Simulation(MeasuredMotion, Result):
 
     @property
     def report(self) -> Report:
+        from freebody.present.report.results import summary
+        from freebody.study.simulation.told import motion_blocks
+
         return summary(self.system.title or Message("simulation"), motion_blocks(self))
 
     def to_plain(self) -> dict[str, Any]:

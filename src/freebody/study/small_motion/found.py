@@ -15,7 +15,8 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.rest import CountedPose
 from freebody.present.lines import number_text, symbol_text, system_line, value_text
 from freebody.present.report.blocks import Block, Report, Section
-from freebody.present.report.results import Result, entries, entry, line, summary
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, line, summary
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 

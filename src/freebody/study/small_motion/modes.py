@@ -32,7 +32,8 @@ from freebody.numeric.system import NumericSystem
 from freebody.numeric.vibration import NaturalMotion, natural_motions
 from freebody.present.lines import system_line, value_text
 from freebody.present.report.blocks import Block, Remark, Report, Section
-from freebody.present.report.results import Result, entries, entry, line, summary
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, line, summary
 from freebody.study.given import named_measure
 from freebody.study.settled import without_friction
 from freebody.study.small_motion.equilibrium import Guess, about_rest, nearest_equilibrium

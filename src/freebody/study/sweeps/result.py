@@ -16,7 +16,8 @@ from freebody.language.sentences import Message, in_turn
 from freebody.numeric.jets import Array
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Figure, Report, Section
-from freebody.present.report.results import Result, entries, entry, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, summary, table
 from freebody.study.sweeps.evaluators import Column, Evaluator
 from freebody.study.sweeps.plan import Plan
 from freebody.study.sweeps.statistics import Statistics, statistics

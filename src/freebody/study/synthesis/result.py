@@ -16,7 +16,8 @@ from freebody.present.files import replaced
 from freebody.present.lines import number_text
 from freebody.present.picture.picture import Picture
 from freebody.present.report.blocks import Block, Figure, Report, Section, Text
-from freebody.present.report.results import Result, entries, entry, summary, table
+from freebody.present.report.result import Result
+from freebody.present.report.results import entries, entry, summary, table
 from freebody.study.synthesis.certificate import Certificate, model_text
 from freebody.study.synthesis.curve_picture import curve_picture
 from freebody.study.synthesis.linkage import Defect, Linkage

@@ -1,0 +1,46 @@
+"""Disk: a uniform disk.
+
+Moment of inertia: Beer, Johnston & Cornwell, Vector Mechanics for Engineers: Dynamics, inside back cover.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, ClassVar
+
+from freebody.language.sentences import Message
+from freebody.language.units import LENGTH, MASS
+from freebody.model.shapes.base import Build, Shape, half, square
+from freebody.model.shapes.round import wheel
+from freebody.model.solids import DISK
+from freebody.model.spec import Formula, Heading
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Disk(Shape, kind="disk"):
+    """A uniform disk (or cylinder, pulley, gear wheel); I = m R^2/2 unless `inertia` is given. In space it is thin,
+    about its `axis` (z), with half of that inertia about its diameters."""
+
+    called: ClassVar[tuple[str, ...]] = ("disc", "wheel", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("teeth", "module"),
+        Message(
+            "teeth and module belong to the mesh: gear_mesh: {{first: sun, second: planet, module: m, teeth: [z1, z2]}}"
+        ),
+    )
+    also: ClassVar[tuple[str, ...]] = ("disc", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
+
+    mass: Formula = 0
+    radius: Formula | None = None
+    inertia: Formula | None = None
+    axis: Heading = "z"
+
+    open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}
+
+    example = "{mass: 1 kg, radius: 0.2 m}"
+
+    def build(self, names: Names) -> Build:
+        m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
+        return wheel(names, self, m, r, half(m * square(r)), DISK)
