@@ -128,7 +128,7 @@ class Formulas(Noting):
         try:
             expr = parse(value)
         except ExpressionError as error:
-            return self._quantity(value, dimension, path, str(error))
+            return ZERO if self.is_broken_in(value) else self._quantity(value, dimension, path, str(error))
         unknown = sorted(free_symbols(expr) - set(known))
         if free_symbols(expr) & self.broken or (unknown and self.is_cut_short):
             return ZERO
@@ -151,6 +151,8 @@ class Formulas(Noting):
         except UnitError as error:
             return self._quantity(value, dimension, path, Message("in '{text}': {error}", text=value, error=error))
         if found != dimension and expr != ZERO:
+            if self.is_broken_in(value):
+                return ZERO
             told = _unit_differs(value, found, dimension)
             own = self.parameters.get(value)
             if (
@@ -161,6 +163,14 @@ class Formulas(Noting):
                     told=told,
                     name=value,
                     value=own.value,
+                    unit=dimension,
+                )
+                self.broken.add(value)
+            elif own is not None and found == DIMENSIONLESS:
+                told = Message(
+                    "{told}: write {name}: {unit} under parameters, or a number with that unit",
+                    told=told,
+                    name=value,
                     unit=dimension,
                 )
                 self.broken.add(value)

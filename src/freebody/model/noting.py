@@ -79,7 +79,9 @@ class Noting:
 
     def is_broken_in(self, text: str) -> bool:
         """Whether a text names what could not be read: it is told where that stands."""
-        return self.is_cut_short or any(name in self.broken for name in re.findall(r"\w+", text))
+        if self.is_cut_short or any(name in self.broken for name in re.findall(r"\w+", text)):
+            return True
+        return any(name in text for name in self.broken if not re.fullmatch(r"\w+", name))
 
     def is_undeclared_in(self, text: str) -> bool:
         """Whether a text names a parameter that is told to be missing already, where a formula uses it."""

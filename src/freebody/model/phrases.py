@@ -400,6 +400,8 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
     first = text.split()[0] if text else ""
     import difflib
 
+    if names.is_broken_in(text):
+        names.broken.add(text)
     close = difflib.get_close_matches(first, [p.form.split()[0] for p in PHRASES], n=1)
     forms = [p.form for p in PHRASES if not close or p.form.split()[0] == close[0]]
     names.unknown(
@@ -421,7 +423,8 @@ def composed(names: Names, text: str, *path: str | int) -> Measure | None:
     try:
         expr = parse(text)
     except ExpressionError as error:
-        names.problem(str(error), *path)
+        if not names.is_broken_in(text):
+            names.problem(str(error), *path)
         return None
     if free_symbols(expr) & names.broken:
         return None

@@ -18,6 +18,13 @@ def finite(value: Any) -> float:
     return number
 
 
+_OF_PYTHON = {
+    "math domain error": Message("a root of a negative number, or a function beyond its range"),
+    "math range error": Message("a number is too large to calculate with"),
+    "float division by zero": Message("it is divided by zero"),
+}
+
+
 class named:  # noqa: N801 - used as `with named(...)`, around every jet: a generator would cost more than many of them
     """Says in whose name something has no value; the name may be one that is looked up only then."""
 
@@ -35,4 +42,5 @@ class named:  # noqa: N801 - used as `with named(...)`, around every jet: a gene
         name = self._name if isinstance(self._name, str) else self._name()
         if isinstance(error, CannotAnswer):
             raise CannotAnswer(Message("{what}: {why}", what=name, why=error)) from None
-        raise CannotAnswer(Message("{x} has no value here: {why}", x=name, why=error)) from None
+        why = _OF_PYTHON.get(str(error), error)
+        raise CannotAnswer(Message("{x} has no value here: {why}", x=name, why=why)) from None

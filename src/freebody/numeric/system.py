@@ -32,6 +32,8 @@ from freebody.system.description import merged
 from freebody.system.parts import cut_out
 from freebody.system.system import System
 
+_A_NUMBER = Message("a number of the model")
+
 
 class NumericSystem:
     """One system with a number for every parameter."""
@@ -72,7 +74,7 @@ class NumericSystem:
 
     def _moments_of(self, body: RigidBody) -> tuple[Array, Array]:
         """Moments of inertia, in space about the principal axes, and these axes."""
-        with named(f"the inertia of {body.name}"):
+        with named(Message("the inertia of {body}", body=body.name)):
             if not self.system.space:
                 return np.array([self.number(body.inertia)]), spatial.UNIT
             return spatial.principal_axes(spatial.tensor_of(body, self.number))
@@ -285,7 +287,7 @@ class NumericSystem:
         return known[2]
 
     def _number(self, expr: Expr, t: float) -> float:
-        with named("a number of the model"):
+        with named(_A_NUMBER):
             return finite(evaluate(expr, {**self.frame.values, TIME: t}))
 
     def name_of(self, measure: Measure | NonholonomicForm) -> str:

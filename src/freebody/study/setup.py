@@ -304,7 +304,7 @@ def _is_readable(x: Ratio, instead: Ratio, readable: int) -> bool:
 
 
 def _is_on_branch(model: SymbolicModel, draw: Draw, snapshot: Snapshot) -> bool:
-    if not model.samples.assumed:
+    if not model.samples.assumed and not model.has_equal_angles:
         return True
     numbers = model.samples.numbers(draw.sample(snapshot))
     if not all(model.field.evaluate(x, numbers) > 0 for x in model.samples.assumed):

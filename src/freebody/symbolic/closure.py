@@ -28,6 +28,7 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
 _MOST_TERMS = 400  # of an angle's cosine
+_MOST_PRODUCTS = 20_000  # of the terms of its numerator and denominator: its rate has those of them all
 
 
 class Closure:
@@ -182,7 +183,7 @@ class Closure:
     def _values(self, q: Coordinate, cos: Ratio, sin: Ratio, half: Ratio | None = None) -> dict[int, Ratio]:
         """half: the tangent of half the angle, where that is shorter than by these."""
         f = self.field
-        if any(len(part.num) > _MOST_TERMS for part in (cos, sin)):
+        if any(len(x.num) > _MOST_TERMS or len(x.num) * _below(x) > _MOST_PRODUCTS for x in (cos, sin)):
             raise FormulaTooLong(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
         principal = _principal(f, cos, sin, half)
@@ -256,6 +257,11 @@ class Closure:
             if condition is not None:
                 found.append(condition)
         return found
+
+
+def _below(x: Ratio) -> int:
+    """The terms of a denominator."""
+    return 1 if x.den is None else len(x.den)
 
 
 def _principal(f: Field, cos: Ratio, sin: Ratio, half: Ratio | None) -> Ratio:

@@ -87,7 +87,7 @@ class CoordinateChoice:
             equations = found_out()
             if equations:
                 self.chosen = self._choose([*self.chosen.extra, *equations])
-        self._put_in_equal_angles()
+        self.has_equal_angles = self._put_in_equal_angles()
         self.redundant = bodies.really_redundant(redundant)
 
     def _choose(self, extra: Sequence[RowEquation]) -> Chosen:
@@ -325,14 +325,18 @@ class CoordinateChoice:
         here = self.chosen.configuration.express(self._field.variable(index))
         return self._samples.vanishes(self.chosen.speeds.rate(here))
 
-    def _put_in_equal_angles(self) -> None:
+    def _put_in_equal_angles(self) -> bool:
         """Puts in the angles that the branch keeps equal (a parallelogram's), or opposite, up to right angles. That
-        they follow from the loops is proved by the count: what has as many freedoms with them is the same motion."""
+        they follow from the loops is proved by the count: what has as many freedoms with them is the same motion.
+        True where there are such: on another branch (a parallelogram that has folded over) they are not equal."""
         equations, before = self._equal_angles(), self.chosen
-        if equations:
-            self.chosen = self._choose([*before.extra, *equations])
-            if len(self.chosen.speeds.coordinates) != len(before.speeds.coordinates):
-                self.chosen = self._choose(before.extra)
+        if not equations:
+            return False
+        self.chosen = self._choose([*before.extra, *equations])
+        if len(self.chosen.speeds.coordinates) == len(before.speeds.coordinates):
+            return True
+        self.chosen = self._choose(before.extra)
+        return False
 
     def _equal_angles(self) -> list[RowEquation]:
         """Angles bound by closed loops that differ from others by the same multiple of a right angle at all samples, or

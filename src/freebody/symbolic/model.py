@@ -190,6 +190,11 @@ class SymbolicModel:
         return tuple(self._choice.chosen.elimination.loops)
 
     @property
+    def has_equal_angles(self) -> bool:
+        """Whether angles are put in that are equal on the branch of the start, and not on others."""
+        return self._choice.has_equal_angles
+
+    @property
     def redundant(self) -> list[str]:
         """The held rows that follow from others."""
         return self._choice.redundant

@@ -34,7 +34,7 @@ from freebody.symbolic.signs_shown import (
     signed_product,
     with_halves,
 )
-from freebody.symbolic.waves import Monomial, Terms, fourier, square_variants
+from freebody.symbolic.waves import Monomial, Terms, fourier, n_waves, square_variants
 
 # order in which factors of a product are written
 _PLACE = {
@@ -52,6 +52,7 @@ _EXPANDED_TERMS = 12  # larger sums are always shorter collected
 _COMPLEMENTS = {"asin": "acos", "acos": "asin"}
 _ODD = {"asin", "atan", "tan", "sinh", "tanh"}
 _FACTOR_TERMS = 600  # larger polynomials are not factored
+_MOST_WAVES = 20_000  # of what is gathered: more would not be read, and take minutes
 
 
 class Gathers(Enum):
@@ -283,6 +284,8 @@ def _collected(field: Field, terms: Mapping[Monomial, int], gathers: Gathers) ->
                 mixed.add(_plain(field, monomial))
         if not mixed or (gathers is Gathers.ALL and not _has_given_angle(field, terms, mixed)):
             return None  # nothing to gather, or nothing more than what moves
+        if sum(n_waves(field, (i for i in m if not is_fixed(i[0]))) for m in terms) > _MOST_WAVES:
+            return None
     groups: dict[Any, Terms] = {}
     pieces: dict[Any, Expr] = {}
     for monomial, coefficient in terms.items():

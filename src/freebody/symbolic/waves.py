@@ -4,7 +4,8 @@ sines and cosines of sums of angles (Fourier form), c1 c2 + s1 s2 = cos(theta1 -
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from freebody.symbolic.field import Field
@@ -44,6 +45,17 @@ def sine_form(terms: Mapping[Monomial, int], c: int, s: int) -> Terms:
                 result.pop(key, None)
             binomial = binomial * (n - k) // (k + 1)
     return result
+
+
+def n_waves(field: Field, monomial: Iterable[tuple[int, int]]) -> int:
+    """How many sines and cosines of sums of angles a product comes to at most: cos^n of one angle has n + 1."""
+    degrees: dict[int, int] = {}
+    for g, exponent in monomial:
+        kind = field.generators[g].kind
+        if kind in ("cos", "sin"):
+            angle = g - 1 if kind == "sin" else g
+            degrees[angle] = degrees.get(angle, 0) + exponent
+    return math.prod(n + 1 for n in degrees.values())
 
 
 def fourier(field: Field, trig: Monomial) -> dict[tuple[bool, tuple[tuple[int, int], ...]], Fraction]:

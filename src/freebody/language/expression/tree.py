@@ -180,20 +180,28 @@ def symbol(name: str) -> Symbol:
     return Symbol(name)
 
 
-def name_problem(name: str) -> str | None:
+def name_problem(name: str) -> Message | None:
     """What is wrong with a name for a symbol, or None."""
     if not _NAME.fullmatch(name):
-        return f"'{name[:40]}' is not a name: names begin with a letter, then letters, digits and underscores"
+        return Message(
+            "'{name}' is not a name: names have letters a-z or Greek ones, digits and underscores, and begin with a "
+            "letter",
+            name=name[:40],
+        )
     if "__" in name:
-        return f"'{name[:40]}' is not a name: names have no double underscore"
+        return Message("'{name}' is not a name: names have no double underscore", name=name[:40])
     if name == "lambda":
-        return "'lambda' cannot be a name: write lam"
+        return Message("'lambda' cannot be a name: write lam")
     if keyword.iskeyword(name):
-        return f"'{name}' is a word of the Python language and cannot be a name: write {name}_1, say"
+        return Message(
+            "'{name}' is a word of the Python language and cannot be a name: write {other}, say",
+            name=name,
+            other=f"{name}_1",
+        )
     if name in FUNCTIONS:
-        return f"'{name}' is a function: write {name}(...)"
+        return Message("'{name}' is a function and cannot be a name: write {other}, say", name=name, other=f"{name}_1")
     if name.lower() in ("nan", "inf", "infinity"):
-        return f"'{name}' is not a number that can be calculated with"
+        return Message("'{name}' is not a number that can be calculated with", name=name)
     return None
 
 

@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from functools import partial
+from dataclasses import dataclass
+from functools import cached_property, partial
 from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
@@ -50,6 +51,19 @@ from freebody.symbolic.unknowns import Coordinate
 _MOST_STEPS = 60  # of a chain that anybody would follow
 LONG = 70  # operations, some twelve terms: what is longer is not read at a glance
 FEW_TERMS, MOST_TERMS = 8, 60  # of sums, multiplied out: so few are short, and more than so many are not
+_MOST_TERMS_OF_A_STEP = 300  # of one name, multiplied out: nobody would follow more
+
+
+@dataclass(frozen=True)
+class ElementNamed:
+    """A name and the element that it stands for, which is written where it is needed."""
+
+    name: Expr
+    value: Ratio
+
+    @cached_property
+    def formula(self) -> Expr:
+        return tidy(self.value)
 
 
 def chain_of(setup: Setup, quantity: Quantity, whole: Elements, state: SymbolicState) -> InNames | None:
@@ -131,7 +145,7 @@ class ChainBuilder:
         self.taken |= {c.name for c in (*model.coordinates, *model.dependent)}
         kept = {g for c in model.coordinates for g in (c.index, c.speed)} | {self.field.index(self.field.time)}
         self.values = {g: x for g, x in values.items() if g in kept}
-        self.steps: list[NamedFormula] = []
+        self.steps: list[NamedFormula | ElementNamed] = []
         self.between: Callable[[ChainBuilder], None] | None = None  # names what stands before the speeds
         self.closure = Closure(self.model)
         self._closing: dict[str, str] = {}  # that loops close, by the angles that tell it
@@ -200,7 +214,7 @@ class ChainBuilder:
             self._plain[index] = value
             return
         name = self.field.generators[index].display
-        self.steps.append(NamedFormula(name, tidy(value)))
+        self.steps.append(ElementNamed(name, value))
         self._below[rate_key(name)] = value.denominator()
 
     # -- angles of loops ----------------------------------------------------------------------
@@ -263,22 +277,25 @@ class ChainBuilder:
         draw = self.setup.draws[0]
         numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
         try:
-            values = Chain(tuple(self.steps), (formula,)).numbers(inputs(self.setup, numbers))
+            told = tuple(NamedFormula(step.name, step.formula) for step in self.steps)
+            values = Chain(told, (formula,)).numbers(inputs(self.setup, numbers))
         except (ArithmeticError, ValueError) as error:  # a root or an arc of what has none
-            told = Message(
+            said = Message(
                 "at the model's own values the loop of {angle} cannot be assembled there", angle=step.angle.name
             )
-            raise CannotAnswer(told) from error
+            raise CannotAnswer(said) from error
         n = round((numbers[step.angle.index] - values[0]) / math.tau)
         return multiply(number(2 * n), Symbol("pi")) if n else None
 
     # -- what is shown ------------------------------------------------------------------------
     def _ordered(self, result: Sequence[Expr]) -> Chain | None:
         """The steps that the result needs, none of them long, in their order."""
-        needed: list[NamedFormula] = []
+        needed: list[NamedFormula | ElementNamed] = []
         wanted = {key for part in result for key in keys_in(part)}
         for step in reversed(self.steps):
             if rate_key(step.name) in wanted:
+                if isinstance(step, ElementNamed) and step.value.n_terms > _MOST_TERMS_OF_A_STEP:
+                    return None
                 needed.append(step)
                 wanted |= keys_in(step.formula)
         found: list[NamedFormula] = []

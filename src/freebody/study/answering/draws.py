@@ -37,6 +37,8 @@ SEED = 7
 _TRIES = 12
 _NEARBY = 2  # disturbed guesses near the pose of the file, for a draw that shall be on its branch
 
+_LEAST_REGULAR = 0.01  # of the pose of the file: speeds are found with round-off over the square of this
+
 _AXES = tuple(Direction(GROUND, along) for along in UNIT)
 
 
@@ -57,6 +59,12 @@ class Draw:
         """A system with these numbers. Raises CannotAnswer where it does not assemble."""
         reference = Reference(system, values)
         return cls(values, reference, _assembled(reference))
+
+    @cached_property
+    def regularity(self) -> float:
+        """The least singular value of the independent constraints at the start, relative to the largest: how far from a
+        singular pose that is."""
+        return self.reference.split_at(self.q, self.reference.branches).smallest
 
     def start(self) -> Snapshot:
         """The start, with its velocities."""
@@ -190,6 +198,8 @@ def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near
                 draw = Draw.of(system, values) if branch is None else branch.with_values(values, system)
                 if found:
                     draw.start()  # where what is put in numbers only just fits, velocities do not
+                if branch is not None and draw.regularity < _LEAST_REGULAR * branch.regularity:
+                    raise CannotAnswer(Message("beside a singular pose numbers are too inaccurate to compare with"))
                 found.append(draw)
                 break
             except CannotAnswer as error:

@@ -77,7 +77,10 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
 def _solved(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     """The answers, each question about one part of a system in that part."""
     parts = [(q, part_for(system, system.groups, q)) for q in questions]
-    whole = _in_whole(system, [q for q, part in parts if part is None], setup)
+    of_whole = [q for q, part in parts if part is None]
+    # what heads the answers is the motion if any is asked of, and be it of a part
+    is_of_rest = all(map(_is_of_rest, questions))
+    whole = _in_whole(system, of_whole, setup, is_of_rest=is_of_rest)
     answers = {a.id: a for a in whole.answers}
     together: dict[tuple[str, ...], tuple[System, list[Question]]] = {}
     for q, part in parts:
@@ -91,14 +94,21 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
     return replace(whole, answers=tuple(answers[q.id] for q in questions), assumed=assumed)
 
 
-def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
+def _is_of_rest(question: Question) -> bool:
+    return question.quantity.scope == "rest"
+
+
+def _in_whole(
+    system: System, questions: Sequence[Question], setup: Setup | None, *, is_of_rest: bool = True
+) -> Solution:
+    """is_of_rest: that nothing else is asked of a motion, beside these."""
     if any(q.quantity.jump is not None for q in questions):
         return _with_jumps(system, questions, setup)
     if any(q.quantity.is_of_answers for q in questions):
         return _with_answers(system, questions, setup)
     if any(_is_before_start(system, q) for q in questions):
         return _with_before(system, questions, setup)
-    if questions and all(q.quantity.scope == "rest" for q in questions):
+    if is_of_rest and questions and all(map(_is_of_rest, questions)):
         try:
             return _at_rest(system, questions)
         except CannotAnswer as error:  # as a question among others is refused

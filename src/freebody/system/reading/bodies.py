@@ -46,6 +46,7 @@ class BodySections:
         for name, value in self.source.named("bodies").items():
             if name == GROUND:
                 names.problem(Message("ground is always there; declare its points under ground"), "bodies", name)
+                names.broken.add(name)
                 continue
             with names.at("bodies", name):
                 # a body that cannot be read still counts as known, so that its mistake is told once

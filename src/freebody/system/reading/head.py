@@ -77,6 +77,7 @@ def check_sections(source: Source) -> None:
         )
     if not source.data.get("bodies") and not source.names.is_cut_short:
         source.names.problem(Message("a model needs at least one body, under bodies"), "bodies")
+        source.names.is_cut_short = True  # what names bodies has no other mistake
 
 
 def _no_section(key: str, value: Any) -> Message:

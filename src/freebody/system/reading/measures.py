@@ -20,6 +20,7 @@ def read_measures(source: Source) -> dict[str, Measure]:
     for name, value in _in_turn(given):
         if name in names.parameters:
             names.problem(Message("{name} is a parameter already; choose another name", name=name), "measures", name)
+            names.broken.add(name)
             continue
         measure = None
         with names.reading("measures", name):

@@ -19,6 +19,7 @@ from freebody.language.sentences import Message, as_found, in_turn, listed
 from freebody.loads.base import Load
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
+from freebody.model.shapes.base import Shape
 from freebody.model.spec import Spec
 from freebody.model.written_kinds import written_kind
 from freebody.system.unspecified import Unspecified
@@ -57,6 +58,9 @@ def known_keys(names: Names, entry: Mapping[str, Any], known: Sequence[str], wha
                 *path,
                 key,
             )
+
+
+_TAKEN = {"t": Message("t is the time; choose another name"), "pi": Message("pi is a number; choose another name")}
 
 
 def _named_otherwise(name: str) -> Message | None:
@@ -176,8 +180,9 @@ class Source:
         entries = self.mapping(section)
         for name, value in entries.items():
             fault = name_problem(name)
-            if fault is not None or (name == "t" and section in ("parameters", "measures")):
-                told = _named_otherwise(name) or fault or Message("t is the time; choose another name")
+            taken = _TAKEN.get(name) if section in ("parameters", "measures") else None
+            if fault is not None or taken is not None:
+                told = _named_otherwise(name) or fault or taken or ""
                 self.names.problem(told, section, name)
                 self.names.broken.update((name, in_ascii(name), *re.findall(r"\w+", name)))
                 continue
@@ -216,7 +221,8 @@ class Source:
                     wanted=listed(list(dict.fromkeys(wanted)), "{first} or {second}"),
                     value=as_found(fault["input"]),
                 )
-                if fault["type"] == "string_type" and self._is_a_place(fault["input"]):
+                is_of_points = not issubclass(kind, Shape)
+                if fault["type"] == "string_type" and is_of_points and self._is_a_place(fault["input"]):
                     message = Message(
                         "{what} takes a point by its name: give the ground or a body points: {{P: {place}}}, then "
                         "{what}: ground.P, or that of the body",
