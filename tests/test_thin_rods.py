@@ -10,6 +10,7 @@ import pytest
 import freebody as fb
 from freebody.numeric.engine.course import Status
 from freebody.study.phases.at_start import closed_at_start
+from posed import is_formula, posed
 
 L, V, E = 1.2, 2.0, 0.6
 
@@ -111,3 +112,26 @@ connections: {c: {contact: {between: [rod, ground.corner], restitution: 1}}}
     n = np.array([-math.sin(alpha), math.cos(alpha)])
     v = np.array([0.0, -2.0])
     assert result.course.velocities[-1, 0, :2] == pytest.approx(v - 2 * (v @ n) * n)
+
+
+BOOM = """
+space: {up: z}
+parameters: {m: 12 kg, W: 400 N, L: 2 m, g: 9.81 m/s^2}
+bodies: {boom: {rod: {mass: m, length: L}, at: {start: [0, 0, 0]}, turned: [0.4 rad about z, -0.3 rad about y]}}
+connections: {socket: {spherical: [ground.O, boom.start]}}
+loads: {weight: {gravity: g}, load: {force: {at: boom.end, along: down, magnitude: W}}}
+"""
+
+
+def test_how_a_thin_rod_rolls_about_its_axis_is_told_by_no_number() -> None:
+    for question in ("angular acceleration of boom along x", "size of angular acceleration of boom"):
+        found = posed(BOOM, question)
+        assert (found.value, found.expression) == (None, None)
+        assert "roll_boom, so its acceleration is not determined" in found.reason
+
+
+def test_what_does_not_depend_on_the_roll_of_a_thin_rod_has_a_formula() -> None:
+    # at rest at the slope beta: m L^2/3 alpha = (m g/2 + W) L cos(beta), and the end falls with L alpha cos(beta)
+    is_formula(BOOM, "acceleration of boom.end along down at start", "3*(g/2+W/m)*cos(0.3)^2")
+    found = posed(BOOM, "reaction of socket along up at start")
+    assert found.value == pytest.approx(12 * 9.81 + 400 - 12 * (9.81 / 2 + 400 / 12) * 1.5 * math.cos(0.3) ** 2)

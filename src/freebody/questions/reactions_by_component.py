@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.base import Measure
@@ -87,13 +88,18 @@ questions: {it: tension of rod}
         return True
 
     def value(self, system: Described, state: State[Any]) -> Any:
-        """What the row transmits, less the dry friction on the way to the place that is asked for."""
+        """What the row transmits, less the dry friction on the way to the place that is asked for. Raises CannotAnswer
+        where it is open; of several places those that are open transmit nothing."""
         rows = {row.name: row for row in system.rows}
-        total = rows[self.row].sign * state.multiplier(rows[self.row])
+        touching = [rows[name] for name in (self.row, *self.further) if name in rows]
+        if not touching:
+            raise CannotAnswer(Message("{connection} is open there", connection=self.connection))
+        first, *others = touching
+        total = first.sign * state.multiplier(first)
         for name in self.less:
             total = total - rows[name].sign * state.multiplier(rows[name])
-        for name in self.further:
-            total = total + rows[name].sign * state.multiplier(rows[name])
+        for row in others:
+            total = total + row.sign * state.multiplier(row)
         return total
 
     def sentence(self, system: Described) -> Sentence:

@@ -9,7 +9,7 @@ Source: Kane & Levinson, Dynamics: Theory and Applications (1985), ch. 6.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 
@@ -30,6 +30,10 @@ from freebody.system.system import System
 
 class NothingWithMass(CannotAnswer):
     """A coordinate can change with nothing that has inertia."""
+
+
+class NotDetermined(NothingWithMass):
+    """What is asked depends on how such a coordinate is accelerated: no number tells it, either."""
 
 
 class SymbolicDynamics:
@@ -114,7 +118,7 @@ class SymbolicDynamics:
             return moved[0]
         with suppress(FormulaTooLong):
             mass = self.mass_matrix[0][0]
-            return None if sign_of(mass).is_strict else mass
+            return None if sign_of(mass).is_strict or mass.is_zero() else mass  # nowhere any: see open_accelerations
         return None
 
     def generalized_force(self, c: Coordinate) -> Ratio:
@@ -145,8 +149,26 @@ class SymbolicDynamics:
         """du/dt in coordinates, speeds and time, by acceleration generator."""
         return self.accelerations_in(lambda x: x)
 
-    def accelerations_in(self, here: Callable[[Ratio], Ratio]) -> Mapping[int, Ratio]:
-        """du/dt where elements are as `here` has them: in one pose short where they are long in general."""
+    @cached_property
+    def open_accelerations(self) -> Mapping[int, Ratio]:
+        """The same, in which what moves nothing with mass, and is pushed by nothing, stands for itself: the roll of a
+        thin rod about its axis."""
+        try:
+            return self.solved_accelerations
+        except NothingWithMass:
+            return self.accelerations_in(lambda x: x, leaves_open=True)
+
+    def determined(self, x: Ratio) -> Ratio:
+        """What is told by `open_accelerations`. Raises NotDetermined where it depends on one that is open."""
+        found = self.open_accelerations
+        is_open = self.field.ingredients(x) & found.keys()
+        if is_open:
+            raise NotDetermined(self._nothing_moves(is_open))
+        return x
+
+    def accelerations_in(self, here: Callable[[Ratio], Ratio], *, leaves_open: bool = False) -> Mapping[int, Ratio]:
+        """du/dt where elements are as `here` has them: in one pose short where they are long in general. leaves_open:
+        see `open_accelerations`."""
         accelerations = self._speeds.accelerations
         rows: list[Row] = []
         for line, force in zip(self.mass_matrix, self.forcing, strict=True):
@@ -155,15 +177,19 @@ class SymbolicDynamics:
                 row[RHS] = x
             rows.append(row)
         solved = solve(self.field, rows, accelerations, self._samples.vanishes)
-        if solved.free:
-            names = ", ".join(
-                c.name for c, a in zip(self._speeds.coordinates, accelerations, strict=True) if a in solved.free
-            )
-            raise NothingWithMass(
-                Message(
-                    "nothing with mass moves with {x}, so its acceleration is not determined. Give the body "
-                    "a mass or an inertia, or connect it",
-                    x=names,
-                )
-            )
-        return {a: solved.pivots[a].get(RHS, self.field.zero) for a in accelerations}
+        if solved.free and (solved.contradictory or not leaves_open):
+            raise NothingWithMass(self._nothing_moves(solved.free))
+        f = self.field
+        found = {a: f.variable(a) for a in solved.free}
+        for a, row in solved.pivots.items():
+            others = (x * f.variable(c) for c, x in row.items() if c != RHS)
+            found[a] = sum(others, row.get(RHS, f.zero))
+        return {a: found[a] for a in accelerations}
+
+    def _nothing_moves(self, free: Container[int]) -> Message:
+        named = zip(self._speeds.coordinates, self._speeds.accelerations, strict=True)
+        return Message(
+            "nothing with mass moves with {x}, so its acceleration is not determined. Give the body "
+            "a mass or an inertia, or connect it",
+            x=", ".join(c.name for c, a in named if a in free),
+        )

@@ -173,7 +173,11 @@ class Elimination:
         return replace(equation, value=self.field.lowest_terms(value) if cancels else value.numerator())
 
     def _without_factors(self, equation: RowEquation) -> RowEquation:
-        """An equation without the factors that do not vanish on the branch: sqrt(1 + f'^2) (y - f) = 0 says y = f."""
+        """An equation without the factors that do not vanish on the branch: sqrt(1 + f'^2) (y - f) = 0 says y = f. The
+        length l of a line is sqrt(l^2)."""
+        plain = self._with_plain_lengths(equation.value)
+        if plain is not None:
+            return replace(equation, value=plain)
         value = equation.value.numerator()
         if len(value.num) > MOST_OF_A_PRODUCT:
             return equation
@@ -182,6 +186,14 @@ class Elimination:
         if len(kept) != 1 or kept[0] == value or not self.field.ingredients(kept[0]) & self._moving:
             return equation
         return replace(equation, value=kept[0])
+
+    def _with_plain_lengths(self, value: Ratio) -> Ratio | None:
+        """With the lengths of lines for the roots of their squares; None where there is no such root."""
+        f = self.field
+        squares = {(x := f.variable(line.length)) * x: x for line in self.lines}
+        roots = [g for g in value.generators() if f.generators[g].kind == "root"]
+        lengths = {g: squares[square] for g in roots if (square := f.radicand(g)) in squares}
+        return f.follow(value, lengths) if lengths else None
 
     def _is_still(self, x: Ratio) -> bool:
         return not self.field.ingredients(x) & self._moving

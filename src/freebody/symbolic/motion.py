@@ -11,6 +11,7 @@ Every root that solves an equation but not the problem is reported with the reas
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens
@@ -23,6 +24,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.motion_cycles import MotionCycles
 from freebody.symbolic.reached import HOLDS_ALWAYS, HoldsOnce, Reached
+from freebody.symbolic.seen_angles import ray_of
 from freebody.symbolic.settling import settling_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.uniform_passage import passage_at
@@ -139,6 +141,8 @@ class SmoothMotion(MotionCycles):
         bound = [c for c in self.model.dependent if c.index in present]
         if len(found) > 1 and not bound:
             together = self._together(value, target, found, event.text)
+            if together is None and event.measure.is_angle:
+                together = self._seen_under(value, target, found, event.text)
             if together is not None:
                 return together
         if not found and not bound and (driven := self._driven(value, target)) is not None:
@@ -240,6 +244,20 @@ class SmoothMotion(MotionCycles):
             return None
         instants = law.rates(target) if order else law.places(target)
         return None if instants is None else self._first(None, text, *instants)
+
+    def _seen_under(self, value: Ratio, target: Ratio, found: list[Coordinate], text: str) -> Reached | None:
+        """When a line between points whose coordinates move by laws of their own has a direction."""
+        ray = ray_of(value, target)
+        reached = None if ray is None else self._together(ray.across, self.field.zero, found, text)
+        if ray is None or reached is None or reached.time is None:
+            return None
+        there = self._independent_at(reached)
+        if not {c.index for c in found} <= there.keys():
+            return None
+        ahead = self.field.lowest_terms(self.field.follow(ray.ahead, there))
+        if not all(x > 0 for x in self.model.samples.at_starts(ahead)):
+            return None  # it is on the other half of the line first
+        return replace(reached, at=target, speed=None, notes=[], conditions=[*reached.conditions, (ahead, ">")])
 
     # -- a rate -------------------------------------------------------------------------------
     def _reach_rate(self, rate: Ratio, target: Ratio, place: Ratio, event: QuestionEvent) -> Reached:

@@ -89,6 +89,7 @@ class MotionLaws:
         """The law of a measure that is linear in several coordinates, and whose acceleration depends on nothing that
         moves but itself: the way between bodies that fall, or between two masses on a spring."""
         f = self.field
+        found = [c for c in found if not f.partial(value, c.index).is_zero()]
         slopes = [f.partial(value, c.index) for c in found]
         rest = value
         for slope, c in zip(slopes, found, strict=True):

@@ -45,7 +45,7 @@ class Reactions:
         """What they come to, or that it is too long, which takes as long to find out."""
 
         def rest(body: str) -> Parts:
-            changing = self._changing(body, self._dynamics.solved_accelerations)
+            changing = self._changing(body, self._dynamics.open_accelerations)
             wrench = self._loads.wrenches[body]
             return tuple(p - w for p, w in zip(changing, wrench, strict=True))
 
@@ -117,7 +117,7 @@ class Reactions:
         """The multiplier of a row. Raises CannotAnswer naming the connections where it is not unique."""
         if isinstance(self._made, FormulaTooLong):
             raise self._made
-        return self._unique(self._made, row)
+        return self._dynamics.determined(self._unique(self._made, row))
 
     def _unique(self, solved: Solved, row: ConstraintRow) -> Ratio:
         column = self._columns[row.name]

@@ -71,7 +71,7 @@ class SymbolicState:
         m = self.model
         second = m.rate(self.raw_rate(measure))
         if second.generators() & set(m.accelerations):
-            second = m.field.substitute(second, m.dynamics.solved_accelerations)
+            second = m.dynamics.determined(m.field.substitute(second, m.dynamics.open_accelerations))
         if m.system.space:
             second = m.field.lowest_terms(m.in_independent_speeds(second))
         return self.here(second)

@@ -22,6 +22,7 @@ from freebody.study.answering.answer import Answer, Evidence, Value, refused
 from freebody.study.answering.named_formulas import InNames
 from freebody.study.worded import FAILED, cause
 from freebody.symbolic.conditions import Condition
+from freebody.symbolic.dynamics import NotDetermined
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.written import HasNoValue
@@ -78,7 +79,7 @@ def answered(
         return answer()
     except NeverHappens as error:
         return refused(question, str(error), never=True)
-    except (HasNoValue, RoutesDisagree) as error:
+    except (HasNoValue, NotDetermined, RoutesDisagree) as error:
         return refused(question, str(error))
     except NotReached as error:  # at the model's own values either: a number would be one of round-off
         found = None if otherwise is None else otherwise()

@@ -46,7 +46,10 @@ def measure_followed(setup: Setup, of: Quantity) -> FollowedMeasure | None:
         inside = [c for c in model.coordinates if c.index in f.ingredients(s)]
         if len(inside) < 2:
             continue
-        slope = f.lowest_terms(f.partial(x, inside[0].index) / f.partial(s, inside[0].index))
+        rise = f.partial(s, inside[0].index)
+        if rise.is_zero():  # a distance: it is a root of them
+            continue
+        slope = f.lowest_terms(f.partial(x, inside[0].index) / rise)
         rest = f.lowest_terms(x - slope * s)
         if not slope.is_zero() and slope.is_constant() and rest.is_constant():
             return FollowedMeasure(measure, name, rest, slope)

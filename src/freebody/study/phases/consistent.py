@@ -12,10 +12,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 
 import numpy as np
 
 from freebody.budgets import allowed
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.home import Home
@@ -25,6 +27,7 @@ from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.together import slipping_together
 from freebody.study.phases.words import at_border
+from freebody.symbolic.field import Ratio
 from freebody.system.modes import ContactMode
 
 MAX_CANDIDATES = 48
@@ -115,7 +118,7 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
             if watch.name not in instant.acting:
                 yield _leaves_its_border(phase, watch)
         elif watch.kind == "opens":
-            yield here(watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)
+            yield _at_first(phase, watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)
         elif watch.kind == "slips":
             yield here(watch.element), ">=", Message("{contact} does not slip", contact=watch.connection)
         elif watch.kind in ("changes sign", "is left"):
@@ -140,9 +143,22 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
         rate = here(model.in_independent_speeds(model.rate(gap)))
         if rate.is_zero():
             second = model.field.substitute(model.rate(model.rate(gap)), model.dynamics.solved_accelerations)
-            yield here(second), ">", Message("{contact} opens", contact=name.partition(".")[0])
+            yield _at_first(phase, second), ">", Message("{contact} opens", contact=name.partition(".")[0])
         else:
             yield rate, ">", Message("{contact} opens", contact=name.partition(".")[0])
+
+
+def _at_first(phase: Phase, x: Ratio) -> Ratio:
+    """What has the sign of an element just after the start: its value there, or where that is zero its rate. Two feet
+    whose pressures vanish at the same instant leave the floor together."""
+    model, here = phase.model, phase.start_instant.here
+    value = here(x)
+    if not value.is_zero():
+        return value
+    with suppress(CannotAnswer):
+        rate = model.in_independent_speeds(model.rate(model.in_independent_speeds(x)))
+        return here(model.field.substitute(rate, model.dynamics.solved_accelerations))
+    return value
 
 
 def _leaves_its_border(phase: Phase, watch: PhaseWatch) -> Inequality:

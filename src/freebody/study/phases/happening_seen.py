@@ -181,7 +181,7 @@ class _Seen:
                     if any(not asked.of or n.partition(".")[0] in asked.of for n in c.before)
                 ]
                 return min([self._first(closed[:, k] & ~closed[0, k]) for k in range(len(own))] + hits, default=np.inf)
-            closed[0] |= [record.bounds[k].partition(".")[0] in self.touching for k in own]
+            closed[0] |= [record.bounds[k] in self.places for k in own]
             was = np.maximum.accumulate(closed, axis=0)
             return self._first((was & ~closed).any(axis=1))
         own = self._columns(record.dry_friction, asked.of)
