@@ -14,6 +14,7 @@ Am. J. Phys. 46 (1978) 640-642.
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -76,3 +77,62 @@ def test_row_of_dominoes_goes_on_alike_whatever_the_last_digits_are() -> None:
         told.append(sorted((str(e.name), str(e.kind), round(e.time, 5)) for e in found.events))
     assert len(told[0]) > 10
     assert all(other == told[0] for other in told)
+
+
+def row(n: int) -> str:
+    """The example with n tiles."""
+    tiles = range(n)
+    measures = "".join(f"  theta{k}: angle of t{k} clockwise\n" for k in tiles)
+    bodies = "".join(
+        f"  t{k}: {{rectangle: {{mass: m, width: w, height: h}}{'' if k else ', angular_velocity: -Omega'}}}\n"
+        for k in tiles
+    )
+    edges = "".join(f"  edge{k}: {{pin: [ground.e{k}, t{k}.bottom_right]}}\n" for k in tiles)
+    hits = "".join(
+        f"  stands{k}: {{stop: {{measure: theta{k}, min: 0}}}}\n"
+        f"  hit{k}: {{contact: {{between: [t{k - 1}, t{k}], touching: false}}}}\n"
+        for k in tiles[1:]
+    )
+    return f"""
+parameters: {{m: {M} kg, h: {H} m, w: {W} m, d: {D} m, Omega: {OMEGA} rad/s, g: {G} m/s^2}}
+ground: {{points: {{{", ".join(f"e{k}: [{k}*(d + w), 0]" for k in tiles)}}}}}
+bodies:
+{bodies}
+connections:
+{edges}{hits}
+loads: {{weight: {{gravity: g}}}}
+measures:
+{measures}
+start: {{{", ".join(f"theta{k}: 0" for k in tiles)}}}
+"""
+
+
+def speeds(n: int) -> list[float]:
+    """Of the wave between the blows on tiles k and k + 1: (d + w)/t, t = int dtheta/omega by the energy."""
+    integrate = pytest.importorskip("scipy.integrate")
+    inertia, found = M * (H**2 + W**2) / 3, list[float]()
+    for k, (_before, omega) in enumerate(blows(n)[:-1], start=2):
+        angles, slopes = leaning(0.0, k)
+        energy = inertia / 2 * sum(c**2 for c in slopes) * omega**2 + potential(angles)
+
+        def slowness(front: float, k: int = k, energy: float = energy) -> float:
+            angles, slopes = leaning(front, k)
+            return math.sqrt(inertia / 2 * sum(c**2 for c in slopes) / (energy - potential(angles)))
+
+        found.append((D + W) / integrate.quad(slowness, 0.0, math.asin(D / H), epsabs=1e-13)[0])
+    return found
+
+
+def test_wave_through_dominoes_runs_up_to_a_speed_of_its_own() -> None:
+    """Its limit is that of the recursion, sqrt(g h) times a number of order one, which for no thickness depends on
+    d/h alone (McLachlan, Beaupre, Cox & Gore, SIAM Review 25, 1983)."""
+    collisions = fb.System.from_text(row(8)).simulate(0.35, tolerance=1e-10).course.contact
+    assert collisions is not None
+    times = [hit.time for hit in collisions.collisions]
+    assert len(times) == 7
+    seen = [(D + W) / (later - earlier) for earlier, later in pairwise(times)]
+    assert seen == pytest.approx(speeds(8), rel=1e-7)
+    known = speeds(40)
+    assert all(a < b for a, b in pairwise(known[:20]))
+    assert known[-1] == pytest.approx(known[-2], rel=1e-6)
+    assert 1.0 < known[-1] / math.sqrt(G * H) < 2.0

@@ -9,7 +9,9 @@ the carrier; with the radius a = m (s + p)/2 of the carrier
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
+import numpy as np
 import pytest
 
 import freebody as fb
@@ -78,3 +80,42 @@ def test_bearings_between_equal_planets_carry_nothing(n: int, teeth: tuple[int, 
     system = fb.System.from_text(planetary(n, teeth, 1))
     for bearing in ("carrier_bearing", "sun_bearing"):
         assert system.solve(f"reaction of {bearing}")["q1"].expression == (number(0), number(0))
+
+
+BEVELS = Path(__file__).parents[1] / "examples/bevel_differential_with_four_planets.yaml"
+
+
+def bevels(written: int) -> str:
+    """The bevel differential with one planet that counts four times, or four of them: axes of two lie along z."""
+    text = BEVELS.read_text("utf-8").partition("questions:")[0]
+    if written == 1:
+        return text
+    text = text.replace("spider: [0, a, 0]", "s0: [0, a, 0], s1: [0, 0, a], s2: [0, -a, 0], s3: [0, 0, -a]")
+    planet = "  planet: {body: {mass: m, inertia: [J_q, J_p, J_q]}, copies: 4}\n"
+    assert planet in text
+    inertias = ["[J_q, J_p, J_q]", "[J_q, J_q, J_p]"] * 2
+    text = text.replace(planet, "".join(f"  p{k}: {{body: {{mass: m, inertia: {inertias[k]}}}}}\n" for k in range(4)))
+    before, _, rest = text.partition("  spider:")
+    pairs = "".join(
+        f"""  spider{k}: {{revolute: {{first: carrier.s{k}, second: p{k}, about: {("y", "z", "-y", "-z")[k]}}}}}
+  left{k}: {{bevel_gears: {{first: left, second: p{k}, on: carrier, teeth: [z_s, z_p], radius: r}}}}
+  right{k}: {{bevel_gears: {{first: right, second: p{k}, on: carrier, teeth: [z_s, z_p], radius: r}}}}
+"""
+        for k in range(4)
+    )
+    return before + pairs + "loads:" + rest.partition("loads:")[2]
+
+
+def test_copies_of_a_bevel_gear_move_as_the_gears_written_one_by_one() -> None:
+    """T = I_C w^2/2 + J_s (w_l^2 + (2 w - w_l)^2)/2 + n J_p ((w_l - w) z_s/z_p)^2/2, I_C = J_c + n (m a^2 + J_q); the
+    engine drives w against the wheels, T_left w_l + T_right (2 w - w_l)."""
+    wheel, spin = 0.02, 4 * 0.2e-3 * (20 / 16) ** 2
+    carrier = 0.1 + 4 * (0.4 * 0.06**2 + 0.12e-3)
+    inertia = [[carrier + 4 * wheel + spin, -2 * wheel - spin], [-2 * wheel - spin, 2 * wheel + spin]]
+    phi, psi = np.linalg.solve(inertia, [50 - 2 * 10, -30 + 10])
+    for written in (1, 4):
+        found = fb.System.from_text(bevels(written)).solve(["acceleration of phi", "acceleration of psi"])
+        assert [found[q].value for q in ("q1", "q2")] == pytest.approx([phi, psi], rel=1e-10)
+    # the left wheel is turned by four teeth at r
+    tooth = fb.System.from_text(bevels(1)).solve("tooth force of left_mesh")["q1"].value
+    assert abs(tooth) == pytest.approx((wheel * psi + 30) / (4 * 0.05), rel=1e-10)

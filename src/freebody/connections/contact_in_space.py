@@ -24,6 +24,8 @@ from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import (
+    ROLLING,
+    SPINNING,
     TIPPING,
     BodyPlane,
     ConstraintRow,
@@ -182,9 +184,9 @@ class PairInSpace:
         elif s.rolling_resistance != ZERO:
             resisted = Friction(s.rolling_resistance, s.rolling_resistance)
             turns = place.rolling()
-            found.append(self._pair("rolling", "rolling resistance", place, component, turns, resisted, normal))
+            found.append(self._pair("rolling", ROLLING, place, component, turns, resisted, normal))
         if s.spinning_resistance != ZERO:
-            row = self._row(place, _of("spinning", component), "spinning resistance", place.spinning())
+            row = self._row(place, _of("spinning", component), SPINNING, place.spinning())
             arm = s.spinning_resistance
             found.append(DryFriction(row, arm, arm, (normal.name,), normal.name))
         return found

@@ -8,7 +8,7 @@ from freebody.connections.outlines import Outline
 from freebody.connections.sites import ContactSite, sites
 from freebody.language.expression import ZERO, Expr
 from freebody.measures.angle import Angle
-from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.elements import ROLLING, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import Friction
 
 
@@ -73,7 +73,7 @@ class OutlinePair:
         if self.surface.rolling_resistance != ZERO:
             turn = ConstraintRow(
                 "rolling" if component == "contact" else f"rolling of {component}",
-                "rolling resistance",
+                ROLLING,
                 Angle(site.ends[0], site.ends[1]),
                 ends=row.ends,
                 connection=self.connection,

@@ -346,7 +346,7 @@ class RimPivot:
     radius: Expr
 
 
-TIPPING = "tipping moment"
+TIPPING, ROLLING, SPINNING = "tipping moment", "rolling resistance", "spinning resistance"
 
 
 @dataclass(frozen=True)
@@ -386,6 +386,20 @@ class DryFriction:
     def is_tipping(self) -> bool:
         """Whether it is the moment of a flat end about its middle, which tips about its rim where it gives way."""
         return self.row.reaction.startswith(TIPPING)
+
+    @property
+    def resists_rolling(self) -> bool:
+        return self.row.reaction.startswith(ROLLING)
+
+    @property
+    def resists_spinning(self) -> bool:
+        """About the normal of a contact."""
+        return self.row.reaction.startswith(SPINNING)
+
+    @property
+    def resists_turning(self) -> bool:
+        """Whether it says nothing of how surfaces slide on each other."""
+        return self.resists_rolling or self.resists_spinning
 
     def coefficient(self, direction: int, *, at_rest: bool = False) -> Expr:
         """What multiplies the load: direction +1 where the measure grows (or would), -1 where it falls."""

@@ -201,7 +201,7 @@ class Hybrid:
             at.t, at.forbidden, at.again, at.result = course.t_end, [], None, replace(at.result, mode=mode, y=y)
             return None
         if course.violated < 0:
-            return self._stopped(course, mode)
+            return None if self._slips_vanish(at, course, mode, y) else self._stopped(course, mode)
         what, k = about[course.violated]
         if what in ("foot", "gap"):
             self.bounded.instant(y, course.t_end, at.near)
@@ -215,6 +215,8 @@ class Hybrid:
         if not self.phases:
             return step_at_border(until - t, until) if self.borders else 0.0
         last = self.phases[-1].course
+        if last.status is Status.STEP_TOO_SMALL:  # of slips that vanished
+            return 0.0
         return step_at_border(last.last_step, until) if last.ends_at(self.borders) else FIRST_STEP * last.last_step
 
     def _spread_out(self, closed: Iterable[int], t: float) -> Ended | None:
@@ -245,6 +247,22 @@ class Hybrid:
         if course.status in (Status.STEP_TOO_SMALL, Status.NOT_FINITE):
             jam = jammed(self.bounded, mode, course.t_end)
         return (Status.INCONSISTENT, jam) if jam else (course.status, course.message)
+
+    def _slips_vanish(self, at: _Between, course: Trajectory, mode: ModeOf, y: Floats) -> bool:
+        """Whether slips in planes ended together, as those of a box that slides and spins do: the slower they are, the
+        faster their forces turn, so that no step is short enough for what is left. What follows on it is found."""
+        if course.status is not Status.STEP_TOO_SMALL:
+            return False
+        now = self.bounded.instant(y, course.t_end, at.near)
+        ended = self.transition.still.vanishing(y, now, mode)
+        if not ended:
+            return False
+        at.n_at_once = 0 if course.t_end > at.t else at.n_at_once + 1
+        at.t, at.forbidden, at.again = course.t_end, [], None
+        at.result = self.transition.after(y, at.t, at.near, mode, stopped=ended)
+        at.asleep = at.result.behind
+        self._note(mode, at.result, at.t)
+        return True
 
     def _struck_by(self, blow: int, at: _Between, course: Trajectory, mode: ModeOf, y: Floats) -> Ended | None:
         """What follows on a blow at the end of a phase."""

@@ -12,11 +12,12 @@ from collections.abc import Iterable
 import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded
-from freebody.numeric.contact.rows import ContactInstant
+from freebody.numeric.contact.rows import ContactInstant, ModeOf
 from freebody.numeric.kernels.arrays import Floats
 from freebody.tolerances import ROUNDED
 
 STILL = 1e-9  # rates below this part of the system's speed are none
+ENDED = 1e-6  # slips that have just ended may be this part of it
 
 DIRECTED = 1e-7  # slips in planes below this part of it have no direction of their own: the errors of steps turn them
 
@@ -45,10 +46,21 @@ class MotionSpeeds:
         found: dict[int, int] = {}
         for k, drag in enumerate(b.drags):
             if drag.of in closed or drag.of < 0:
-                rate = float(now.rates[drag.keeps])
-                if drag.across >= 0:
-                    rate = math.hypot(rate, float(now.rates[drag.keeps_across]))
-                size = speed if not b.is_angle(drag.rub.row) else speed / self.length
-                is_still = abs(rate) <= STILL * size or (k in self.stopped and abs(rate) <= 1e-6 * size)
+                rate, size = self._slip(k, now, speed)
+                is_still = abs(rate) <= STILL * size or (k in self.stopped and abs(rate) <= ENDED * size)
                 found[k] = 0 if is_still else (1 if rate > 0.0 else -1)
         return found
+
+    def _slip(self, k: int, now: ContactInstant, speed: float) -> tuple[float, float]:
+        """The rate of a drag, in a plane its size, and a speed of its kind."""
+        drag = self.bounded.drags[k]
+        rate = float(now.rates[drag.keeps])
+        if drag.across >= 0:
+            rate = math.hypot(rate, float(now.rates[drag.keeps_across]))
+        return rate, speed if not self.bounded.is_angle(drag.rub.row) else speed / self.length
+
+    def vanishing(self, y: Floats, now: ContactInstant, mode: ModeOf) -> tuple[int, ...]:
+        """Drags in planes that slide so slowly that their slip may count as ended."""
+        speed, drags = self.speed(y, now), self.bounded.drags
+        slips = {k: self._slip(k, now, speed) for k, state in enumerate(mode.drags) if state and drags[k].across >= 0}
+        return tuple(k for k, (rate, size) in slips.items() if rate <= ENDED * size)

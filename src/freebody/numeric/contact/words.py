@@ -108,9 +108,11 @@ def _rest(row: UnilateralRow) -> tuple[str, str]:
 
 
 def _slips(d: FrictionRow, old: int, new: int) -> tuple[str, str]:
-    turns = d.rub.row.reaction == "rolling resistance"
+    turns = d.rub.resists_rolling
     if d.rub.is_tipping:
         what = Message("stands again" if new == 0 else "starts to tip")
+    elif d.rub.resists_spinning:
+        what = Message("stops spinning" if new == 0 else "starts to spin" if old == 0 else "spins back")
     elif new == 0:
         what = Message("stops rolling" if turns else "stops slipping")
     elif old == 0:

@@ -39,7 +39,8 @@ class Event:
     """An event of a motion. kind: "rising", "falling", "touch" (zero without a crossing), "start" (zero when the motion
     begins) or "zero" (zero all along, said once); of contacts and friction what happens to them: "touches", "rebounds",
     "comes to rest", "parts", "starts to slip", "stops slipping", "slips back", "goes taut", "goes slack"; "starts to
-    roll", "stops rolling", "rolls back" where rolling is resisted; "blow"."""
+    roll", "stops rolling", "rolls back" where rolling is resisted, "starts to spin", "stops spinning", "spins back"
+    where spinning about the normal is; "blow"."""
 
     time: float
     name: str

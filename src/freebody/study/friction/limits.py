@@ -23,6 +23,7 @@ _FAR = 1e7  # a parameter that so much of its size does not bring to an end is n
 _NOTHING = 1e-7  # a coefficient of friction that is none: friction is needed, however little
 N_STEPS = 80
 N_TRIED = 24  # values among which one that holds is looked for
+N_HALVED = 12  # how often the least of these angles is halved
 
 
 @dataclass(frozen=True)
@@ -170,6 +171,7 @@ class Parametric:
         elif self.is_angle:
             top = math.pi / 2 if self.is_acute else math.pi
             yield from ((k + 0.5) / N_TRIED * top for k in range(N_TRIED))
+            yield from (top / N_TRIED * 2.0**-k for k in range(2, N_HALVED))  # rolling resistance holds by small ones
         else:
             yield from (value * 2.0 ** (sign * k / 2) for k in range(1, N_TRIED // 2) for sign in (1, -1))
 

@@ -28,7 +28,6 @@ from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.pieces import watches_of
 from freebody.study.phases.standing import feet_of
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.words import ROLLING
 from freebody.symbolic.conditions import Condition, require
 
 
@@ -142,7 +141,7 @@ class _Walk:
         rubs = [
             rub
             for rub in node.phase.base.dry_friction
-            if rub.row.reaction != ROLLING and (not lasting.of or rub.name.partition(".")[0] in lasting.of)
+            if not rub.resists_turning and (not lasting.of or rub.name.partition(".")[0] in lasting.of)
         ]
         sticking = {name.partition(".")[0] for name, state in mode.states.items() if state == 0}
         sliding = {rub.name.partition(".")[0] for rub in rubs if mode.states.get(rub.name)}

@@ -23,7 +23,6 @@ from freebody.questions.event import QuestionEvent
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.witness import patience
 from freebody.study.phases.standing import feet_of
-from freebody.study.phases.words import ROLLING
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.system import System
 
@@ -136,6 +135,12 @@ class _Seen:
     def _columns(self, names: tuple[str, ...], of: tuple[str, ...]) -> list[int]:
         return [k for k, name in enumerate(names) if not of or name.partition(".")[0] in of]
 
+    def _slips(self, of: tuple[str, ...]) -> list[int]:
+        """The columns of friction between surfaces that slide, not of what resists rolling or spinning."""
+        names = self._record().dry_friction
+        turning = {rub.name for rub in self.system.dry_friction if rub.resists_turning}
+        return [k for k in self._columns(names, of) if names[k] not in turning]
+
     def _first(self, holds: Any) -> float:
         """The first look at which something is so; (n_looks,)."""
         places = np.flatnonzero(np.asarray(holds))
@@ -160,8 +165,7 @@ class _Seen:
                 is_held = feet.is_hinged | np.asarray(own.any(axis=1))
                 tipped.append(np.asarray(~own.all(axis=1) & is_held))
             return self._first(np.any(tipped, axis=0)) if tipped else np.inf
-        rolling = {rub.name for rub in self.system.dry_friction if rub.row.reaction == ROLLING}
-        own = [k for k in self._columns(record.dry_friction, lasting.of) if record.dry_friction[k] not in rolling]
+        own = self._slips(lasting.of)
         connections = dict.fromkeys(record.dry_friction[k].partition(".")[0] for k in own)
         lost = list[NDArray[np.bool_]]()
         for connection in connections:
@@ -184,7 +188,7 @@ class _Seen:
             closed[0] |= [record.bounds[k] in self.places for k in own]
             was = np.maximum.accumulate(closed, axis=0)
             return self._first((was & ~closed).any(axis=1))
-        own = self._columns(record.dry_friction, asked.of)
+        own = self._slips(asked.of)
         states = record.slips[:, own]
         slides = (states != 0) & (states != ABSENT)
         if asked.kind == "slips":

@@ -10,7 +10,6 @@ from freebody.model.one_sided import GAP_OF_BUFFER
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.symbolic.first_integrals import is_driven
 
-ROLLING = "rolling resistance"
 _AT_STOP = Message("at the stop"), Message("free")
 _HELD = {
     "tension": (Message("taut"), Message("slack")),
@@ -43,11 +42,11 @@ def states(phase: Phase) -> dict[str, str]:
     for row in phase.base.constraint_rows:
         if row.needs and f"{row.connection}.{row.needs}" in phase.mode.closed:
             found[row.connection] = Message("rolls")
-    slipping = {rub.of for rub in phase.base.dry_friction if rub.row.reaction != ROLLING}
+    slipping = {rub.of for rub in phase.base.dry_friction if not rub.resists_turning}
     for rub in phase.base.dry_friction:
         name = label(rub.of or rub.name)
         state = phase.mode.states.get(rub.name)
-        if rub.row.reaction == ROLLING and rub.of in slipping:
+        if rub.resists_turning and rub.of in slipping:
             continue  # whether the contact rolls or slides is told by its slip
         if state is not None:
             found[name] = verb(phase, rub, state)
