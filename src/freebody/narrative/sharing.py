@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from freebody.language.expression import Expr, Symbol
+from freebody.language.expression import Expr, Number, Symbol
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import (
     REFERENCES,
@@ -29,7 +29,7 @@ from freebody.narrative.lines.script import (
     names_in,
 )
 
-CONSTRAINTS, DIAGRAMS = "stage.kinematics", "stage.bodies"
+CONSTRAINTS, DIAGRAMS, CONDITIONS = "stage.kinematics", "stage.bodies", "stage.conditions"
 _BETWEEN = (DIAGRAMS, "stage.principles", "stage.friction")  # stages before which constraints are told
 
 
@@ -96,6 +96,7 @@ class ToldSoFar:
     symbols: set[tuple[Expr, str]] = field(default_factory=set[tuple[Expr, str]])
     others: list[Item] = field(default_factory=list[Item])  # diagrams, tables and stages of words alone
 
+    notes: dict[str, list[Argument]] = field(default_factory=dict[str, list[Argument]])  # of results, by their event
     opening: Sequence[DerivationStage] = ()
 
     @classmethod
@@ -125,6 +126,12 @@ class ToldSoFar:
                     self.symbols |= {(symbol, repr(what)) for symbol, what, _unit in item.entries}
                 else:
                     self.others.append(item)
+
+    def take_notes(self, stages: Sequence[DerivationStage], event: str) -> None:
+        """What is noted of a result at an event."""
+        listings = [item for stage in stages for item in stage.items if isinstance(item, Listing)]
+        said = [s.args["text"] for listing in listings for s in listing.items if s.key == "result.note"]
+        self.notes.setdefault(event, []).extend(said)
 
     def shared(self, stages: Sequence[DerivationStage]) -> tuple[list[DerivationStage], dict[int, int]]:
         """What is new in a derivation, and by which lines those that it lost stand already."""
@@ -229,16 +236,35 @@ def _stands_in(entry: tuple[Expr, Sentence, str], line: NumberedFormula) -> bool
 def without_echo(
     stages: Sequence[DerivationStage], again: Mapping[int, int]
 ) -> tuple[list[DerivationStage], dict[int, int]]:
-    """Without a last stage whose only line says what the line before it has said, which stands for it from then on."""
-    lines = lines_of(stages)
-    if len(lines) < 2 or _key(lines[-1], lines[-1].when) != _key(lines[-2], lines[-2].when):
+    """Without a last stage whose only line says what the line before it has said, conditions aside; that line stands
+    for it from then on. The name that the question has for it is no reason to write it twice."""
+    echo = next((stage for stage in reversed(stages)), None)
+    before = _results(stages[:-1])
+    if echo is None or not before or not all(isinstance(item, NumberedFormula | Legend) for item in echo.items):
         return list(stages), dict(again)
-    if (
-        any(not isinstance(item, NumberedFormula | Legend) for item in stages[-1].items)
-        or lines[-2] in stages[-1].items
-    ):
+    own = lines_of([echo])
+    if len(own) != 1 or not _echoes(own[0], before[-1]):
         return list(stages), dict(again)
-    return list(stages[:-1]), {**again, lines[-1].number: lines[-2].number}
+    return list(stages[:-1]), {**again, own[0].number: before[-1].number}
+
+
+def _results(stages: Sequence[DerivationStage]) -> list[NumberedFormula]:
+    """The lines, without what makes them hold."""
+    return lines_of([stage for stage in stages if stage.title.key != CONDITIONS])
+
+
+def result_line(stages: Sequence[DerivationStage]) -> NumberedFormula | None:
+    """The last line of a derivation: before the conditions under which it holds, where it ends in them."""
+    return next(iter(reversed(_results(stages))), None)
+
+
+def _echoes(line: NumberedFormula, before: NumberedFormula) -> bool:
+    if _key(line, line.when) == _key(before, before.when):
+        return True
+    said = (line.sides[-1], len(line.sides), line.relations, line.unit, line.when)
+    is_value = isinstance(before.sides[0], Symbol) and not isinstance(line.sides[-1], Number)
+    named = line.why is not None and line.why.key == "answer.time"
+    return named and is_value and said == (before.sides[-1], len(before.sides), before.relations, before.unit, before.when)
 
 
 # -- what belongs to a line -------------------------------------------------------------------

@@ -123,6 +123,14 @@ class _Tell:
     def lines(self) -> tuple[int, ...]:
         return tuple(dict.fromkeys(n for end in self.ends for n in end.values()))
 
+    def lines_of(self, measure: Any) -> tuple[int, ...]:
+        """Those of the state at the events on which a measure depends."""
+        found: list[int] = []
+        for leg, end in zip(self.way.legs, self.ends, strict=True):
+            value = leg.phase.model.field.lowest_terms(leg.phase.state.value(measure))
+            found += _lines_of(leg, end, value)
+        return tuple(dict.fromkeys(found))
+
     @contextmanager
     def stage(self) -> Generator[Expr | tuple[Expr, ...]]:
         """The stage in which it is told, with the symbol of what is asked."""
@@ -159,13 +167,14 @@ class _Tell:
 
     @answer.register(Revolutions)
     def _turns(self, q: Revolutions) -> None:
+        angle = Angle(q.body)
         with self.stage() as left:
-            _difference(self.script, self.way, left, self.given, Angle(q.body), "answer.turns", self.lines, q.body)
+            _difference(self.script, self.way, left, self.given, angle, "answer.turns", self.lines_of(angle), q.body)
 
     @answer.register(Change)
     def _change(self, q: Change) -> None:
         with self.stage() as left:
-            _difference(self.script, self.way, left, self.given, q.measure, "answer.change", self.lines, "")
+            _difference(self.script, self.way, left, self.given, q.measure, "answer.change", self.lines_of(q.measure), "")
 
     @answer.register(Travelled)
     def _way(self, q: Travelled) -> None:
