@@ -113,7 +113,8 @@ class _Writer(BlockWriter[str]):
         left = self.flowing((replace(head, blocks=tuple(own)), *others))
         self.width = before
         assert isinstance(figure, Figure)
-        return f"#wrapped({quoted(_file_of(figure))})[\n{self.block(figure)}\n][\n{left}\n]"
+        above = "#v(0.35em)\n" if isinstance(head, Section) else ""  # which a heading loses at the top of its cell
+        return f"{above}#wrapped({quoted(_file_of(figure))})[\n{self.block(figure)}\n][\n{left}\n]"
 
     def flowing(self, blocks: Sequence[Block]) -> str:
         """Under each other; a short formula stands on the line of the words that lead to it."""
