@@ -176,7 +176,11 @@ def _derived(
         new = [*(stage for stage in new if stage.title != stages[-1].title), stages[-1]]
     elif lines and lines[-1].number in again:
         found = Sentence("result.found", {"line": again[lines[-1].number]})
-        new.append(DerivationStage(Sentence("stage.value"), None, (found,)))
+        title = Sentence("stage.value")
+        if new and new[-1].title == title:
+            new[-1] = replace(new[-1], items=(*new[-1].items, found))
+        else:
+            new.append(DerivationStage(title, None, (found,)))
     new, again = without_echo(new, again)
     at = question.event or question.transition
     event = "" if at is None else repr(at)

@@ -259,12 +259,16 @@ def result_line(stages: Sequence[DerivationStage]) -> NumberedFormula | None:
 
 
 def _echoes(line: NumberedFormula, before: NumberedFormula) -> bool:
+    """Whether a line says what the one before it has said; the time of an event also under its own name."""
     if _key(line, line.when) == _key(before, before.when):
         return True
-    said = (line.sides[-1], len(line.sides), line.relations, line.unit, line.when)
+    is_time = line.why is not None and line.why.key == "answer.time"
     is_value = isinstance(before.sides[0], Symbol) and not isinstance(line.sides[-1], Number)
-    named = line.why is not None and line.why.key == "answer.time"
-    return named and is_value and said == (before.sides[-1], len(before.sides), before.relations, before.unit, before.when)
+    return is_time and is_value and _value(line) == _value(before)
+
+
+def _value(line: NumberedFormula) -> object:
+    return line.sides[1:], line.relations, line.unit, line.when
 
 
 # -- what belongs to a line -------------------------------------------------------------------
@@ -318,7 +322,8 @@ def _needed(pieces: Sequence[_Piece], again: Mapping[int, int]) -> set[int]:
     which no other follows."""
     own = {p.line.number: p for p in pieces if p.line is not None}
     leads_on = _leading_on(pieces)
-    waiting = [n for n in own if n not in leads_on]
+    last = max(own, default=0)
+    waiting = [n for n, p in own.items() if n not in leads_on and (n == last or not _is_of_state(p))]
     waiting += [n for p in pieces if p.line is None for item in p.items for n in referred_in(item)]
     found = set[int]()
     while waiting:
@@ -330,6 +335,11 @@ def _needed(pieces: Sequence[_Piece], again: Mapping[int, int]) -> set[int]:
             waiting += line.uses if line is not None else ()
             waiting += [other for item in own[n].items for other in referred_in(item)]
     return found
+
+
+def _is_of_state(piece: _Piece) -> bool:
+    """Whether a line says one part of the state at an event, which is of use only if another refers to it."""
+    return piece.line is not None and piece.line.why is not None and piece.line.why.key == "event.there"
 
 
 def referred_in(item: Item) -> Iterator[int]:

@@ -41,6 +41,7 @@ def tell_event(
     assert leg.first is not None
     watch, zero = leg.first.watch, leg.first.zero
     course = leg.phase.course
+    is_end = leg is way.legs[-1] and way.piece.after is None and way.question.quantity.is_of_event  # the time alone
     if watch.kind == BOUNCES_END:
         with script.stage("stage.phase_event", "hint.bounces_end", phase=f"@{leg.number}"):
             found = tell_flights(script, way, leg, told)
@@ -61,7 +62,7 @@ def tell_event(
                 raise CannotAnswer(
                     Message("this derivation does not solve this law of motion for the time of an event")
                 )
-            return {**found, **_state(script, way, leg, told, found)}
+            return found if is_end else {**found, **_state(script, way, leg, told, found)}
 
 
 def at_border(phase: Phase, watch: PhaseWatch) -> str:

@@ -35,7 +35,7 @@ def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
     sliding = {name: law.rub.row for name, law in laws.items()}
     rows = {**{row.name: row for row in phase.system.constraint_rows}, **sliding}
     acting = Acting(phase.model, symbols=symbols, rows=rows, known=Known(laws, {}))
-    for name, row in sliding.items():
+    for name in sliding:
         reads = _reads_friction(name, symbols[name].sign)
         glossary.introduce(Meaning(Symbol(acting.symbols[name].name), words_of(acting, name), reads))
     symmetry = Symmetry(acting, glossary, is_sought=False)
