@@ -258,10 +258,12 @@ class Shoe(Generic[P]):
 @dataclass(frozen=True)
 class Relation(Generic[P]):
     """Something joins bodies that has no sign of its own: a thin line through points of theirs; through points of one
-    body, a line that is fixed in it, or the edge of that body, round it once."""
+    body, a line that is fixed in it, or the edge of that body, round it once. is_of_net: one of the many lines that show a
+    surface."""
 
     points: tuple[P, ...]
     is_edge: bool = False
+    is_of_net: bool = False
 
 
 @dataclass(frozen=True)
