@@ -185,7 +185,7 @@ questions: {force: normal force of it at start, slower: acceleration of bead alo
     assert german.is_complete
     assert "Freikörperbild" in german.to_text()
     (page,) = german.write(added / "page.html")
-    assert "Proben" in page.read_text(encoding="utf-8")
+    assert "Kontrolle" in page.read_text(encoding="utf-8")
     motion = system.simulate(0.5)
     assert motion.is_complete
     assert np.hypot(*motion.course.poses[:, 0, :2].T) == pytest.approx(1.0, abs=1e-12)

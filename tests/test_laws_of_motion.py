@@ -314,5 +314,5 @@ TOLD = {
 @pytest.mark.parametrize("name", TOLD)
 def test_the_law_is_told(name: str) -> None:
     told = is_derived(*TOLD[name])
-    for language, ends in (("en", ("Result", "Checks")), ("de", ("Ergebnis", "Proben"))):
+    for language, ends in (("en", ("Result", "Checks")), ("de", ("Ergebnis", "Kontrolle"))):
         assert any(f"▸ {end}" in told[language] for end in ends)

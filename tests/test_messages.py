@@ -231,7 +231,7 @@ HAPPENING = Message("{contact} opens", contact="left")
                 event=HAPPENING,
                 phase=Message("while the system {what}", what=Message("slides")),
             ),
-            "unmittelbar bevor sich left öffnet, in dieser Phase: das System gleitet",
+            "unmittelbar bevor sich left öffnet, solange das System gleitet",
         ),
         (
             Message(

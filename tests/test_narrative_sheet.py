@@ -92,7 +92,7 @@ def told(system: System) -> dict[str, str]:
     [
         ("(m1 - m2)/(m1 + m2)*g", "the moment of inertia of pulley is forgotten, as if the tension were the same"),
         ("(m1 - m2)/(m1 + m2 + M)*g", "the moment of inertia of pulley is taken to be that of a ring"),
-        ("(m1 + m2)/(m1 + m2 + M/2)*g", "the load weight on right has the wrong sign"),
+        ("(m1 + m2)/(m1 + m2 + M/2)*g", "the weight of right has the wrong sign"),
         ("(m1 - m2)/(m2 + M/2)*g", "the inertia term of left is forgotten"),
         ("(m1 - m2)/(m1 + m2 + M/2)", "the factor g is forgotten"),
         (
@@ -170,7 +170,7 @@ def test_kinetic_energy_is_called_by_its_name() -> None:
     options = ("m1*rate(x)^2/2 + m2*rate(x)^2/2 - m1*g*x + m2*g*x", "(m1 + m2 + M/2)*rate(x)^2/2 + 3*m2*g*R")
     found = told(asked(ATWOOD, "total energy", *options))
     assert "the energy of rotation of pulley is left out" in found["a"]
-    assert "the potential energy of weight is left out" in found["b"]  # up to a constant
+    assert "the potential energy of gravity is left out" in found["b"]  # up to a constant
 
 
 def test_planets_counted_once_are_named() -> None:

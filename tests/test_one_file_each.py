@@ -117,7 +117,7 @@ def test_a_new_shape_is_solved_derived_drawn_simulated_and_told_in_german(tube: 
     assert german.is_complete
     assert "Freikörperbild" in german.to_text()
     (page,) = german.write(tube / "page.html")
-    assert "Proben" in page.read_text(encoding="utf-8")
+    assert "Kontrolle" in page.read_text(encoding="utf-8")
 
 
 @pytest.mark.usefixtures("tube")

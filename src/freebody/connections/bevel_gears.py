@@ -154,8 +154,11 @@ connections:
         }
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
+        radius = names.positive(self, "radius", LENGTH)
+        z1, z2 = (names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
         for first, second in self.pairs_of_gears(names):
-            yield glyphs.Toothed((names.body(first).center, names.body(second).center))
+            centers = names.body(first).center, names.body(second).center
+            yield glyphs.Toothed(centers, (radius, divide(radius * z2, z1)))
 
 
 def _size(v: Components) -> Expr:

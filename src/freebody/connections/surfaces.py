@@ -106,10 +106,10 @@ def drawn(names: Names, surface: Surface, point: Point, reach: Formula | None) -
     whole = 2.0 * math.pi
     for k in range(_N_MERIDIANS):
         shares = [number(2 * j - _N_ALONG) / number(_N_ALONG) for j in range(_N_ALONG + 1)]
-        yield glyphs.Relation(tuple(at(share, 0.5 * whole * k / _N_MERIDIANS) for share in shares))
+        yield glyphs.Relation(tuple(at(share, 0.5 * whole * k / _N_MERIDIANS) for share in shares), is_of_net=True)
     for k in range(1, _N_CIRCLES + 1):
         share = number(k) / number(_N_CIRCLES)
-        yield glyphs.Relation(tuple(at(share, whole * j / _N_ROUND) for j in range(_N_ROUND + 1)))
+        yield glyphs.Relation(tuple(at(share, whole * j / _N_ROUND) for j in range(_N_ROUND + 1)), is_of_net=True)
 
 
 def reach_of(names: Names, point: Point, reach: Formula | None) -> Expr:

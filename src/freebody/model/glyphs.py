@@ -141,10 +141,12 @@ class Belt(Generic[P, N]):
 
 
 @dataclass(frozen=True)
-class Toothed(Generic[P]):
-    """Gear wheels whose axes are not parallel, by their centres."""
+class Toothed(Generic[P, N]):
+    """Gear wheels whose axes are not parallel, by their centres. radii: of the pitch circles of two cones that roll on
+    each other."""
 
     wheels: tuple[P, ...]
+    radii: tuple[N, ...] = ()
 
 
 # -- tension ------------------------------------------------------------------------------------
@@ -258,10 +260,12 @@ class Shoe(Generic[P]):
 @dataclass(frozen=True)
 class Relation(Generic[P]):
     """Something joins bodies that has no sign of its own: a thin line through points of theirs; through points of one
-    body, a line that is fixed in it, or the edge of that body, round it once."""
+    body, a line that is fixed in it, or the edge of that body, round it once. is_of_net: one of the many lines that
+    show a surface."""
 
     points: tuple[P, ...]
     is_edge: bool = False
+    is_of_net: bool = False
 
 
 @dataclass(frozen=True)
@@ -339,7 +343,7 @@ class Field(Generic[D]):
 
 
 Joint = Pin[P, D] | Weld[P] | Ball[P] | Cross[P, D] | Rail[P, D] | Face[P, D] | Groove[P, N] | Roller[P, N]
-Rolling = Track[P, D, N] | Wheels[P, N] | Belt[P, N] | Toothed[P]
+Rolling = Track[P, D, N] | Wheels[P, N] | Belt[P, N] | Toothed[P, N]
 Touching = Surface[P, D, N] | Touch | Halt[P, D, N] | TurnHalt[D, N] | Shoe[P]
 Pushing = Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D] | Spring[P, N] | Tether[P, D]
 Sign = (

@@ -20,7 +20,7 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, Sentence
 from freebody.narrative.numbering import numbered
 from freebody.narrative.opening import opening
-from freebody.narrative.sharing import ToldSoFar, lines_of, sentences_of, without_echo
+from freebody.narrative.sharing import ToldSoFar, lines_of, result_line, sentences_of, without_echo
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.result import Result
@@ -177,10 +177,17 @@ def _derived(
         new = [*(stage for stage in new if stage.title != stages[-1].title), stages[-1]]
     elif lines and lines[-1].number in again:
         found = Sentence("result.found", {"line": again[lines[-1].number]})
-        new.append(DerivationStage(Sentence("stage.value"), None, (found,)))
+        title = Sentence("stage.value")
+        if new and new[-1].title == title:
+            new[-1] = replace(new[-1], items=(*new[-1].items, found))
+        else:
+            new.append(DerivationStage(title, None, (found,)))
     new, again = without_echo(new, again)
-    new = _with_result(new, ends, told)
+    at = question.event or question.transition
+    event = "" if at is None else repr(at)
+    new = _with_result(new, ends, told, event)
     told.take(new)
+    told.take_notes(new, event)
     here.keep_found(again, told.numbers)
     return Derivation(told_of, answer, tuple(new), method, reason, tuple(compared), second or "auto")
 
@@ -205,24 +212,26 @@ def _at_first_turn(system: System, question: Question, answer: Answer) -> Questi
     return asked if given.expression == answer.expression else None
 
 
-def _with_result(new: list[DerivationStage], ends: Sequence[DerivationStage], told: ToldSoFar) -> list[DerivationStage]:
+def _with_result(
+    new: list[DerivationStage], ends: Sequence[DerivationStage], told: ToldSoFar, event: str
+) -> list[DerivationStage]:
     """A derivation with its end. A result that stands in the last line is not written again, and what an earlier
-    derivation has found is named beside it; notes that were made on the way are not repeated."""
+    derivation has found is named beside it; notes that were made on the way, or of the same event, are not repeated."""
     if not ends:
         return new
     noted = [s.args.get("text") for s in (*told.sentences, *sentences_of(new)) if s.key == "course.note"]
+    noted += told.notes.get(event, ()) if event else ()
     first, *others = [_without_notes(stage, noted) for stage in ends]
     found = [s for s in sentences_of(new) if s.key == "result.found"]
     if found and len(new) == 1:
         return [replace(first, items=(found[0], *first.items)), *others]
-    lines = lines_of(new)
-    result = next(iter(lines_of([first])), None)
-    if not lines or result is None or not _says(lines[-1], result):
+    line, result = result_line(new), next(iter(lines_of([first])), None)
+    if line is None or result is None or not _says(line, result):
         return [*new, first, *others]
     other = result.sides[2:]  # as the options write it
-    sides, relations = (*lines[-1].sides, *other), (*lines[-1].relations, *result.relations[1:])
-    last = replace(lines[-1], is_result=True, sides=sides, relations=relations)
-    marked = [replace(s, items=tuple(last if item is lines[-1] else item for item in s.items)) for s in new]
+    sides, relations = (*line.sides, *other), (*line.relations, *result.relations[1:])
+    last = replace(line, is_result=True, sides=sides, relations=relations)
+    marked = [replace(s, items=tuple(last if item is line else item for item in s.items)) for s in new]
     checks = tuple(item for item in first.items if item is not result)
     title = Sentence("stage.checks")
     return [*marked, *([replace(first, title=title, items=checks)] if checks else []), *others]

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from freebody.language.expression import Expr, Symbol
+from freebody.language.expression import Expr, Number, Symbol
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import (
     REFERENCES,
@@ -29,7 +29,7 @@ from freebody.narrative.lines.script import (
     names_in,
 )
 
-CONSTRAINTS, DIAGRAMS = "stage.kinematics", "stage.bodies"
+CONSTRAINTS, DIAGRAMS, CONDITIONS = "stage.kinematics", "stage.bodies", "stage.conditions"
 _BETWEEN = (DIAGRAMS, "stage.principles", "stage.friction")  # stages before which constraints are told
 
 
@@ -96,6 +96,7 @@ class ToldSoFar:
     symbols: set[tuple[Expr, str]] = field(default_factory=set[tuple[Expr, str]])
     others: list[Item] = field(default_factory=list[Item])  # diagrams, tables and stages of words alone
 
+    notes: dict[str, list[Argument]] = field(default_factory=dict[str, list[Argument]])  # of results, by their event
     opening: Sequence[DerivationStage] = ()
 
     @classmethod
@@ -125,6 +126,12 @@ class ToldSoFar:
                     self.symbols |= {(symbol, repr(what)) for symbol, what, _unit in item.entries}
                 else:
                     self.others.append(item)
+
+    def take_notes(self, stages: Sequence[DerivationStage], event: str) -> None:
+        """What is noted of a result at an event."""
+        listings = [item for stage in stages for item in stage.items if isinstance(item, Listing)]
+        said = [s.args["text"] for listing in listings for s in listing.items if s.key == "result.note"]
+        self.notes.setdefault(event, []).extend(said)
 
     def shared(self, stages: Sequence[DerivationStage]) -> tuple[list[DerivationStage], dict[int, int]]:
         """What is new in a derivation, and by which lines those that it lost stand already."""
@@ -229,16 +236,39 @@ def _stands_in(entry: tuple[Expr, Sentence, str], line: NumberedFormula) -> bool
 def without_echo(
     stages: Sequence[DerivationStage], again: Mapping[int, int]
 ) -> tuple[list[DerivationStage], dict[int, int]]:
-    """Without a last stage whose only line says what the line before it has said, which stands for it from then on."""
-    lines = lines_of(stages)
-    if len(lines) < 2 or _key(lines[-1], lines[-1].when) != _key(lines[-2], lines[-2].when):
+    """Without a last stage whose only line says what the line before it has said, conditions aside; that line stands
+    for it from then on. The name that the question has for it is no reason to write it twice."""
+    echo = next((stage for stage in reversed(stages)), None)
+    before = _results(stages[:-1])
+    if echo is None or not before or not all(isinstance(item, NumberedFormula | Legend) for item in echo.items):
         return list(stages), dict(again)
-    if (
-        any(not isinstance(item, NumberedFormula | Legend) for item in stages[-1].items)
-        or lines[-2] in stages[-1].items
-    ):
+    own = lines_of([echo])
+    if len(own) != 1 or not _echoes(own[0], before[-1]):
         return list(stages), dict(again)
-    return list(stages[:-1]), {**again, lines[-1].number: lines[-2].number}
+    return list(stages[:-1]), {**again, own[0].number: before[-1].number}
+
+
+def _results(stages: Sequence[DerivationStage]) -> list[NumberedFormula]:
+    """The lines, without what makes them hold."""
+    return lines_of([stage for stage in stages if stage.title.key != CONDITIONS])
+
+
+def result_line(stages: Sequence[DerivationStage]) -> NumberedFormula | None:
+    """The last line of a derivation: before the conditions under which it holds, where it ends in them."""
+    return next(iter(reversed(_results(stages))), None)
+
+
+def _echoes(line: NumberedFormula, before: NumberedFormula) -> bool:
+    """Whether a line says what the one before it has said; the time of an event also under its own name."""
+    if _key(line, line.when) == _key(before, before.when):
+        return True
+    is_time = line.why is not None and line.why.key == "answer.time"
+    is_value = isinstance(before.sides[0], Symbol) and not isinstance(line.sides[-1], Number)
+    return is_time and is_value and _value(line) == _value(before)
+
+
+def _value(line: NumberedFormula) -> object:
+    return line.sides[1:], line.relations, line.unit, line.when
 
 
 # -- what belongs to a line -------------------------------------------------------------------
@@ -292,7 +322,8 @@ def _needed(pieces: Sequence[_Piece], again: Mapping[int, int]) -> set[int]:
     which no other follows."""
     own = {p.line.number: p for p in pieces if p.line is not None}
     leads_on = _leading_on(pieces)
-    waiting = [n for n in own if n not in leads_on]
+    last = max(own, default=0)
+    waiting = [n for n, p in own.items() if n not in leads_on and (n == last or not _is_of_state(p))]
     waiting += [n for p in pieces if p.line is None for item in p.items for n in referred_in(item)]
     found = set[int]()
     while waiting:
@@ -304,6 +335,11 @@ def _needed(pieces: Sequence[_Piece], again: Mapping[int, int]) -> set[int]:
             waiting += line.uses if line is not None else ()
             waiting += [other for item in own[n].items for other in referred_in(item)]
     return found
+
+
+def _is_of_state(piece: _Piece) -> bool:
+    """Whether a line says one part of the state at an event, which is of use only if another refers to it."""
+    return piece.line is not None and piece.line.why is not None and piece.line.why.key == "event.there"
 
 
 def referred_in(item: Item) -> Iterator[int]:

@@ -53,7 +53,8 @@ def corner_marks(
         words.append((origin + letter * np.array((longest + 7.2, -0.6)), told, "muted"))
     if gravity is not None:
         down = view.axes[:2] @ gravity
-        start = origin + letter * np.array((longest + 13.9, 2.2))
+        aside = longest + 13.9 if has_lengths else _ARM_ALONE + 2.6  # behind the length of the axes
+        start = origin + letter * np.array((aside, 2.2))
         marks += _arrow(start, 3.4 * letter * down, letter, "force")
         words.append((start + letter * np.array((1.0, -1.4)), "g", "ink"))
     return marks, words

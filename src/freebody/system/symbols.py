@@ -2,7 +2,7 @@
 
 A row of a connection has one multiplier; its symbol is a letter for the kind of reaction, with the connection (and
 the end of a string, or the initials of a corner) as index where several need to be told apart: T, N, F_contact, A_x,
-T_left, N_bl at the corner bottom_left.
+T_left, N_bl at the corner bottom_left, N_floor_start at an end that may touch a wall as well.
 """
 
 from __future__ import annotations
@@ -99,7 +99,8 @@ def _wishes(
         yield from (f"{letter}_{end}" for end in _telling_ends(row, system))
     elif len({_place(other.component) for other in alike}) > 1 and row.reaction in ("normal force", "friction force"):
         is_elsewhere = any(component in own for other, own in places.items() if other != connection)
-        short = f"{letter}_{_initials(connection) if is_elsewhere else ''}{_initials(component)}"
+        place = component if is_elsewhere and "_" not in component else _initials(component)
+        short = f"{letter}_{f'{connection}_' if is_elsewhere else ''}{place}"
         yield short
         yield from _on_faces(short, row.component)
     if row.component.startswith("no slip "):  # one of two directions

@@ -13,7 +13,7 @@ from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, add
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
-from freebody.narrative.contact.phase_motion import KINETIC, POTENTIAL, energy_parts, tell_energies
+from freebody.narrative.contact.phase_motion import energy_parts, mechanical_energy, tell_energies
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.context import Context
@@ -123,6 +123,14 @@ class _Tell:
     def lines(self) -> tuple[int, ...]:
         return tuple(dict.fromkeys(n for end in self.ends for n in end.values()))
 
+    def lines_of(self, measure: Any) -> tuple[int, ...]:
+        """Those of the state at the events on which a measure depends."""
+        found: list[int] = []
+        for leg, end in zip(self.way.legs, self.ends, strict=True):
+            value = leg.phase.model.field.lowest_terms(leg.phase.state.value(measure))
+            found += _lines_of(leg, end, value)
+        return tuple(dict.fromkeys(found))
+
     @contextmanager
     def stage(self) -> Generator[Expr | tuple[Expr, ...]]:
         """The stage in which it is told, with the symbol of what is asked."""
@@ -159,13 +167,16 @@ class _Tell:
 
     @answer.register(Revolutions)
     def _turns(self, q: Revolutions) -> None:
+        angle = Angle(q.body)
         with self.stage() as left:
-            _difference(self.script, self.way, left, self.given, Angle(q.body), "answer.turns", self.lines, q.body)
+            _difference(self.script, self.way, left, self.given, angle, "answer.turns", self.lines_of(angle), q.body)
 
     @answer.register(Change)
     def _change(self, q: Change) -> None:
         with self.stage() as left:
-            _difference(self.script, self.way, left, self.given, q.measure, "answer.change", self.lines, "")
+            _difference(
+                self.script, self.way, left, self.given, q.measure, "answer.change", self.lines_of(q.measure), ""
+            )
 
     @answer.register(Travelled)
     def _way(self, q: Travelled) -> None:
@@ -200,7 +211,7 @@ def _energies(script: Script, way: PhaseSequence, ends: list[dict[str, int]]) ->
     first, last = way.legs[0], way.legs[-1]
     found: list[int] = []
     with script.stage("stage.energy", "hint.energy_lost"):
-        lines: tuple[int, int] = (0, 0)
+        lines: tuple[int, ...] = ()
         for leg, values, when, own in (
             (first, first.phase.start.values, "start", {}),
             (last, last.first.zero.values if last.first else {}, "event", ends[-1]),
@@ -215,7 +226,7 @@ def _energies(script: Script, way: PhaseSequence, ends: list[dict[str, int]]) ->
                 uses = (*lines, *_lines_of(leg, own, general))
                 found.append(
                     script.line(
-                        add(KINETIC, POTENTIAL),
+                        mechanical_energy(leg),
                         way.shown(leg, total),
                         why=f"answer.energy_{when}",
                         args={"lines": uses},

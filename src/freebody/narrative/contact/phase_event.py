@@ -41,6 +41,7 @@ def tell_event(
     assert leg.first is not None
     watch, zero = leg.first.watch, leg.first.zero
     course = leg.phase.course
+    is_end = leg is way.legs[-1] and way.piece.after is None and way.question.quantity.is_of_event  # the time alone
     if watch.kind == BOUNCES_END:
         with script.stage("stage.phase_event", "hint.bounces_end", phase=f"@{leg.number}"):
             found = tell_flights(script, way, leg, told)
@@ -54,14 +55,14 @@ def tell_event(
         uses = tuple(n for n in dict.fromkeys((base, *_lines_of(leg, told, element))) if n)
         with on_the_way(script, leg.course):
             if isinstance(course, UniformMotion):
-                found = _in_time(script, way, leg, course, symbol, element, uses)
+                found = _in_time(script, way, leg, course, told, symbol, element, uses)
             elif isinstance(course, EnergyMotion) and zero.at is not None:
                 found = _on_the_way(script, way, leg, course, symbol, element, uses)
             else:
                 raise CannotAnswer(
                     Message("this derivation does not solve this law of motion for the time of an event")
                 )
-            return {**found, **_state(script, way, leg, told, found)}
+            return found if is_end else {**found, **_state(script, way, leg, told, found)}
 
 
 def at_border(phase: Phase, watch: PhaseWatch) -> str:
@@ -212,10 +213,12 @@ def _in_time(
     way: PhaseSequence,
     leg: PhaseSegment,
     course: UniformMotion,
+    told: MotionLines,
     symbol: Expr,
     element: Ratio,
     uses: tuple[int, ...],
 ) -> dict[str, int]:
+    """When a measure reaches its value: the time is read off the line that says how the measure goes with time."""
     assert leg.time is not None
     target = way.home(leg, _target(way, leg))
     coefficients = _clock(way, leg) if symbol == _CLOCK else [way.home(leg, c) for c in course.along(element)]
@@ -225,12 +228,19 @@ def _in_time(
         line = script.line(symbol, in_time(coefficients, leg.clock), why=why, args={"lines": uses}, uses=uses)
     meaning = leg.glossary.meanings[str(getattr(leg.end, "name", ""))]
     script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
-    used = (line,) if line else uses
+    source = line or _told_line(told, symbol)
+    used = (source,) if source else uses
     shown, left = readable(leg.time), in_time(coefficients, leg.end)
+    is_linear = len([c for c in coefficients if not c.is_zero()]) < 3
     if (left, readable(target)) == (leg.end, shown):
         return {"time": script.line(leg.end, shown, why="event.equation", uses=used, when="event")}
+    if source:
+        reached = Sentence("event.equal", {"measure": symbol, "value": readable(target)})
+        said: dict[str, Argument] = {"event": reached, "line": source}
+        key = "event.gives" if is_linear else "event.gives_first"
+        return {"time": script.line(leg.end, shown, why=key, args=said, uses=used, when="event")}
     equation = script.line(left, readable(target), why="event.equation", args={"lines": used}, uses=used, when="event")
-    key = "event.time" if len([c for c in coefficients if not c.is_zero()]) < 3 else "event.first_root"
+    key = "event.time" if is_linear else "event.first_root"
     time = script.line(leg.end, shown, why=key, args={"line": equation}, uses=(equation,), when="event")
     return {"time": time}
 
@@ -253,6 +263,17 @@ def _is_told(leg: PhaseSegment, symbol: Expr) -> bool:
             return name in names
         case _:
             return False
+
+
+def _told_line(told: MotionLines, symbol: Expr) -> int:
+    """The line that has said how a coordinate or its rate goes with time."""
+    match symbol:
+        case Symbol(name):
+            return told.places.get(name, 0)
+        case Call("rate", Symbol(name)):
+            return told.velocities.get(name, 0)
+        case _:
+            return 0
 
 
 # -- events at a place ------------------------------------------------------------------------

@@ -12,11 +12,12 @@ from collections.abc import Callable, Mapping
 from freebody.language.expression import Symbol
 from freebody.model.elements import DryFriction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
-from freebody.narrative.lines.script import Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.acting import Acting, FrictionLaw, Known
 from freebody.narrative.principles.newton import Newton
 from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.principles.planner import SLIDING_IN_SPACE, WITH_CONTACTS
+from freebody.narrative.principles.reactions import words_of
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.narrative.space.spatial_rates import SpatialRates
@@ -34,9 +35,9 @@ def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
     sliding = {name: law.rub.row for name, law in laws.items()}
     rows = {**{row.name: row for row in phase.system.constraint_rows}, **sliding}
     acting = Acting(phase.model, symbols=symbols, rows=rows, known=Known(laws, {}))
-    for name, row in sliding.items():
-        what = Sentence("symbol.reaction", {"reaction": "@reaction.friction", "connection": row.connection})
-        glossary.introduce(Meaning(Symbol(acting.symbols[name].name), what, _reads_friction(name, symbols[name].sign)))
+    for name in sliding:
+        reads = _reads_friction(name, symbols[name].sign)
+        glossary.introduce(Meaning(Symbol(acting.symbols[name].name), words_of(acting, name), reads))
     symmetry = Symmetry(acting, glossary, is_sought=False)
     rates = (
         SpatialRates(SpatialKinematics(phase.setup, glossary, Script(glossary)))

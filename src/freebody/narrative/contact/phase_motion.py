@@ -131,8 +131,15 @@ def energy_parts(leg: PhaseSegment) -> tuple[Ratio, Ratio]:
     return kinetic, potential
 
 
-def tell_energies(script: Script, leg: PhaseSegment) -> tuple[int, int]:
-    """T and V as lines: T body by body, then in the coordinates; in one line where only one body moves."""
+def mechanical_energy(leg: PhaseSegment) -> Expr:
+    """T + V, or T where no load stores energy."""
+    _kinetic, potential = energy_parts(leg)
+    return KINETIC if potential.is_zero() else add(KINETIC, POTENTIAL)
+
+
+def tell_energies(script: Script, leg: PhaseSegment) -> tuple[int, ...]:
+    """T and V as lines: T body by body, then in the coordinates; in one line where only one body moves. V where a load
+    stores energy."""
     kinetic, potential = (tidy(leg.phase.course.plain(value)) for value in energy_parts(leg))
     context, bodies = _context_of(leg), leg.phase.system.moving
     if len(bodies) == 1 and isinstance(leg.newton.rates, PlanarRates):
@@ -141,6 +148,8 @@ def tell_energies(script: Script, leg: PhaseSegment) -> tuple[int, int]:
         parts = tuple(_kinetic_lines(context, script, leg))
         script.introduce(_meaning(leg, KINETIC, "kinetic"))
         line = script.line(KINETIC, kinetic, why="motion.kinetic", args={"lines": parts}, uses=parts)
+    if potential == number(0):
+        return (line,)
     script.introduce(_meaning(leg, POTENTIAL, "potential"))
     return line, script.line(POTENTIAL, potential, why="motion.potential", args={"lines": ()})
 
@@ -219,7 +228,7 @@ def _energy_integral(
         with on_the_way(script, leg.course):
             right = at_first if work is None else at_first + work
             both = script.line(
-                add(KINETIC, POTENTIAL),
+                mechanical_energy(leg),
                 add(way.shown(leg, at_first), *([] if work is None else [tidy(work)])),
                 why="motion.energy",
                 args={"lines": lines},

@@ -21,9 +21,10 @@ from freebody.narrative.lines.naming import written
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.phases.words import action
+from freebody.study.phases.words import action, is_of_all
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion
+from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
 Values = dict[int, tuple[Ratio, int]]
@@ -137,7 +138,11 @@ def _value_behind(
 def _overview(script: Script, way: PhaseSequence) -> None:
     """The phases one after the other."""
     with script.stage("stage.phases", "hint.phases"):
-        system = way.system
+        first, system = way.legs[0], way.system
+        if len(way.legs) == 1 and first.first is not None:
+            key = "phases.only" if is_of_all(first.phase) else "phases.only_named"
+            script.say(key, what=ready(action(first.phase)), end=_end_words(way, first))
+            return
         is_of_contacts = bool(system.bounds or system.dry_friction) or not system.blows
         script.say("phases.plan" if is_of_contacts else "phases.plan_of_blows")
         header = (Sentence("phases.table_number"), Sentence("phases.table_what"), Sentence("phases.table_end"))
@@ -266,7 +271,8 @@ def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: An
     lines = tuple(line for _v, line in values.values())
     tell_conditions(script, way, {"sticks": sticks, "slips": tuple(signs)})
     assert answer.expression is not None
-    with script.stage("stage.value", "hint.value"):
+    drawn_back = next((u for u in values if len(parts) == 1 and (parts[0] + f.variable(u)).is_zero()), None)
+    with script.stage("stage.value", "hint.value") if drawn_back is None else script.stage("stage.counted"):
         left = asked_side(context, way, leg, script, question)
         if not parts:
             script.line(left, answer.expression, why="answer.at_once", when="start")
@@ -274,6 +280,9 @@ def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: An
         shown = written(general)
         key, when = ("answer.at_start", "start") if question.at_start else ("answer.at_instant", "always")
         sides = (left, answer.expression) if shown == answer.expression else (left, shown, answer.expression)
-        key = key if lines else "answer.by_law"
-        script.line(*sides, why=key, args={"lines": lines}, uses=lines, when="start" if when == "start" else "always")
+        key, args = (key if lines else "answer.by_law"), dict[str, Argument](lines=lines)
+        if drawn_back is not None:
+            force = tidy(f.variable(drawn_back))
+            key, args, sides = "value.counted", {**args, "force": force}, (left, -force, answer.expression)
+        script.line(*sides, why=key, args=args, uses=lines, when="start" if when == "start" else "always")
     return script.stages

@@ -25,6 +25,7 @@ OF_ENERGY = (
     *("inertia", "pulley", "parallel_axes", "inertia_of_mass", "mass_times_acceleration", "all_inertia"),
     *("inertia_turned", "mass_turned", "inertia_twice", "inertia_half", "mass_twice", "mass_half"),
     *("load", "load_turned", "load_on", "load_on_turned", "inertia_of_masses", "inertias", "all_inertias"),
+    *("weight", "weight_turned", "weight_on", "weight_on_turned"),
 )
 END_OF_ROD = 4  # times the moment of inertia about its middle
 
@@ -139,14 +140,15 @@ class Omissions:
     def _load(self, load: str) -> Iterator[Mistake]:
         applied_loads = [p for p in self.system.applied_loads if p.load == load]
         everywhere = [MarkedFactor("load", p.name) for p in applied_loads]
-        yield from self._mistake("load", 0, *everywhere, load=load)
-        yield from self._mistake("load_turned", -1, *everywhere, load=load)
+        key = "weight" if self.system.loads[load].kind == "gravity" else "load"
+        yield from self._mistake(key, 0, *everywhere, load=load)
+        yield from self._mistake(f"{key}_turned", -1, *everywhere, load=load)
         if len(applied_loads) > 1:
             for push in applied_loads:
                 bodies = tuple(sorted(self._moving(push.measure.bodies())))
                 factor = MarkedFactor("load", push.name)
-                yield from self._mistake("load_on", 0, factor, load=load, bodies=bodies)
-                yield from self._mistake("load_on_turned", -1, factor, load=load, bodies=bodies)
+                yield from self._mistake(f"{key}_on", 0, factor, load=load, bodies=bodies)
+                yield from self._mistake(f"{key}_on_turned", -1, factor, load=load, bodies=bodies)
 
     def _motion(self) -> Iterator[Mistake]:
         """Terms with velocities, the start, the integration, the event."""

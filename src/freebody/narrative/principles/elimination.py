@@ -74,7 +74,7 @@ class Solver:
                 continue
             pivot = min(having, key=lambda row: self._trouble(row, unknown))
             work = [row for row in work if row is not pivot]
-            pivot = self._written(pivot)
+            pivot = self._written(self._alone(pivot, unknown))
             if len(having) == 1:  # its only equation decides it
                 solved.append((unknown, pivot))
                 continue
@@ -124,6 +124,13 @@ class Solver:
             when=self.when,
         )
         return EliminationRow(entries, rest, number, is_isolated=True)
+
+    def _alone(self, row: EliminationRow, unknown: int) -> EliminationRow:
+        """A row into which all has been put but the unknown, divided at once where its coefficient is one term."""
+        entry = row.entries[unknown]
+        if not row.put_in or len(row.entries) > 1 or len(entry.num) > 1:
+            return row
+        return replace(row, entries={unknown: self.field.one}, rest=self.field.lowest_terms(row.rest / entry))
 
     def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
         """A row with an unknown replaced, as a line."""

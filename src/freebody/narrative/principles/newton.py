@@ -34,6 +34,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 Solved = dict[int, tuple[Ratio, int]]  # values of unknowns, and the lines in which they stand
+_FEW = 4  # reactions that are named one by one where a principle keeps them out
 
 
 @dataclass(frozen=True)
@@ -295,7 +296,10 @@ class Newton:
         )
         if forces:
             key = "across" if p.kind == "linear" else "through" if p.aim is None else "about_axis"
-            script.say(f"why.{key}", forces=forces, **_where(p))
+            if len(forces) > _FEW:
+                script.say(f"why.{key}_many")
+            else:
+                script.say(f"why.{key}", forces=forces, **_where(p))
         if len(p.bodies) > 1:
             script.say("why.internal", bodies=p.bodies)
 

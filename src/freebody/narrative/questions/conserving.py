@@ -173,9 +173,9 @@ class _ConservingTelling:
         own_centre = q.about is None and isinstance(q.body, str)
         key = "conserved.about_moving" if moves else "conserved.about_centre" if own_centre else "conserved.about"
         about = "" if own_centre or q.about is None else str(q.about)
-        self.script.say(key, point=f"@{about}" if about else Message("the origin"))
+        self.script.say(key, point=about or Message("the origin"))
         if moves:
-            self.script.say("conserved.why_moving", point=f"@{about}" if about else Message("the origin"))
+            self.script.say("conserved.why_moving", point=about or Message("the origin"))
 
     def _by_principle(self, part: _Part) -> None:
         """The rate as a sum over what acts, reactions as symbols."""

@@ -27,6 +27,8 @@ from freebody.narrative.principles.sides import positive_first
 from freebody.present.report.blocks import Emphasis, Formula, Report, Side
 
 _DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?=[eE][-+]?\d|(?!\.?\w))")
+_NUMBER = r"[-−]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?°?"
+_NUMBERS = re.compile(rf"(?<![\w.]){_NUMBER}(?:, {_NUMBER})+(?![\w.])")
 _EXPRESSIONS = (Number, Symbol, Sum, ProductOf, PowerOf, Call)
 Part = TypeVar("Part")
 
@@ -58,7 +60,7 @@ class _House:
             case Message() if all(isinstance(value, str) for value in part.arguments.values()):
                 return part.of(**{name: self.written(value) for name, value in part.arguments.items()})
             case str():
-                return _DECIMAL.sub(rf"\1{self.style.decimal}\2", part)
+                return _DECIMAL.sub(rf"\1{self.style.decimal}\2", self.listed(part))
             case tuple():
                 return tuple(map(self.written, cast("tuple[Any, ...]", part)))
             case _ if isinstance(part, _EXPRESSIONS) or not is_dataclass(part) or isinstance(part, type):
@@ -67,6 +69,12 @@ class _House:
                 kept = ("picture", "language", "words")
                 names = [f.name for f in fields(part) if f.name not in kept or isinstance(part, Emphasis)]
                 return replace(part, **{name: self.written(getattr(part, name)) for name in names})
+
+    def listed(self, words: str) -> str:
+        """Words in which numbers with decimal commas are parted by semicolons."""
+        if self.style.decimal != ",":
+            return words
+        return _NUMBERS.sub(lambda found: found[0].replace(", ", "; ") if "." in found[0] else found[0], words)
 
     def side(self, side: Side) -> Side:
         if isinstance(side, tuple):

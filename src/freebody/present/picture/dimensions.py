@@ -182,7 +182,12 @@ class Dimensions(Dimensioned):
         turn = math.remainder(end - begin, math.tau)
         far = max(radius, _NAME_OF_ANGLE / max(abs(turn), 1e-3))  # where the name has room between the two lines
         middle = unit(begin + 0.5 * turn)
-        places = ((at + far * middle, middle), (at + (radius - 5.0) * middle, -middle))
+        away = unit(begin - math.copysign(0.5 * math.pi, turn))  # from the line, where its hatching is between the two
+        places = (
+            (at + far * middle, middle),
+            (at + (radius - 5.0) * middle, -middle),
+            (at + radius * unit(begin), away),
+        )
         if far > length:  # nowhere: behind the arc, which stands beyond the line
             radius = length + 6.0
             places = ((at + radius * middle, middle),)

@@ -125,7 +125,7 @@ class SpaceSketch(Sketch):
         added = self.shapes[n_before:]
         for word in [word for word in self.words if is_over(word, added)]:
             self.words.remove(word)
-            self.wish(Wish(word.label, around(word.at), word.size, word.ink, weight=6.0))
+            self.wish(Wish(word.label, around(word.at), word.size, word.ink, weight=6.0, gap=5.0))
 
     def add_corner(self) -> None:
         """The axes of the ground and gravity, at the lower left."""

@@ -38,9 +38,10 @@ class Loads:
         match shown.sign:
             case Rod(first, second):
                 yield from self._rod(first, second)
-            case Relation(points):
+            case Relation(points) as line:
+                look, thick = ("net", 0.03) if line.is_of_net else ("string", 0.08)
                 for a, b in pairwise(points):
-                    yield Piece(prism(0.08 * self.u, 0.0, 1.0, 6), a, a.body, "string", end=b)
+                    yield Piece(prism(thick * self.u, 0.0, 1.0, 6), a, a.body, look, end=b)
             case Halt(point, origin, along, limit):
                 yield self._wall(point, origin, along, limit)
             case Shoe(first, second):

@@ -40,6 +40,7 @@ LOOKS: dict[str, Look] = {
     "plane": Look("muted", 0.6, 0.07, 0.0, 0.9, fine=0.5),
     "link": Look("ink", 1.0, 0.3, 0.3, 0.9),
     "string": Look("ink", 1.0, 0.9, 0.0, 0.6),
+    "net": Look("muted", 1.0, 0.5, 0.0, 0.4),
     "spring": Look("ink", 1.0, 0.9, 0.0, 0.5, fine=1.3, is_seamed=True),
     "damper": Look("ink", 0.95, 0.08, 0.25, 1.0),
     "force": Look("force", 1.0, 0.9, 0.1, 0.5, is_seamed=True),

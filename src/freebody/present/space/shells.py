@@ -13,8 +13,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from freebody.model.glyphs import Toothed
 from freebody.model.solids import NO_SOLID
-from freebody.present.figures import Array, Figure, Heading
+from freebody.present.figures import Array, Figure, Heading, Place
 from freebody.present.scene import Scene
 from freebody.present.space.bodies import reach
 from freebody.present.space.figures import DrawnJoint, Poses, joints_of
@@ -28,6 +29,9 @@ _ASIDE = 0.62  # where wheels stand if there are several
 _CLOSE = 0.7  # cosine of the angle within which two axes of the ground are drawn on different sides
 _FARTHER = 0.22  # of the radius, for the next one on the same side
 _N_ARC = 24
+_N_TEETH = 36
+_PARALLEL = 0.999  # cosine of the angle between axes
+_NEAR = 0.01  # of the radius of a wheel, from where its axis meets another
 _YOKE = 0.34  # half the width of a fork by the radius of the sphere
 _DEEP = 0.42  # how far behind the cross a fork begins
 
@@ -45,7 +49,9 @@ class Shells:
             for form in scene.figures
             if any(np.linalg.norm(poses.centers[0, form.index] - middle) < 1e-6 * size for middle in middles)
         ]
-        self.radius = max(_SHARE * size, _ROOM * max(near, default=0.0)) or 1.0
+        self._cones = {(a.body, b.body): radii for a, b, *radii in _cones(scene)}
+        rims = [rim for pair, radii in self._cones.items() for rim in radii if self.forms.keys() & {*pair}]
+        self.radius = max(_SHARE * size, _ROOM * max([*near, *rims], default=0.0)) or 1.0
         self.joints = tuple(joints_of(scene, poses))
         self.crosses, self.forks = self._universal()
         self._tips: dict[DrawnJoint, float] = {}
@@ -65,6 +71,38 @@ class Shells:
                 taken.append(sign * along)
         single = [index for index in self.forms if len(self._axes(index)) == 1]
         self._places = {index: _ASIDE * self.radius if len(single) > 1 else 0.0 for index in single}
+        self._rims = dict.fromkeys(single, _WHEEL * self.radius)
+        for index in single:
+            self._set_cone(index)
+
+    def _set_cone(self, index: int) -> None:
+        """The wheel of a bevel gear is its pitch circle: R_1 at d_1 = (R_2 + R_1 cos S)/sin S from where the axes meet,
+        S the angle between them. Beyond it is the bearing of a wheel whose middle is not there."""
+        partner = next((other for one, other in self._cones if one == index), index)
+        mine, its = self._line(index), self._line(partner)
+        if partner == index or mine is None or its is None or abs(float(mine[1] @ its[1])) > _PARALLEL:
+            return
+        own, other = self._cones[index, partner]
+        (at, along), (there, across) = mine, its
+        cosine = float(along @ across)
+        to_apex = float((there - at) @ (along - cosine * across)) / (1.0 - cosine**2)
+        apex = at + to_apex * along
+        sense = -1.0 if to_apex > _NEAR * own else 1.0
+        cosine *= sense * (-1.0 if float((there - apex) @ across) < -_NEAR * own else 1.0)
+        far = (other + own * cosine) / math.sqrt(1.0 - cosine**2)
+        self._places[index], self._rims[index] = to_apex + sense * far, own
+        if abs(to_apex) > _NEAR * own:
+            (joint,) = (joint for joint, _arm in self._arms_of(index))
+            self._tips[joint] = math.copysign(abs(self._places[index]) + 0.5 * own, self._tips[joint])
+
+    def _line(self, index: int) -> tuple[Array, Array] | None:
+        """The middle of a body and the unit vector of its only axis, towards where its joint is drawn."""
+        arms = list(self._arms_of(index)) if index in self.forms else []
+        if len(arms) != 1:
+            return None
+        joint, arm = arms[0]
+        along = math.copysign(1.0, self._tips.get(joint, 1.0)) * arm
+        return self.poses.centers[0, index], self.poses.axes[0, index] @ along
 
     def _universal(self) -> tuple[set[int], dict[int, DrawnJoint]]:
         """Bodies that are a cross, and the joints that bear shafts with a fork, by shaft."""
@@ -130,7 +168,9 @@ class Shells:
         elif len(axes) == 1:
             far = float(np.linalg.norm(axes[0]))
             at = self._places[form.index] * axes[0] / far
-            wheel = marked(prism(_WHEEL * self.radius, -0.5 * u, 0.5 * u)).moved(basis(axes[0]), at)
+            n_marks = _N_TEETH if form.is_toothed else 1
+            rim = prism(self._rims[form.index], -0.5 * u, 0.5 * u)
+            wheel = marked(rim, n_marks).moved(basis(axes[0]), at)
             yield Piece(wheel, middle, form.index, look, color)
             ends = self._places[form.index], far
             shaft = prism(0.3 * u, ends[0] + 0.5 * u, ends[1], 12).moved(basis(axes[0]))
@@ -170,6 +210,17 @@ class Shells:
                 arm: Heading | None = arms[0] if joint.first.body == index else arms[1]
                 if arm is not None:
                     yield joint, np.array(self.poses.turned_back(index, self.poses.heading(arm, 0), 0))
+
+
+def _cones(scene: Scene) -> Iterator[tuple[Place, Place, float, float]]:
+    """Bevel gears, each wheel with one of its partners, and the radii of their pitch circles."""
+    for sign in scene.signs:
+        match sign:
+            case Toothed((first, second), (one, two)):
+                yield first, second, one, two
+                yield second, first, two, one
+            case _:
+                pass
 
 
 def _other(joint: DrawnJoint, index: int) -> int:

@@ -130,8 +130,12 @@ def action(phase: Phase) -> str:
 def in_phase(phase: Phase) -> str:
     """While what it does, for a note."""
     what = action(phase)
-    is_of_all = len(_by_connection(states(phase))) < 2
-    return Message("while the system {what}", what=what) if is_of_all else Message("while {what}", what=what)
+    return Message("while the system {what}", what=what) if is_of_all(phase) else Message("while {what}", what=what)
+
+
+def is_of_all(phase: Phase) -> bool:
+    """Whether what a phase does is said of the system, not of one of its connections."""
+    return len(_by_connection(states(phase))) < 2
 
 
 def _place_does(place: str, does: str) -> str:

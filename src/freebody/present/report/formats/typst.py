@@ -40,7 +40,7 @@ from freebody.present.report.words import capital, word
 from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_decimals
 
 _ROW_WIDTH, _BESIDE_WIDTH, _COLUMN_WIDTH = 68, 42, 30  # characters of a displayed formula
-_LED = 1.3  # of these, how long words with a formula behind them may be: letters are narrower than signs
+_LED = 1.65  # of these, how long words with a formula behind them may be: letters are narrower than signs
 _FORMULAS = TypstFormulas()
 
 
@@ -84,7 +84,7 @@ class _Writer(BlockWriter[str]):
         self.width = _ROW_WIDTH
         self.drawings: dict[str, str] = {}
         self.labels: set[str] = set()
-        self.run_in = ""  # a title that stands before the next words
+        self.run_in, self.run_in_width = "", 0  # a title that stands before the next words
 
     def word(self, key: str) -> str:
         """As it is: it becomes a string of Typst together with what stands beside it."""
@@ -113,7 +113,8 @@ class _Writer(BlockWriter[str]):
         left = self.flowing((replace(head, blocks=tuple(own)), *others))
         self.width = before
         assert isinstance(figure, Figure)
-        return f"#wrapped({quoted(_file_of(figure))})[\n{self.block(figure)}\n][\n{left}\n]"
+        above = "#v(0.35em)\n" if isinstance(head, Section) else ""  # which a heading loses at the top of its cell
+        return f"{above}#wrapped({quoted(_file_of(figure))})[\n{self.block(figure)}\n][\n{left}\n]"
 
     def flowing(self, blocks: Sequence[Block]) -> str:
         """Under each other; a short formula stands on the line of the words that lead to it."""
@@ -134,7 +135,8 @@ class _Writer(BlockWriter[str]):
     def _is_led(self, words: Paragraph, line: Equation) -> bool:
         if line.label or line.note or len(rows(line.formula, self.width)) > 1:
             return False
-        return text_width(words.text) + formula_width(line.formula) < _LED * self.width
+        said = self.run_in_width + text_width(words.text)
+        return said + formula_width(line.formula) < _LED * self.width
 
     def _led(self, words: Paragraph, line: Equation) -> str:
         (row,) = rows(line.formula, self.width)
@@ -142,7 +144,7 @@ class _Writer(BlockWriter[str]):
         return f"#led([{self.paragraph(words.text)}], {_displayed(shown)}, {self.number(line)})"
 
     def paragraph(self, text: Text) -> str:
-        lead, self.run_in = self.run_in, ""
+        lead, self.run_in, self.run_in_width = self.run_in, "", 0
         return lead + self.text(text)
 
     def equations(self, lines: Sequence[Equation]) -> str:
@@ -170,7 +172,7 @@ class _Writer(BlockWriter[str]):
         if not isinstance(first, Paragraph):
             return f"#step([{self.text(step.title)}])[\n{self.blocks(step.blocks)}\n]"
         lead = Paragraph((*(("\u2003",) if first.text else ()), *first.text))
-        self.run_in = f"#strong[{self.text(step.title)}]"
+        self.run_in, self.run_in_width = f"#strong[{self.text(step.title)}]", text_width(step.title)
         return f"#block(above: 0.85em)[\n{self.flowing((lead, *rest))}\n]"
 
     def section(self, section: Section) -> str:
