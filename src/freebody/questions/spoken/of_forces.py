@@ -446,7 +446,20 @@ def _of_belt(names: Names, quantity: str, rest: Clause) -> Groups:
         quantity == "belt force"
     ):  # the force round a wheel is that of its teeth; where none are, it is the whole force
         toothed = any(row.reaction == "tooth force" for row in names.constraint_rows)
+        if not toothed and (both := _differences(names, [name for _, name in rest.names])):
+            yield both
+            return
         yield from _transmitted(names, "tangential tooth force" if toothed else "force", rest)
+
+
+def _differences(names: Names, of: list[str]) -> list[str]:
+    """The difference of the tensions of the strings over a wheel, or of all, that have two ends."""
+    strings = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "tension")
+    strings = [name for name in strings if all(joining.touches(names, name, one) for one in of)]
+    ends = {name: [*_ends_of(names, name)] for name in strings}
+    return [
+        f"tension of {name}{own[0]} - tension of {name}{own[1]}" for name, own in ends.items() if len({*own} - {""}) == 2
+    ]
 
 
 @said_of("links")
