@@ -208,8 +208,7 @@ def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> 
         return None
     if named:
         return named[0]
-    strings = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
-    if asked == ["tension"] and strings & {*others}:  # that of a string, and nothing that is chosen
+    if asked == ["tension"] and {*of_forces.having(names, "tension")} & {*others}:  # of a string, and not chosen
         return None
     by_asking = [given.ASKED_BY[ask] for ask in head.all("ask") if ask in given.ASKED_BY]
     kinds = [given.KIND_OF[word] for word in asked] or by_asking

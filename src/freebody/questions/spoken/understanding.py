@@ -302,7 +302,9 @@ def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | N
     event = re.search(r"(?<=\s)(?:when|until) (.+)$", first)
     if event is None:
         return []
-    said = (f"{text} {mark} {event[1]}" for mark in ("when", "until"))
+    plain = _one(names, text, read)
+    heads = (text, *([plain[0][1]] if len(plain) == 1 else []))  # as it is understood: in the words of the event
+    said = (f"{head} {mark} {event[1]}" for head in heads for mark in ("when", "until"))
     return next((found for one in said if (found := _one(names, one, read))), None) or []
 
 
