@@ -133,3 +133,21 @@ def test_a_motion_is_given_away_as_pictures_and_as_data(page: Any, button: str, 
     page.click("#tab-export")
     page.wait_for_selector(READY, timeout=WAIT)
     assert given(page, button).read_bytes().startswith(begins)
+
+
+FREE_ROD = """space: {up: z}
+bodies:
+  rod: {rod: {mass: 1 kg, length: 1 m}}
+  block: {box: {mass: 1 kg, size: [0.1 m, 0.1 m, 0.1 m]}}
+ground: {points: {O: [0, 0, 0], P: [1 m, 0, 0]}}
+connections:
+  A: {spherical: [ground.O, rod.start]}
+  B: {spherical: [rod.end, block]}
+  guide: {prismatic: {between: [ground.P, block], along: x}}
+"""
+
+
+def test_the_badge_counts_freedoms_that_are_idle(page: Any) -> None:
+    """A rod between two balls turns about its own line, and nothing else moves."""
+    type_all(page, FREE_ROD)
+    page.wait_for_selector(f"{READY}:has-text('1 idle')", timeout=WAIT)
