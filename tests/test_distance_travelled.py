@@ -11,7 +11,7 @@ import math
 
 import pytest
 
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 THROW = """
 parameters: {v: 12 m/s, g: 9.81 m/s^2, h: 3 m}
@@ -112,3 +112,8 @@ def test_the_path_of_a_throw_is_measured_in_numbers() -> None:
     found = posed(THROWN, "length of the path of P until y = 0")
     assert found.value == pytest.approx(length, rel=1e-8)
     assert "moves on a curve" in found.reason
+
+
+def test_the_length_of_a_path_is_derived() -> None:
+    told = is_derived(DROPPED, "length of the path of P until y = 0")
+    assert "its path has the length" in " ".join(told["en"].split())
