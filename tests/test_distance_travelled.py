@@ -7,9 +7,11 @@ Hibbeler, Dynamics, 12.2; Beer & Johnston, Dynamics, 11.1 and 16.2.
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 THROW = """
 parameters: {v: 12 m/s, g: 9.81 m/s^2, h: 3 m}
@@ -49,3 +51,69 @@ def test_where_it_turns_back_the_change_of_place_is_no_answer(question: str) -> 
     assert found.expression is None
     assert "turns back" in found.reason
     is_formula(THROW, "change of y until y = -h", "-h")
+
+
+ON_A_SLOPE = """
+parameters: {m: 2 kg, g: 9.81 m/s^2, alpha: 30 deg, b: 3 m, v0: 1 m/s}
+ground: {lines: {slope: {along: -alpha}}}
+bodies: {P: {particle: {mass: m}, at: [0, 0]}}
+connections: {bed: {slider: {body: P, along: slope}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of P, s: travel of P along slope}
+start: {s: 0, rate(s): v0}
+"""
+DROPPED = """
+parameters: {m: 2 kg, g: 9.81 m/s^2, h: 2 m}
+bodies: {P: {particle: {mass: m}, at: [0, h]}}
+loads: {weight: {gravity: g}}
+measures: {y: y of P}
+"""
+RUBBED = """
+parameters: {m: 2 kg, mu: 0.2, v0: 3 m/s, g: 9.81 m/s^2}
+bodies: {P: {particle: {mass: m}, at: [0, 0], velocity: [v0, 0]}}
+connections: {bed: {slider: {body: P, along: right, friction: mu}}}
+loads: {weight: {gravity: g}}
+"""
+ON_A_CIRCLE = """
+parameters: {m: 2 kg, L: 1 m, w: 3 rad/s}
+ground: {points: {O: [0, 0]}}
+bodies: {P: {particle: {mass: m}}}
+connections: {arm: {link: [ground.O, P, L]}}
+measures: {phi: angle of line from ground.O to P}
+start: {phi: 0, rate(phi): w}
+"""
+THROWN = """
+parameters: {m: 2 kg, v0: 20 m/s, beta: 60 deg, g: 9.81 m/s^2}
+bodies: {P: {particle: {mass: m}, at: [0, 0], velocity: [v0*cos(beta), v0*sin(beta)]}}
+loads: {weight: {gravity: g}}
+measures: {y: y of P}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        (DROPPED, "average speed of P until y = 0", "sqrt(g*h/2)"),
+        (DROPPED, "length of the path of P until y = 0", "h"),
+        (ON_A_SLOPE, "average speed of P until s = b", "b*g*sin(alpha)/(sqrt(v0^2+2*g*b*sin(alpha))-v0)"),
+        (ON_A_SLOPE, "length of the path of P until x = b", "b/cos(alpha)"),
+        (RUBBED, "average speed of P until P comes to rest", "v0/2"),
+        (ON_A_CIRCLE, "average speed of P until phi = 90 deg", "L*w"),
+    ],
+)
+def test_a_point_on_a_line_or_of_one_speed_has_the_length_of_its_path(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula)
+
+
+def test_the_path_of_a_throw_is_measured_in_numbers() -> None:
+    # v0^2/g (sin b + cos^2 b ln((1 + sin b)/cos b)), Halliday & Resnick, ch. 4
+    b = math.pi / 3
+    length = 400 / 9.81 * (math.sin(b) + math.cos(b) ** 2 * math.log((1 + math.sin(b)) / math.cos(b)))
+    found = posed(THROWN, "length of the path of P until y = 0")
+    assert found.value == pytest.approx(length, rel=1e-8)
+    assert "moves on a curve" in found.reason
+
+
+def test_the_length_of_a_path_is_derived() -> None:
+    told = is_derived(DROPPED, "length of the path of P until y = 0")
+    assert "its path has the length" in " ".join(told["en"].split())

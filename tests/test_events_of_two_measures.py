@@ -7,7 +7,7 @@ import math
 import pytest
 
 import freebody as fb
-from posed import is_derived, is_formula
+from posed import is_derived, is_formula, posed
 
 CLUTCH = """
 parameters: {J1: 2 kg m^2, J2: 3 kg m^2, w1: 50 rad/s, M: 20 N m}
@@ -111,3 +111,20 @@ def test_an_event_may_be_an_equation_of_a_function_of_measures(condition: str, h
 def test_words_about_a_function_are_not_taken_for_words_about_its_argument() -> None:
     with pytest.raises(fb.ModelError):
         fb.System.from_text(FALLING).solve("angular velocity of bar when it has cos(theta) = 1/3 rad")
+
+
+THROWN_PAST_A_POINT = """
+parameters: {v0: 20 m/s, beta: 60 deg, g: 9.81 m/s^2, h: 1 m}
+ground: {points: {O: [0, 0]}}
+bodies: {ball: {particle: {mass: 1 kg}, at: [-3*h, -h], velocity: [v0*cos(beta), v0*sin(beta)]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of line from ground.O to ball}
+"""
+
+
+def test_a_ball_is_seen_under_an_angle_where_it_is_on_that_half_of_the_line() -> None:
+    # it rises through the level of O on the left of it, where the angle is -180 deg: v0 sin(beta) t - g t^2/2 = h
+    root = "(v0*sin(beta)-sqrt(v0^2*sin(beta)^2-2*g*h))/g"
+    is_formula(THROWN_PAST_A_POINT, "time when theta = -180 deg", root)
+    found = posed(THROWN_PAST_A_POINT, "time when theta = 0")  # on the right it comes down after a whole turn
+    assert found.expression is None

@@ -237,3 +237,40 @@ def test_german() -> None:
     words = fb.explain(System.from_text(SPHERE), CASES["sphere"][1], language="de").to_text()
     assert "An der Grenze der gesuchten Werte von mu" in words
     assert "jeder in Zahlen geprüft" in words
+
+
+BOX_ON_A_SHAKER = """
+parameters: {m: 0.1 kg, A: 6 mm, Omega: 50 rad/s, g: 9.81 m/s^2}
+bodies:
+  table:
+    rectangle: {mass: 5 kg, width: 1 m, height: 0.2 m}
+    at: [0, 0]
+    lines: {top: {through: [0, 0.1 m], along: right}}
+  box: {rectangle: {mass: m, width: 0.1 m, height: 0.1 m}, at: [0, 0.15 m]}
+connections:
+  guide: {slider: {body: table, along: up}}
+  shaker: {driver: {measure: y, follows: A*sin(Omega*t)}}
+  lies: {contact: {between: [box, table.top]}}
+loads: {weight: {gravity: g}}
+measures: {y: y of table}
+"""
+
+
+def test_both_feet_of_a_box_on_a_shaker_leave_it_at_the_same_instant() -> None:
+    # m g = m A Omega^2 sin(Omega t): the box flies, and does not stand on one edge
+    found = fb.phases(System.from_text(BOX_ON_A_SHAKER))
+    assert "moves in contact, then flies" in found.to_text()
+    assert "then moves in contact" not in found.to_text()
+
+
+def test_a_box_on_a_shaker_lifts_off_from_an_amplitude_on() -> None:
+    found = posed(BOX_ON_A_SHAKER, "least A so that box lifts off")
+    assert isinstance(found.value, float)
+    assert found.value == pytest.approx(9.81 / 50**2)
+    assert found.evidence is not None
+
+
+def test_the_least_pressure_of_several_feet_is_that_of_all() -> None:
+    # A Omega^2 < g: the table presses with m (g - A Omega^2) at least
+    found = posed(BOX_ON_A_SHAKER.replace("A: 6 mm", "A: 2 mm"), "least normal force of lies")
+    assert found.value == pytest.approx(0.1 * (9.81 - 2e-3 * 50**2), rel=1e-6)

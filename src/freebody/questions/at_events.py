@@ -71,13 +71,13 @@ class AtEvent(Quantity):
         return (self.of,)
 
 
-def between_events(phrase: str) -> str:
+def between_events(names: Names, phrase: str) -> str:
     """The time between two events as the difference of their times, an average up to an event as a quotient, an impulse
     up to an event as what comes together on the way."""
     if (average := _AVERAGE.match(phrase)) is not None:
         until, by_clock = average["until"], _CLOCK.match(average["until"])
         elapsed = f"(time when {until})" if by_clock is None else f"({by_clock['time']})"
-        return f"({_counted(average, until)}) / {elapsed}"
+        return f"({_counted(names, average, until)}) / {elapsed}"
     if (dying := _DYING.match(phrase)) is not None:
         return f"log(1/({share_said(dying['share'])})) / logarithmic decrement"
     if (impulse := _IMPULSE.match(phrase)) is not None:
@@ -91,7 +91,7 @@ def between_events(phrase: str) -> str:
     return f"(time when {last}) - (time when {first})"
 
 
-def _counted(average: re.Match[str], until: str) -> str:
+def _counted(names: Names, average: re.Match[str], until: str) -> str:
     """What comes together up to an event of which the average is over the time."""
     of, on, along = (average[key] or "" for key in ("of", "on", "along"))
     what = average["what"]
@@ -105,6 +105,8 @@ def _counted(average: re.Match[str], until: str) -> str:
         "speed": f"distance travelled along {way}",
         "velocity": f"change of {way}",
     }
+    if what == "speed" and not along and of not in names.measures and of.partition(".")[0] in names.bodies:
+        return f"length of the path of {of} until {until}"
     return f"{counted[what]} until {until}"
 
 

@@ -37,6 +37,7 @@ from freebody.model.state import State
 
 if TYPE_CHECKING:
     from freebody.language.expression import Expr
+    from freebody.measures.geometry import Point
     from freebody.model.names import Names
 
 Path = tuple[str | int, ...]
@@ -123,6 +124,10 @@ class Passage(Protocol[S_co]):
 
     def travelled(self, measure: Measure) -> S_co:
         """The way of a measure, counted without sign."""
+        ...
+
+    def length(self, point: Point) -> S_co:
+        """Of the path of a point."""
         ...
 
     def revolutions(self, body: str) -> S_co:

@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
-from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
+from freebody.language.units import DIMENSIONLESS, ENERGY, LENGTH, TIME, Dimension
 from freebody.measures.base import Measure
-from freebody.measures.geometry import GROUND, RIGHT, UP
+from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 from freebody.model.elements import RigidBody
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.model.solids import ROPE
-from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
+from freebody.questions.base import POINT, Described, Found, Passage, Path, Quantity, angular_unit, asked
 from freebody.questions.event import leads_to
 from freebody.questions.sudden import IMPACT, NTH, ORDINALS, side_of_blow, which_blow
 
@@ -195,6 +195,32 @@ questions: {it: distance travelled along y until y = -5 m}
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.travelled", {"of": Symbol(self.name) if self.name in system.measures else self.name})
+
+
+@dataclass(frozen=True)
+class PathLength(Counted, kind="path length"):
+    """How long the path of a point is that it has gone since the start, to and fro."""
+
+    point: Point
+    name: str
+
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {y: y of ball}
+questions: {it: length of the path of ball until y = -5 m}
+"""
+    measured_in = LENGTH
+
+    @property
+    def letter(self) -> str:
+        return "s"
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        return passage.length(self.point)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.path_length", {"of": self.name})
 
 
 # -- events -----------------------------------------------------------------------------------
@@ -431,12 +457,21 @@ def _change(names: Names, found: Found, path: Path) -> Quantity | None:
     return None if measure is None else Change(measure, text)
 
 
+def _point_meant(names: Names, text: str, path: Path) -> Point | None:
+    """The point that a name is, where no measure is called so."""
+    body = text.partition(".")[0]
+    is_one = re.fullmatch(POINT, text) is not None and text not in names.measures and body in names.bodies
+    return names.point(text, *path) if is_one else None
+
+
 @asked(
-    "distance travelled along MEASURE until EVENT",
+    "distance travelled along MEASURE | length of the path of POINT until EVENT",
     r"(?:distance|way|path) (?:travell?ed|covered) (?:along|by|in) (?P<of>.+)|length of (?:the )?path of (?P<path>.+)",
     rank=RANK,
 )
 def _travelled(names: Names, found: Found, path: Path) -> Quantity | None:
     text = str(found["of"] or found["path"])
+    if found["path"] and (point := _point_meant(names, text, path)) is not None:
+        return PathLength(point, text)
     measure = read_measure(names, text, *path)
     return None if measure is None else Travelled(measure, text)

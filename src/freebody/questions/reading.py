@@ -308,7 +308,7 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
             condition, at_start = None, True
     else:
         path = ("find",)
-        phrase, condition = event_at_end(names, ratio_as_quotient(names, between_events(as_timed(phrase))))
+        phrase, condition = event_at_end(names, ratio_as_quotient(names, between_events(names, as_timed(phrase))))
         at_start = condition is None and without_start(phrase) != phrase
         phrase = without_start(phrase)
     operands = operands_of(names, phrase)

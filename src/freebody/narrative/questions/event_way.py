@@ -18,7 +18,7 @@ from freebody.narrative.principles.loops import closed_loops
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.questions.base import Quantity
-from freebody.questions.course import Change, EnergyLost, Travelled
+from freebody.questions.course import Change, EnergyLost, PathLength, Travelled
 from freebody.questions.gathered_impulse import GatheredImpulse
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
@@ -154,6 +154,12 @@ def _change(q: Change, way: AtEvent, lines: Sequence[int]) -> None:
 def _travelled(q: Travelled, way: AtEvent, lines: Sequence[int]) -> None:
     """How far a measure has gone: the solver has a formula only where it goes one way."""
     _counted(q, way, lines, "course.travelled")
+
+
+@_tell_asked.register(PathLength)
+def _path(q: PathLength, way: AtEvent, lines: Sequence[int]) -> None:
+    """How long the path of a point is: the solver has a formula only where it is straight, or the speed constant."""
+    _counted(q, way, lines, "course.path_length")
 
 
 @_tell_asked.register(GatheredImpulse)

@@ -19,6 +19,10 @@ class FormulaPhase:
     told: Callable[[Ratio], Ratio]
     time: Ratio | None = None  # how long it lasts, where that has a closed form
 
+    @property
+    def told_zero(self) -> Ratio:
+        return self.told(self.begin.model.field.zero)
+
     def at_begin(self, measure: Measure) -> Ratio:
         return self.told(self.begin.value(measure))
 

@@ -6,20 +6,24 @@ adds a phase of no length behind the event where the value just after it is mean
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import number
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Described, Quantity
 from freebody.questions.energy import Energy
+from freebody.questions.motion import OfPoint
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
@@ -41,7 +45,10 @@ _TURNED = 1e-12  # rad: less is round-off
 FORCE_CHANGES = Message(
     "the force changes on the way, and its impulse has no closed form here; ask for the change of the momentum"
 )
+_CURVED = Message("the point moves on a curve, and the length of its path has no closed form here")
+_CURVED_OR_BACK = CannotAnswer(Message("the point moves on a curve or turns back, so the length was not checked"))
 _ROUND_OFF = 1e-9  # of the product of two rates
+_N_ON_THE_WAY = 3  # steps of a path that tell whether it is straight
 
 
 def _no_load(name: str) -> Message:
@@ -69,6 +76,8 @@ class FormulaPassage:
     elements: Callable[[Quantity, SymbolicState], Elements]
     numbers: Callable[[Ratio], Array]
     sqrt: Callable[[Ratio], Ratio]
+    # coordinates and speeds that stay as they start
+    still: Mapping[int, Ratio] = field(default_factory=dict[int, Ratio], kw_only=True)
 
     def time(self) -> Ratio:
         if self.elapsed is None:
@@ -147,20 +156,46 @@ class FormulaPassage:
         """The way without sign; in every phase the measure goes one way only."""
         return self._gone(measure, _TURNS_BACK, Message("which way it goes depends on the parameter values"))
 
+    def length(self, point: Point) -> Ratio:
+        """Of the path of a point, phase by phase."""
+        axes = along_axes(point, in_space=bool(self.system.space))
+        total = sum((self._length_in(phase, axes) for phase in self.phases), self.phases[0].told_zero)
+        return total.field.lowest_terms(total)
+
+    def _length_in(self, phase: FormulaPhase, axes: Sequence[Displacement]) -> Ratio:
+        """Where it runs straight on, v = u e with a constant direction e, or is as fast all the time, v . a = 0."""
+        model = phase.begin.model
+        state, f = SymbolicState(model), model.field
+        rates = [(m, u) for m in axes if not (u := f.lowest_terms(f.follow(state.rate(m), self.still))).is_zero()]
+        if not rates:
+            return phase.told_zero
+        first, along = rates[0]
+        shares = [f.lowest_terms(u / along) for _m, u in rates]
+        if not any(f.ingredients(x) & model.moving for x in shares):
+            why = Message("which way it goes depends on the parameter values")
+            size = phase.begin.sqrt(f.lowest_terms(sum((x * x for x in shares), f.zero)))
+            return self._gone_in(phase, first, _TURNS_BACK, why) * phase.told(size)
+        power = sum((u * f.follow(state.acceleration(m), self.still) for m, u in rates), f.zero)
+        if phase.time is None or not f.lowest_terms(power).is_zero():
+            raise CannotAnswer(_CURVED)
+        square = sum((phase.begin.rate(m) ** 2 for m in axes), f.zero)
+        return phase.told(phase.begin.sqrt(f.lowest_terms(square)) * phase.time)
+
     def _gone(self, measure: Measure, both_ways: CannotAnswer, depends: Message) -> Ratio:
         """How far a measure has gone, phase by phase."""
-        gone: list[Ratio] = []
-        for phase in self.phases:
-            rates = [self.numbers(x) for x in phase.rates(measure)]
-            if np.nanmin(rates[0] * rates[1], initial=0.0) < -_ROUND_OFF:
-                raise both_ways
-            x = phase.at_end(measure) - phase.at_begin(measure)
-            values = self.numbers(x)
-            signs = set(np.sign(values[np.abs(values) > _TURNED]).tolist())
-            if len(signs) > 1:
-                raise CannotAnswer(depends)
-            gone.append(-x if signs == {-1.0} else x)
+        gone = [self._gone_in(phase, measure, both_ways, depends) for phase in self.phases]
         return gone[0].field.lowest_terms(sum(gone[1:], gone[0]))
+
+    def _gone_in(self, phase: FormulaPhase, measure: Measure, both_ways: CannotAnswer, depends: Message) -> Ratio:
+        rates = [self.numbers(x) for x in phase.rates(measure)]
+        if np.nanmin(rates[0] * rates[1], initial=0.0) < -_ROUND_OFF:
+            raise both_ways
+        x = phase.at_end(measure) - phase.at_begin(measure)
+        values = self.numbers(x)
+        signs = set(np.sign(values[np.abs(values) > _TURNED]).tolist())
+        if len(signs) > 1:
+            raise CannotAnswer(depends)
+        return -x if signs == {-1.0} else x
 
     def integral(self, quantity: Quantity) -> Elements:
         """Over the time, of what stays the same or is given in it, phase by phase."""
@@ -247,7 +282,27 @@ def smooth_passage(
         elements,
         lambda x: np.array(setup.model.samples.at_starts(x), dtype=np.float64),
         setup.start_instant.sqrt,
+        still=setup.motion.integrals.resting,
     )
+
+
+def along_axes(point: Point, *, in_space: bool) -> tuple[Displacement, ...]:
+    """Where a point is on the axes of the ground."""
+    zero, one = number(0), number(1)
+    n = 3 if in_space else 2
+    axes = (Direction(GROUND, tuple(one if j == k else zero for j in range(n))) for k in range(n))
+    return tuple(Displacement(point, Point(GROUND, (zero,) * n), axis) for axis in axes)
+
+
+def straight_through(places: Sequence[Sequence[float]]) -> float:
+    """The length of a path from its points, which lie on a line. Raises CannotAnswer where they do not, or where they
+    turn back: how far it gets between them is not known."""
+    steps = np.diff(np.asarray(places, dtype=np.float64), axis=0)
+    lengths = np.linalg.norm(steps, axis=1)
+    whole, total = float(np.linalg.norm(steps.sum(axis=0))), float(lengths.sum())
+    if len(steps) < _N_ON_THE_WAY or total > whole * (1 + _ROUND_OFF) + _TURNED:
+        raise _CURVED_OR_BACK
+    return total
 
 
 def gone_through(values: Sequence[float], both_ways: CannotAnswer) -> float:
@@ -283,6 +338,7 @@ class NumericPassage:
     ways: Callable[[], Iterable[Sequence[Snapshot]]] | None = None
     at_begin: Callable[[Quantity], Any] | None = None
     over_time: Callable[[Quantity], Any] | None = None
+    is_smooth: bool = False  # one law all the way, along which `over_time` integrates
 
     def time(self) -> float:
         return self.now.t
@@ -320,6 +376,14 @@ class NumericPassage:
             return turns_in_numbers(body, self.ways())
         angle, why = Angle(body), both_ways(body)
         return sum(gone_through([s.value(angle) for s in instants], why) for instants in self.ways()) / (2.0 * np.pi)
+
+    def length(self, point: Point) -> float:
+        if self.is_smooth and self.over_time is not None:
+            return float(self.over_time(OfPoint(point, 1, size=True)))
+        if self.ways is None:
+            raise CannotAnswer(Message("the way is not counted here"))
+        axes = along_axes(point, in_space=bool(self.begin.reference.system.space))
+        return sum(straight_through([[s.value(m) for m in axes] for s in instants]) for instants in self.ways())
 
     def travelled(self, measure: Measure) -> float:
         if self.ways is None:
@@ -359,5 +423,13 @@ def smooth_numbers(
         return quantity.value(setup.system, event)
 
     return NumericPassage(
-        setup.system, start, event, at_end, lost, work, lambda: ((start, *links, event),), over_time=over_time
+        setup.system,
+        start,
+        event,
+        at_end,
+        lost,
+        work,
+        lambda: ((start, *links, event),),
+        over_time=over_time,
+        is_smooth=True,
     )

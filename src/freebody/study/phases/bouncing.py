@@ -23,6 +23,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.measures.geometry import Point
 from freebody.questions.course import Transition
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question
@@ -245,6 +246,9 @@ class PassageOfBouncing(PassageWithFriction):
         size = phase.start_instant.sqrt(f.lowest_terms(kappa * kappa))
         x = before + self.phases[-1].told(size * flights.path)
         return x.field.lowest_terms(x)
+
+    def length(self, point: Point) -> Ratio:
+        raise CannotAnswer(Message("the way is not counted here"))
 
     @property
     def until_impact(self) -> PassageWithFriction:
