@@ -142,3 +142,21 @@ def test_a_ball_stays_on_a_slope_that_its_resistance_holds(question: str, formul
 
 def test_a_torque_about_the_normal_is_held_up_to_the_resistance_to_spinning() -> None:
     is_formula(SLOPE.replace("beta: 5 deg", "beta: 0.5 deg"), "largest T so that it stays at rest", "s*m*g*cos(beta)")
+
+BOWL = """
+space: {up: z}
+parameters: {m: 2 kg, r: 5 cm, k: 2 /m, g: 9.81 m/s^2}
+bodies: {ball: {SHAPE, at: [0, 0, r]}}
+connections: {c: {rolling_on_surface: {body: ball, z: "k/2*rho^2"}}}
+loads: {w: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("shape", "share"),
+    [("sphere: {mass: m, radius: r}", "7/5"), ("spherical_shell: {mass: m, radius: r}", "5/3")],
+)
+def test_a_ball_swings_about_the_bottom_of_a_bowl_by_its_curvature(shape: str, share: str) -> None:
+    """Its middle is 1/k - r from that of curvature, and it turns as it rolls: (1 + I/(m r^2)) (1/k - r) s'' = -g s."""
+    text = BOWL.replace("SHAPE", shape)
+    is_formula(text, "period of small oscillations", f"2*pi*sqrt({share}*(1/k - r)/g)", factors=(1.0, 1.02))

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
+from itertools import product
 
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
@@ -81,8 +82,22 @@ class SymbolicDynamics:
         return tuple(p + q for p, q in zip(changing, self.turning_momentum(body), strict=True))
 
     # -- equations of motion ------------------------------------------------------------------
-    @cached_property
+    @property
     def mass_matrix(self) -> list[list[Ratio]]:
+        """Raises FormulaTooLong."""
+        if isinstance(self._mass_matrix, FormulaTooLong):
+            raise self._mass_matrix
+        return self._mass_matrix
+
+    @cached_property
+    def _mass_matrix(self) -> list[list[Ratio]] | FormulaTooLong:
+        """That it is too long is found once."""
+        try:
+            return self._made_mass_matrix()
+        except FormulaTooLong as error:
+            return error
+
+    def _made_mass_matrix(self) -> list[list[Ratio]]:
         n = len(self._speeds.coordinates)
         f = self.field
         M = [[f.zero] * n for _ in range(n)]
@@ -100,6 +115,29 @@ class SymbolicDynamics:
             for k in range(j):
                 M[j][k] = M[k][j]
         return M
+
+    def mass_matrix_in(self, here: Callable[[Ratio], Ratio]) -> list[list[Ratio]]:
+        """The mass matrix where elements are as `here` has them: in one pose it is made there where it is too long in
+        general."""
+        with suppress(FormulaTooLong):
+            return [[here(x) for x in row] for row in self.mass_matrix]
+        n, f = len(self._speeds.coordinates), self.field
+        M = [[f.zero] * n for _ in range(n)]
+        for name, partials in self._kinematics.partial_velocities.items():
+            inertia = tuple(map(here, self.inertias[name]))
+            placed = [tuple(map(here, partial)) for partial in partials]
+            momenta = [self._bodies.momentum(inertia, partial) for partial in placed]
+            for j, k in product(range(n), repeat=2):
+                M[j][k] = sum((p * v for p, v in zip(momenta[j], placed[k], strict=True)), M[j][k])
+        return [[f.lowest_terms(x) for x in row] for row in M]
+
+    @property
+    def parts_of_inertia(self) -> list[Ratio]:
+        """The entries of the mass matrix, or where they are too long what it is made of."""
+        with suppress(FormulaTooLong):
+            return [x for row in self.mass_matrix for x in row]
+        made_of = [part for partials in self._kinematics.partial_velocities.values() for p in partials for part in p]
+        return [*made_of, *(part for parts in self.inertias.values() for part in parts)]
 
     @cached_property
     def vanishing_inertia(self) -> Ratio | None:
@@ -143,6 +181,26 @@ class SymbolicDynamics:
                     if not s.is_zero() and not p.is_zero():
                         forces[k] = f.lowest_terms(forces[k] + p * s)
         return forces
+
+    @cached_property
+    def forcing_near_rest(self) -> list[Ratio]:
+        """F, or where that is too long what is left of it without terms of second order in the speeds. Where nothing is
+        driven, that is the velocity terms of the inertia: they are homogeneous of that order."""
+        try:
+            return self.forcing
+        except FormulaTooLong:
+            if not self._is_still_without_speeds:
+                raise
+            return [self.generalized_force(c) for c in self._speeds.coordinates]
+
+    @property
+    def _is_still_without_speeds(self) -> bool:
+        """Whether nothing moves where the speeds of the coordinates vanish: nothing is driven."""
+        f, speeds = self.field, self._speeds
+        still = {c.speed: f.zero for c in (*speeds.coordinates, *speeds.dependent)}
+        moved = [part for v in self._kinematics.velocities.values() for part in v]
+        moved += [speeds.dependent_speed(d) for d in speeds.dependent]
+        return all(f.substitute(x, still).is_zero() for x in moved)
 
     @cached_property
     def solved_accelerations(self) -> Mapping[int, Ratio]:

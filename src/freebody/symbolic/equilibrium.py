@@ -94,7 +94,7 @@ def equilibria(
     is_one_enough: others are not looked for where the start is one. Raises CannotAnswer where none is found."""
     f = model.field
     rest = {c.speed: f.zero for c in (*model.coordinates, *model.dependent)} | stand_still(model)
-    forces = [f.follow(F, rest) for F in model.dynamics.forcing]
+    forces = [f.follow(F, rest) for F in model.dynamics.forcing_near_rest]
     at_start = {c.index: start.of(c.index) for c in model.coordinates}
     at_start |= _bound_at(model, at_start, start)
     first: ClosedFormRest | None = None
@@ -186,7 +186,7 @@ def _straight_families(linear: Linearised) -> list[dict[int, Ratio]]:
     for free in stiff.free:
         v = {free: f.one} | {c: row[free] for c, row in stiff.pivots.items() if free in row}
         family = linear.still | {c: linear.at[c] + t * x for c, x in v.items()}
-        if all(f.follow(F, family).is_zero() for F in model.dynamics.forcing):
+        if all(f.follow(F, family).is_zero() for F in model.dynamics.forcing_near_rest):
             found.append(v)
     return found
 
@@ -266,7 +266,7 @@ def _has_forces(linear: Linearised) -> bool:
     """Whether the forces have a value at a place. Where a length vanishes, along which one of them acts, the zero of
     what is written above a fraction says nothing of it."""
     try:
-        for F in linear.model.dynamics.forcing:
+        for F in linear.model.dynamics.forcing_near_rest:
             linear.here(F)
     except ZeroDivisionError:
         return False
@@ -337,7 +337,7 @@ def _of_high_order(model: SymbolicModel, at: dict[int, Ratio]) -> bool | None:
     """Where the stiffness vanishes, by the first derivative of the force that does not: one of odd order must pull
     back, one of even order pushes away on one side."""
     f, c = model.field, model.coordinates[0]
-    force = f.follow(model.dynamics.forcing[0], {c.speed: f.zero} | stand_still(model))
+    force = f.follow(model.dynamics.forcing_near_rest[0], {c.speed: f.zero} | stand_still(model))
     for order in range(1, _MOST_DERIVATIVES):
         force = f.derivative(force, c.index)
         sign = sign_given(f.follow(force, at))

@@ -387,10 +387,14 @@ class Field(PolynomialRing):
 
     def derivative(self, x: Ratio, coordinate: int) -> Ratio:
         """Derivative along one coordinate (or the time), its sines, cosines and roots following it."""
+        return self._derivative(x, self.directions(x, coordinate))
+
+    def directions(self, x: Ratio, coordinate: int) -> dict[int, Ratio]:
+        """How generators of x run along one coordinate: itself, and the sines, cosines and roots that follow it."""
         direction: dict[int, Ratio] = {coordinate: self.one}
         speeds = self._rates.get(coordinate)
         if speeds is None:
-            return self.partial(x, coordinate)
+            return direction
         speed = None if speeds.is_one() else self.index(speeds)  # that of the time is one
         for index in x.generators() - {coordinate}:
             rate = self._rates.get(index)
@@ -398,7 +402,12 @@ class Field(PolynomialRing):
                 slope = self._without_speeds(rate) if speed is None else self.partial(rate, speed)
                 if not slope.is_zero():
                     direction[index] = slope
-        return self._derivative(x, direction)
+        return direction
+
+    def parts(self, x: Ratio) -> tuple[Ratio, Ratio]:
+        """Numerator and denominator."""
+        num, den = self.current(x.num), None if x.den is None else self.current(x.den)
+        return Ratio(self, num, None), self.one if den is None else Ratio(self, den, None)
 
     def _without_speeds(self, rate: Ratio) -> Ratio:
         """A rate where nothing moves but the time."""

@@ -22,7 +22,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
@@ -60,14 +60,14 @@ def timed_in(model: SymbolicModel, x: Ratio) -> set[int]:
 def swing_of(model: SymbolicModel) -> Swing | None:
     """How loads and drivers swing; None where nothing varies in time, or not in one sine."""
     f = model.field
-    entries = [*model.dynamics.forcing, *(x for row in model.dynamics.mass_matrix for x in row)]
+    entries = [*model.dynamics.forcing_near_rest, *model.dynamics.parts_of_inertia]
     timed = set[int]().union(*(timed_in(model, x) for x in entries))
     pair = next((p for p in f.pairs(timed) if timed <= set(p)), None) if timed else None
     if pair is None:
         return None
     frequency = -f.rate(f.variable(pair[0])) / f.variable(pair[1])
     found = Swing(*pair, frequency)
-    if not frequency.is_constant() or any(found.parts(x) is None for x in model.dynamics.forcing):
+    if not frequency.is_constant() or any(found.parts(x) is None for x in model.dynamics.forcing_near_rest):
         return None
     return found
 
@@ -121,14 +121,30 @@ class Linearised:
         """Along a coordinate, what follows it through loops following it; at rest, where elements are shorter."""
         m, f = self.model, self.model.field
         x = f.follow(x, dict.fromkeys((d.speed for d in (*m.coordinates, *m.dependent)), f.zero))
-        own, inside = f.derivative(x, c.index), f.ingredients(x)
-        following = [(d, f.derivative(x, d.index)) for d in m.dependent if d.index in inside]
+        inside = f.ingredients(x)
+        try:
+            own = f.derivative(x, c.index)
+            following = [(d, f.derivative(x, d.index)) for d in m.dependent if d.index in inside]
+        except FormulaTooLong:
+            slopes = [self._slope_here(x, d) * self._ratio(d, c) for d in m.dependent if d.index in inside]
+            return f.lowest_terms(sum(slopes, self._slope_here(x, c)))
         try:  # in the pose, where each part is short
             parts = (self.here(slope) * self._ratio(d, c) for d, slope in following)
             return f.lowest_terms(sum(parts, self.here(own)))
         except ZeroDivisionError:  # of parts that have a value there only together
             wholes = (slope * f.partial(m.dependent_speed(d), c.speed) for d, slope in following)
             return self.here(sum(wholes, own))
+
+    def _slope_here(self, x: Ratio, c: Coordinate) -> Ratio:
+        """Along a coordinate alone, of what is too long in general: (N' D - N D')/D^2 of parts taken in the pose."""
+        f = self.model.field
+        num, den = f.parts(x)
+        N, D = self.here(num), self.here(den)
+        slope = f.zero
+        for index, rate in f.directions(x, c.index).items():
+            dN, dD = (self.here(f.partial(part, index)) for part in (num, den))
+            slope = slope + (dN * D - N * dD) / (D * D) * self.here(rate)
+        return f.lowest_terms(slope)
 
     def _ratio(self, d: Coordinate, c: Coordinate) -> Ratio:
         """How fast what loops bind runs there with the speed 1 of a coordinate."""
@@ -153,7 +169,7 @@ class Linearised:
     # -- the matrices -------------------------------------------------------------------------
     @cached_property
     def mass(self) -> Matrix:
-        return [[self.here(x) for x in row] for row in self.model.dynamics.mass_matrix]
+        return self.model.dynamics.mass_matrix_in(self.here)
 
     @cached_property
     def stiffness(self) -> Matrix:
@@ -165,7 +181,7 @@ class Linearised:
 
     def _each(self, entry: Callable[[Ratio, Coordinate], Ratio]) -> Matrix:
         m = self.model
-        return [[entry(force, c) for c in m.coordinates] for force in m.dynamics.forcing]
+        return [[entry(force, c) for c in m.coordinates] for force in m.dynamics.forcing_near_rest]
 
     # -- the characteristic polynomial --------------------------------------------------------
     def pencil(self, s: Ratio) -> Matrix:

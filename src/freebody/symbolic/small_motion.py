@@ -341,7 +341,7 @@ def _beside_even_motion(model: SymbolicModel, start: StartState) -> ClosedFormRe
     at = {c.index: start.of(c.index) for c in coordinates}
     linear = Linearised(model, at)
     moving = {g for c in coordinates for g in (c.index, c.speed)} | {f.index(f.time)}
-    forces = model.dynamics.forcing
+    forces = model.dynamics.forcing_near_rest
     slopes = [f.lowest_terms(f.derivative(F, c.index)) for F in forces for c in coordinates]
     slopes += [f.lowest_terms(f.partial(F, c.speed)) for F in forces for c in coordinates]
     masses = [f.lowest_terms(x) for row in model.dynamics.mass_matrix for x in row]
