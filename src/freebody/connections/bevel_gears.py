@@ -155,10 +155,10 @@ connections:
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         radius = names.positive(self, "radius", LENGTH)
-        z1, z2 = (names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
+        teeth = [names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth)]
+        radii = (radius, divide(radius * teeth[1], teeth[0])) if len(teeth) == 2 else ()
         for first, second in self.pairs_of_gears(names):
-            centers = names.body(first).center, names.body(second).center
-            yield glyphs.Toothed(centers, (radius, divide(radius * z2, z1)))
+            yield glyphs.Toothed((names.body(first).center, names.body(second).center), radii)
 
 
 def _size(v: Components) -> Expr:
