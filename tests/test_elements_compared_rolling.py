@@ -143,6 +143,7 @@ def test_a_ball_stays_on_a_slope_that_its_resistance_holds(question: str, formul
 def test_a_torque_about_the_normal_is_held_up_to_the_resistance_to_spinning() -> None:
     is_formula(SLOPE.replace("beta: 5 deg", "beta: 0.5 deg"), "largest T so that it stays at rest", "s*m*g*cos(beta)")
 
+
 BOWL = """
 space: {up: z}
 parameters: {m: 2 kg, r: 5 cm, k: 2 /m, g: 9.81 m/s^2}

@@ -435,6 +435,9 @@ def _tightened(names: Names, rest: Clause) -> list[str]:
     return [name for name in belts if not of or of == [name]] if rest.only("name", *SILENT) else []
 
 
+_RUNS = 2  # of a string over a wheel
+
+
 @said_of("belt force")
 def _of_belt(names: Names, quantity: str, rest: Clause) -> Groups:
     """The difference of the tensions of both runs, of the belt that is named or the only one."""
@@ -456,10 +459,9 @@ def _differences(names: Names, of: list[str]) -> list[str]:
     """The difference of the tensions of the strings over a wheel, or of all, that have two ends."""
     strings = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "tension")
     strings = [name for name in strings if all(joining.touches(names, name, one) for one in of)]
-    ends = {name: [*_ends_of(names, name)] for name in strings}
-    return [
-        f"tension of {name}{own[0]} - tension of {name}{own[1]}" for name, own in ends.items() if len({*own} - {""}) == 2
-    ]
+    ends = [(name, _ends_of(names, name)) for name in strings]
+    both = [(name, *own) for name, own in ends if len({*own} - {""}) == _RUNS]
+    return [f"tension of {name}{one} - tension of {name}{other}" for name, one, other in both]
 
 
 @said_of("links")
