@@ -339,3 +339,26 @@ measures: {r: travel of bead along rod.axis}
 """
     assert not warned(ON_DECK.replace("FROM", " from boat"))
     assert not warned(turning)
+
+
+LEANING = """
+space: {up: z}
+parameters: {m: 12 kg, a: 1.5 m, b: 0.6 m, h: 4 m, mu: 0.6, g: 9.81 m/s^2}
+ground: {planes: {floor: {normal: up}, wall: {normal: [-1, 0, 0]}}}
+bodies:
+  ladder:
+    body: {mass: m, inertia: [1 kg m^2, 1 kg m^2, 1 kg m^2]}
+    points: {foot: [-a/2, -b/2, -h/2], top: [a/2, b/2, h/2]}
+connections:
+  foot: {contact: {between: [ladder.foot, floor], friction: mu}}
+  top: {contact: {between: [ladder.top, wall], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_a_body_that_is_only_touched_and_comes_to_lie_aslant_is_told() -> None:
+    (warning,) = fb.System.from_text(LEANING).warnings
+    assert warning.kind == "turned open"
+    assert "could as well not be turned" in str(warning.problem.message)
+    said = LEANING.replace("    points: {foot", "    turned: 0 deg about z\n    points: {foot")
+    assert not fb.System.from_text(said).warnings

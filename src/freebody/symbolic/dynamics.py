@@ -218,11 +218,18 @@ class SymbolicDynamics:
 
     def determined(self, x: Ratio) -> Ratio:
         """What is told by `open_accelerations`. Raises NotDetermined where it depends on one that is open."""
-        found = self.open_accelerations
-        is_open = self.field.ingredients(x) & found.keys()
+        is_open = self._left_open & self.field.ingredients(x) if self._left_open else None
         if is_open:
             raise NotDetermined(self._nothing_moves(is_open))
         return x
+
+    @cached_property
+    def _left_open(self) -> frozenset[int]:
+        """The accelerations that stand for themselves; elsewhere they may be names of what they come to."""
+        f, found = self.field, self.open_accelerations
+        if "solved_accelerations" in vars(self):
+            return frozenset()
+        return frozenset(a for a, x in found.items() if (x - f.variable(a)).is_zero())
 
     def accelerations_in(self, here: Callable[[Ratio], Ratio], *, leaves_open: bool = False) -> Mapping[int, Ratio]:
         """du/dt where elements are as `here` has them: in one pose short where they are long in general. leaves_open:
