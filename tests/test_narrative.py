@@ -61,9 +61,13 @@ def reread(explanation: Explanation) -> None:
 
 
 def before_the_result(derivation: Derivation) -> tuple[DerivationStage, ...]:
-    """The stages that lead to the result."""
+    """The stages that lead to the result, which is not written again where only conditions and checks follow it."""
     keys = [stage.title.key for stage in derivation.stages]
-    return derivation.stages[: keys.index("stage.result")] if "stage.result" in keys else derivation.stages
+    if "stage.result" in keys:
+        return derivation.stages[: keys.index("stage.result")]
+    behind = ("stage.conditions", "stage.checks", "stage.options")
+    n = next((k + 1 for k in reversed(range(len(keys))) if keys[k] not in behind), 0)
+    return derivation.stages[:n]
 
 
 def the(name: str, question: str, **options: str) -> tuple[Explanation, Derivation]:
