@@ -54,7 +54,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         return
     if not modal and not (clause.has("ask") or clause.has("degree") or clause.has("mark")):
         return
-    if {"tip", "slide"} <= set(clause.all("verb")) and clause.has("mark", "until") and not clause.has("not"):
+    if {"tip", "slide"} <= set(clause.all("verb")) and clause.has("mark", "until"):
         return  # which of both comes first is no limit of rest
     head, state = _parted(names, words)
     if clause.has("ask", "far", "high", "fast") and "may" not in modal:

@@ -73,6 +73,9 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "speed" and axle:  # what turns about its centre has no other speed
         yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]
         return
+    if quantity == "acceleration" and axle == "center":
+        yield [f"angular acceleration of {name}"]
+        return
     if quantity.startswith("angular") and name in names.bodies and not names.bodies[name].turns and not end:
         yield [f"{quantity.removeprefix('angular ')} of {angle}" for angle in lookup.hung(names, name)]
     if (

@@ -21,7 +21,7 @@ _COUNT = rf"(?P<count>\d+(?:[.,]\d+)?|{'|'.join(_COUNTS)})"
 _TIMES = (
     r"(?:as (?:large|big|great|high|strong) as )?"
     rf"(?:(?P<factor>twice|double|half|thrice|doppelt|halb)|{_COUNT}(?: times| ?mal|-?fach(?:e[ns]?)?)"
-    r"|equal to|gleich|just)"
+    r"|equals?(?: to)?|gleich|just)"
     r"(?: (?:as (?:large|big|great|high|strong|heavy) as|so (?:groß|gross|stark|hoch|schwer) wie|vo[nm]|of))?"
 )
 _MULTIPLE = re.compile(
