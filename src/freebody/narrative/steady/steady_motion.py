@@ -21,7 +21,7 @@ from freebody.model.states import shown_rate, state_name
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, asked_symbol, names_of, side_of
-from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence
+from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, ready
 from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.narrative.principles.sides import balanced
 from freebody.questions.motion import rates_of
@@ -157,6 +157,9 @@ def _roots(
     else:
         script.say("steady.roots", n=len(general))
         sides = (_root_symbols(telling, script, glossary, symbol, general), general)
+    for note in solutions.notes:
+        if note not in telling.answer.notes:  # which the result tells
+            script.say("result.note", text=ready(note))
     line = script.line(*sides, why="steady.solved", args=args, uses=tuple(uses), when="event")
     if sides[-1] != expression:
         given: dict[str, Argument] = {"lines": (line,)}
