@@ -68,6 +68,8 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
         allowed |= {_OF_ANGLE[of] for of in allowed & _OF_ANGLE.keys()}
     if Word("verb", "accelerate") in main:  # at what rate it spins up
         allowed |= {ACCELERATION, _RATE_2}
+    if ACCELERATION in allowed and any(_turns_about_centre(names, word) for word in main):
+        allowed.add(_RATE_2)
     if not allowed or any(word.kind == "quantity" and not measured_in(word) for word in said):
         return True
     if _is_about_angles(names, words):
@@ -80,6 +82,11 @@ def _named_behind_ask(names: Names, main: Sequence[Word]) -> str | None:
     said = [word for word in main if word.kind != "filler"]
     is_asked = len(said) > 1 and said[0].kind == "ask" and said[0].what in ("with", "for", "what")
     return said[1].what if is_asked and said[1].kind == "name" and said[1].what in names.measures else None
+
+
+def _turns_about_centre(names: Names, word: Word) -> bool:
+    """Whether a word names a body whose centre rests on its axle: it has no acceleration but that of turning."""
+    return word.kind == "name" and word.what in names.bodies and joining.axle_of(names, word.what) == "center"
 
 
 def _dimensions(word: Word) -> tuple[Dimension, ...]:
