@@ -208,7 +208,7 @@ def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> 
         return None
     if named:
         return named[0]
-    if asked == ["tension"] and {*of_forces.having(names, "tension")} & {*others}:  # of a string, and not chosen
+    if asked == ["tension"] and any(name in names.connections or "." in name for name in others):  # nobody chooses it
         return None
     by_asking = [given.ASKED_BY[ask] for ask in head.all("ask") if ask in given.ASKED_BY]
     kinds = [given.KIND_OF[word] for word in asked] or by_asking
