@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, POWER, STIFFNESS, TIME, Dimension
 from freebody.language.units.dimension import ACCELERATION, ANGULAR_MOMENTUM, MOMENTUM, TORQUE, VELOCITY
-from freebody.questions.spoken import joining
+from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.accounting import TURNED_ROUND
 from freebody.questions.spoken.lexicon import Word, measured_in
 from freebody.questions.spoken.sentence import parted
@@ -86,7 +86,8 @@ def _named_behind_ask(names: Names, main: Sequence[Word]) -> str | None:
 
 def _turns_about_centre(names: Names, word: Word) -> bool:
     """Whether a word names a body whose centre rests on its axle: it has no acceleration but that of turning."""
-    return word.kind == "name" and word.what in names.bodies and joining.axle_of(names, word.what) == "center"
+    is_body = word.kind == "name" and word.what in lookup.moving(names)
+    return is_body and joining.axle_of(names, word.what) == "center"
 
 
 def _dimensions(word: Word) -> tuple[Dimension, ...]:
