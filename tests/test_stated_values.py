@@ -81,6 +81,11 @@ def test_a_value_of_the_file_is_no_other_one() -> None:
         ("band_brake", "force on the hinge with a length of 3 m"),  # a or L or R
         ("band_brake", "force on the hinge with F = 3 m"),
         ("band_brake", "how blue is it with F = 3 N"),
+        ("block_pushed_on_incline", "friction force on the block with a pulley mass of 3 kg"),  # m is its own
+        ("cart_and_pendulum", "acceleration of the cart with a friction force of 5 N"),  # F is no friction
+        ("cart_and_pendulum", "acceleration of the cart with 5 N of friction"),
+        ("cart_and_pendulum", "Beschleunigung des Wagens mit einer Reibkraft von 5 N"),
+        ("block_pushed_on_incline", "friction force on the block with a normal force of 50 N"),
     ],
 )
 def test_what_cannot_be_read_with_a_value_either_is_refused(name: str, question: str) -> None:

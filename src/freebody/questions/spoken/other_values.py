@@ -41,7 +41,7 @@ _UNIT = r"(?: ?[A-Za-z°][A-Za-z0-9/^]*(?: (?:m|s)(?:\^?2)?(?!\w))*)?"
 _OF_KIND = re.compile(
     r"(?:[, ]*\b(?:(?:with|for|under|at|given|mit|für|unter|bei) (?:an? |the |eine[rmns]? |de[rmn] )?"
     r"|(?:if|when|while|where|wenn|falls) (?:the |die |der |das )?))"
-    r"(?:[^\W\d]+ )?(?P<noun>[^\W\d]*(?:force|torque|load|push|pull|moment|mass|thrust|drive|acceleration|friction|"
+    r"(?P<whose>[^\W\d]+ )?(?P<noun>[^\W\d]*(?:force|torque|load|push|pull|moment|mass|thrust|drive|acceleration|friction|"
     r"slope|incline|inclination|gradient|kraft|last|masse|moment|beschleunigung|reibung|steigung|neigung|reibungszahl))"
     rf"(?: of| is| equals| von| ist| beträgt|) (?P<value>\d+(?:\.\d+)?{_UNIT})"
     r"(?=[ ,.?!]|$)",
@@ -57,6 +57,12 @@ _AND = re.compile(  # and of another parameter
 _AT_SPEED = re.compile(  # how fast something is driven: at 100 rad/s, bei 300 U/min
     r"[, ]*\b(?:at|with|bei|mit) (?P<value>\d+(?:\.\d+)? ?(?:rad/s|rpm|1/min|U/min))(?=[ ,.?!]|$)"
 )
+_FOLLOWS = re.compile(  # forces that follow from the motion, and are no value that could be chosen
+    r"friction|normal|reaction|contact|spring|rope|string|cord|cable|belt|chain|bearing|tooth|tension|inertia|centrifug|"
+    r"weight|drag|reib|feder|seil|lager|zahn|riemen|ketten|kontakt|träg|flieh|gewicht|stabkraft|haft|widerstand",
+    re.IGNORECASE,
+)
+_OF_FORCE = re.compile(r"\d ?[kM]?N\b")
 _CHANGED = re.compile(  # what happens if the force F is doubled
     r"\b(?:if|when|wenn|falls) (?:(?:the|die|der|das|one|you|man) )?(?:(?:force|kraft|mass|masse|speed|torque) )?"
     r"(?P<name>\w+) (?:is |gets |becomes |wird |sich )?"
@@ -93,10 +99,13 @@ def stated_values(names: Names, text: str) -> tuple[dict[str, str], str]:
     values: dict[str, str] = {}
     for pattern in (_AND, _IN_PASSING, _OF_KIND, _UNNAMED):
         for found in reversed([*pattern.finditer(text)]):
-            named = found.groupdict().get("name")
+            named, noun = found.groupdict().get("name"), found.groupdict().get("noun", "")
             if named is not None and named not in names.parameters:
                 continue
-            name = named or _alone(names, found["value"], found.groupdict().get("noun", ""))
+            is_of_one = "mass" in noun.lower() and bool(found["whose"])  # of which body is not looked for
+            if named is None and (_is_no_choice(found[0]) or is_of_one):
+                return {}, text
+            name = named or _alone(names, found["value"], noun)
             if name is None or name in values or not _is_value_of(names, name, found["value"]):
                 return {}, text
             values[name] = _with_unit(names, name, found["value"])
@@ -124,6 +133,11 @@ def _alone(names: Names, value: str, noun: str) -> str | None:
         alike = [p.name for p in fitting if p.name not in weights and p.is_angle == _is_angle(value)]
         return alike[0] if len(alike) == 1 else None
     return None
+
+
+def _is_no_choice(said: str) -> bool:
+    """Whether a force is said that nobody chooses: with a friction of 5 N, but with a friction coefficient of 0.3."""
+    return _OF_FORCE.search(said) is not None and _FOLLOWS.search(said) is not None
 
 
 def _is_angle(value: str) -> bool:
@@ -160,7 +174,7 @@ def _parted(value: str) -> str:
 def _exerted(names: Names, text: str) -> tuple[re.Match[str], list[str], bool] | None:
     """What is said of how hard something pushes, the parameters that it can be, and whether one has that value."""
     found = _EXERTED.search(text)
-    if found is None:
+    if found is None or _is_no_choice(found[0]):
         return None
     with suppress(UnitError, ValueError):
         said = _quantity(found["value"])
