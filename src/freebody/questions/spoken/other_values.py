@@ -41,7 +41,8 @@ _UNIT = r"(?: ?[A-Za-z°][A-Za-z0-9/^]*(?: (?:m|s)(?:\^?2)?(?!\w))*)?"
 _OF_KIND = re.compile(
     r"(?:[, ]*\b(?:(?:with|for|under|at|given|mit|für|unter|bei) (?:an? |the |eine[rmns]? |de[rmn] )?"
     r"|(?:if|when|while|where|wenn|falls) (?:the |die |der |das )?))"
-    r"(?P<whose>[^\W\d]+ )?(?P<noun>[^\W\d]*(?:force|torque|load|push|pull|moment|mass|thrust|drive|acceleration|friction|"
+    r"(?P<whose>[^\W\d]+ )?"
+    r"(?P<noun>[^\W\d]*(?:force|torque|load|push|pull|moment|mass|thrust|drive|acceleration|friction|"
     r"slope|incline|inclination|gradient|kraft|last|masse|moment|beschleunigung|reibung|steigung|neigung|reibungszahl))"
     rf"(?: of| is| equals| von| ist| beträgt|) (?P<value>\d+(?:\.\d+)?{_UNIT})"
     r"(?=[ ,.?!]|$)",
