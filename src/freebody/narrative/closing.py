@@ -71,6 +71,9 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         unit = "" if answer.unit in ("", "1") else f" {raised(answer.unit)}"
         if answer.unit == "rad":
             unit += f" ({', '.join(f'{math.degrees(v):.5g}°' for v in values)})"
+        if (wanted := answer.value_in_unit) is not None and answer.in_unit != answer.unit:
+            parts = wanted if isinstance(wanted, tuple) else (wanted,)
+            unit += f" = {', '.join(f'{v:.5g}' for v in parts)} {raised(answer.in_unit)}"
         script.say("result.value", value=f"@{shown}{unit}")
     if answer.notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in answer.notes)))

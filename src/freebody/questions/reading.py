@@ -78,6 +78,7 @@ class Question:
     words: str = ""  # in which a sheet asks it, where its author has written them
     points: float | None = None
     found_at: FoundAt | None = None  # of an event that was asked for by what is so there
+    in_unit: str = ""  # in which the answer is told beside its own, if that is wanted
 
 
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
@@ -230,6 +231,7 @@ def _asks(
         plain(canonical or text),
         plain(" ".join(str(entry.get("text", "")).split())),
         _points(names, entry.get("points")),
+        in_unit=meant.in_unit,
     )
 
 
@@ -265,9 +267,31 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     if meant is not None and len(names.problems) == n_before:
         return [(meant, as_condition(names, text))]
     del names.problems[n_before:]
+    from freebody.questions.spoken.naming import elements_of
     from freebody.questions.spoken.understanding import understood  # a tenth of what solving imports
+    from freebody.questions.spoken.wanted_unit import told_in, without_units
 
-    return [(meant, as_condition(names, words)) for meant, words in understood(names, text, read)]
+    bare, units = without_units(text, elements_of(names).exact)
+    if len(units) != 1:
+        found = [(meant, as_condition(names, words)) for meant, words in understood(names, text, read)]
+        return [(_counted_in(names, text, *found[0]), found[0][1])] if len(found) == 1 else found
+    with names.quietly():
+        found = _meant_by(names, bare, when) or understood(names, text, read)
+    if not found:
+        return _meant_by(names, bare, when)
+    if len(found) > 1 or not found[0][0].quantity.unit:
+        return found
+    told = told_in(names, text, *found[0], units[0])
+    return [] if told is None else [(told, as_condition(names, found[0][1]))]
+
+
+def _counted_in(names: Names, text: str, meant: Meant, words: str) -> Meant:
+    """What is meant, in the unit of which a text asks how many, if it has it: how many joules are lost."""
+    from freebody.questions.spoken.wanted_unit import counted_in, told_in
+
+    with names.quietly():
+        unit = counted_in(text)
+        return (unit and told_in(names, text, meant, words, unit)) or meant
 
 
 def _complete(names: Names, phrase: str, when: object) -> Meant | None:

@@ -29,6 +29,7 @@ class Meant:
     event: AskedEvent | None = None
     at_start: bool = False
     transition: Transition | None = None
+    in_unit: str = ""  # in which the answer is wanted, if that is said
 
 
 def placed_at(names: Names, quantity: Quantity, condition: str | None, at_start: bool, path: Path) -> Meant | None:

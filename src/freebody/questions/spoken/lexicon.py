@@ -26,6 +26,7 @@ MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 GAP = "_"
 _SHORT = 3  # letters of a word that has no plural here
 _NO_WORDS = (
+    "units",
     "spelling",
     "families",
     "several",
@@ -356,6 +357,13 @@ def mass_center(language: str) -> str:
 def assumptions(language: str) -> dict[str, str]:
     """Patterns for clauses that assume something, by what it is."""
     return cast("dict[str, str]", _file(language)["assumptions"])
+
+
+@cache
+def unit_words(language: str) -> dict[str, str]:
+    """How units, and what joins them, are said, by how they are written."""
+    said = cast("dict[str, list[str]]", _file(language)["units"])
+    return {word: unit for unit, words in said.items() for word in words}
 
 
 @cache

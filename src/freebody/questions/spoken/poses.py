@@ -93,7 +93,19 @@ def lowermost(names: Names, body: str) -> list[str]:
     if body in names.bodies and joining.keeps_height(names, body):  # of a cart: that is where the bob hangs
         body = ""
     round_ = _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True)
-    return round_ or _caught(names, body) or named_by_file(names, body, -1)
+    return round_ or _caught(names, body) or named_by_file(names, body, -1) or _swinging(names, body)
+
+
+def _swinging(names: Names, body: str) -> list[str]:
+    """The condition that the mass centre of what rocks, or swings, from rest is lowest, where no line tells it."""
+    moving = lookup.massive(names)
+    if moving not in ([body], [moving[0]] if moving and not body else None):
+        return []
+    weighs = any("gravity" in names.called.get(load, ()) for load in names.loads)
+    is_free = weighs and len(names.loads) == 1 and not joining.is_driven(names)
+    if not is_free or not lookup.rests(names) or not lookup.angles(names, moving[0]) or lookup.ways(names, moving[0]):
+        return []
+    return [f"height of {lookup.mass_center_of(names, moving[0])} is least"]
 
 
 def named_by_file(names: Names, body: str, sense: int) -> list[str]:

@@ -39,8 +39,9 @@ from freebody.questions.spoken.own_axles import about_own_axles
 from freebody.questions.spoken.several import each_of, of_rivals, paired, parts, sides_of
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import spelt_out
+from freebody.questions.spoken.wanted_unit import without_units
 from freebody.questions.spoken.weights import in_weights
-from freebody.questions.spoken.words import Unknown, respelt, without_unit, words_of
+from freebody.questions.spoken.words import Unknown, respelt, words_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -457,7 +458,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
         text = re.sub(contexts(language)["at_once"], "", text)
         text = re.sub(contexts(language)["on_crest"], contexts(language)["at_top"], text)
     elements = elements_of(names)
-    text = about_own_axles(names, elements, without_unit(without_what_holds(names, text), elements.exact))
+    text = about_own_axles(names, elements, without_units(without_what_holds(names, text), elements.exact)[0])
     text = in_weights(names, elements, text)
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []

@@ -52,13 +52,6 @@ _NO_WORD = "\0"  # stands for names, values and words that are taken
 _TURNS = re.compile(r"(?:turn|revolution|rotation|umdrehung|rev)", re.IGNORECASE)
 _LEAST_LIKE = 0.8  # of a word to one that is misspelt
 _NO_UNITS = ("", "in", "a", "as", "at")
-# a unit in which an answer is wanted: of its letters alone, or in full
-_UNIT_NAMES = "newton|joule|watt|second|sekunde|metre|meter|degree|grad|radian|kilonewton|hertz|rpm"
-_ASKED_UNIT = re.compile(
-    rf"[, (]+in (?P<unit>(?i:{_UNIT_NAMES})[sn]?|(?:k?N|k?J|k?W|[mck]?m|k?g|t|s|min|h|rad|deg|Hz|MPa|kPa|N ?mm?|N cm|"
-    r"U/min|1/min)"
-    r"(?:(?:\^?2|²)?(?:[/*·](?:min|ms|[a-z]{1,2})(?:\^?2|²)?)*))\)?(?=[ ,?!.]|$)"
-)
 _KEYBOARD = ("qwertyuiop", "qwertzuiopü", "asdfghjklöä", "zxcvbnm", "yxcvbnm")
 _LONG = 9  # letters of a word in which two may be wrong
 _SHORTEST = 5  # letters of a word that may be misspelt
@@ -297,12 +290,6 @@ def _is_new_start(before: list[Word]) -> bool:
     """Whether a main clause may begin: behind a comma, or an `and`, where it is one too many."""
     last = next((w for w in reversed(before) if w.kind != "filler"), None)
     return last in (Word("preposition", ","), Word("preposition", "and"))
-
-
-def without_unit(text: str, named: Container[str]) -> str:
-    """A question without the unit in which its answer is wanted. named: what is a name of the model, and no unit."""
-    found = [one for one in _ASKED_UNIT.finditer(text) if one["unit"] not in named]
-    return text if len(found) != 1 else f"{text[: found[0].start()]}{text[found[0].end() :]}"
 
 
 def _is_unit(text: str) -> bool:

@@ -10,6 +10,7 @@ from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Judgement, Verdict
 from freebody.language.expression import Expr, in_one_order
 from freebody.language.notation import stated_plain, to_latex, to_python
+from freebody.language.units.conversion import conversion
 from freebody.present.report.blocks import Report
 from freebody.present.report.result import Result
 from freebody.present.report.results import summary
@@ -81,6 +82,7 @@ class Answer(Result):
     missing: tuple[str, ...] = ()  # parameters left open in a file that gives numbers, without which there is no value
     never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
     understood: str = ""  # the question in the words of the grammar
+    in_unit: str = ""  # in which the question wants the value, beside its own
     verdict: str = ""  # yes or no with the given numbers, of a question that asks whether
     chain: Chain | None = None  # a long answer in named sub-formulas, in the order of their computation
     holds_once: bool = False  # the event is there at the start alone, and the answer is what it is there
@@ -99,6 +101,14 @@ class Answer(Result):
     def _repr_latex_(self) -> str:
         """The formula, for notebooks that show no HTML."""
         return super()._repr_latex_() if self.latex is None else rf"$\displaystyle {self.latex}$"
+
+    @property
+    def value_in_unit(self) -> Value:
+        """The value in the unit in which the question wants it; None where it names none."""
+        if not self.in_unit or self.value is None:
+            return None
+        ratio = conversion(self.unit, self.in_unit)
+        return tuple(x * ratio for x in self.value) if isinstance(self.value, tuple) else self.value * ratio
 
     @property
     def is_answered(self) -> bool:
@@ -130,6 +140,7 @@ class Answer(Result):
             **({} if self.chain is None else {"chain": self.chain.to_plain()}),
             "unit": self.unit,
             "value": list(self.value) if isinstance(self.value, tuple) else self.value,
+            **self._in_unit_plain(),
             "conditions": list(map(stated_plain, self.conditions)),
             "cases": [c.to_plain() for c in self.cases],
             "notes": list(map(stated_plain, self.notes)),
@@ -146,6 +157,10 @@ class Answer(Result):
                 "route": self.evidence.route,
             },
         }
+
+    def _in_unit_plain(self) -> dict[str, Any]:
+        value = self.value_in_unit
+        return {} if value is None else {"in": {"unit": self.in_unit, "value": value}}
 
 
 def made(
@@ -184,6 +199,7 @@ def made(
         why_no_value=why_no_value,
         verdict=verdict,
         understood=question.understood,
+        in_unit=question.in_unit,
         chain=chain,
     )
 
@@ -209,5 +225,6 @@ def refused(
         reason=reason,
         never=never,
         understood=question.understood,
+        in_unit=question.in_unit,
         is_missed=is_missed or never,
     )

@@ -63,6 +63,10 @@ class ShownAnswer(Protocol):
     @property
     def value(self) -> float | tuple[float, ...] | None: ...
     @property
+    def in_unit(self) -> str: ...
+    @property
+    def value_in_unit(self) -> float | tuple[float, ...] | None: ...
+    @property
     def missing(self) -> tuple[str, ...]: ...
     @property
     def conditions(self) -> tuple[str, ...]: ...
@@ -132,11 +136,16 @@ def _lines(text: str) -> list[str]:
 
 def _value(answer: ShownAnswer, label: str) -> Iterator[Entry]:
     if answer.value is not None:
-        values = answer.value if isinstance(answer.value, tuple) else None
-        text = number_text(answer.value) if values is None else f"({', '.join(map(number_text, values))})"  # pyrefly: ignore[bad-argument-type]
-        yield entry(label, text + ("" if answer.unit == "1" else f" {answer.unit}"))
+        told = _number(answer.value) + ("" if answer.unit == "1" else f" {answer.unit}")
+        if answer.value_in_unit is not None and answer.in_unit != answer.unit:
+            told += f" = {_number(answer.value_in_unit)} {answer.in_unit}"
+        yield entry(label, told)
     elif answer.missing:
         yield entry(label, Message("open, as no value is given for {names}", names=", ".join(answer.missing)))
+
+
+def _number(value: float | tuple[float, ...]) -> str:
+    return f"({', '.join(map(number_text, value))})" if isinstance(value, tuple) else number_text(value)
 
 
 def _said(answer: ShownAnswer) -> Iterator[Entry]:
