@@ -36,5 +36,5 @@ def test_of_two_wheels_that_rub_on_each_other_none_stops_where_they_no_longer_sl
     )
     text = text.replace("bodies:", "bodies:\n  wheel: {disk: {mass: 2 kg, radius: 0.1 m}}")
     text = text.replace("between: [lever.shoe, drum]", "between: [wheel, drum]")
-    with pytest.raises(fb.ModelError, match="may roll on when it no longer slips"):
-        fb.System.from_text(text).solve("time until drum stops")
+    (found,) = fb.System.from_text(text).solve("time until drum stops").answers
+    assert "never happens" in found.reason  # it drives the wheel on, and both go round

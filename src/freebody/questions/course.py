@@ -8,6 +8,7 @@ NAME hits the stop
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
@@ -300,6 +301,8 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
                 told = Message("{name} and {other} have no contact with each other", name=name, other=on)
                 names.problem(told, *path)
             of = both
+        if rests and on is None and name in names.bodies and not (of := sticking(names, name, of)):
+            return None  # nothing sticks it to the ground where it stops
         if rests:
             _refuse_rolling(names, of, path)
         return Transition(kind, of, text, rests=rests, stays=stays)
@@ -309,6 +312,13 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
 def can_change(names: Names) -> bool:
     """Whether a contact, a string or dry friction can change its state."""
     return any(row.unilateral or row.reaction.startswith("friction") for row in names.constraint_rows)
+
+
+def sticking(names: Names, body: str, of: Iterable[str]) -> tuple[str, ...]:
+    """The connections that stick a body to the ground where it stops, and to nothing else that may move on."""
+    rows = [row for row in names.constraint_rows if row.unilateral or row.reaction.startswith("friction")]
+    grounded = {row.connection for row in rows if {*row.measure.bodies()} <= {body, GROUND}}
+    return tuple(connection for connection in of if connection in grounded)
 
 
 def _runs_off(names: Names, name: str) -> bool:

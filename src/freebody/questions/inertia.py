@@ -173,6 +173,9 @@ def squared_distance(system: Described, state: State[Any], point: Point, through
 _AXIS = (
     rf"(?:(?:the |an? )?(?:axis )?{PLACE}(?:[ -]axis)?|an axis)(?: through (?:(?:the |its |their )?{CENTER}|{PLACE}))?"
 )
+_OWN_AXIS = (
+    r"(?:its|the|their) (?:own )?(?:(?:symmetry |long |longitudinal )?axis(?: of (?:symmetry|revolution|rotation))?)"
+)
 
 
 def _names_an_axis(names: Names, found: Found) -> bool:
@@ -196,9 +199,10 @@ def _mass(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked(
     "moment of inertia | radius of gyration of BODY and BODY | of the system [about POINT | about JOINT | about "
-    "its mass center | about LINE | about DIRECTION through POINT | [about POINT] along DIRECTION]",
-    r"(?P<what>(?:mass )?moment of inertia|radius of gyration)(?: of (?:the )?"
-    rf"(?P<of>{GROUP}))?(?: about (?:(?:the |its |their )?(?P<center>{CENTER})|(?P<about>{_AXIS})))?"
+    "its mass center | about its axis | about LINE | about DIRECTION through POINT | [about POINT] along DIRECTION]",
+    r"(?P<what>(?:mass )?moment of inertia|rotational inertia|radius of gyration)(?: of (?:the )?"
+    rf"(?P<of>{GROUP}))?(?: about (?:(?:the |its |their )?(?P<center>{CENTER})|(?P<own>{_OWN_AXIS})"
+    rf"|(?P<about>{_AXIS})))?"
     rf"(?: along (?:the )?(?P<along>{PLACE})(?:[ -]axis)?)?",
     rank=66,
     fits=_names_an_axis,
@@ -216,6 +220,8 @@ def _inertia(names: Names, found: Found, path: Path) -> Quantity | None:
         told = Message("{joint} is no hinge: name a point, or an axis", joint=str(found["about"]))
         names.problem(told, *path)
         return None
+    if names.space and along is None and through is None:
+        along = _own_axis(names, group, any_will_do=found["own"] is None)
     if names.space and along is None:
         own = group if isinstance(group, str) else next((b for b in names.bodies if b != GROUND), "BODY")
         told = Message(
@@ -226,6 +232,19 @@ def _inertia(names: Names, found: Found, path: Path) -> Quantity | None:
         names.problem(told, *path)
         return None
     return MomentOfInertia(group, through, along, is_radius)
+
+
+def _own_axis(names: Names, group: Group, *, any_will_do: bool) -> Direction | None:
+    """The axis of a body of revolution, whose other two principal moments are equal: the axis of a ball is any through
+    its centre. any_will_do: only such a body is asked of, for no axis is named."""
+    tensor = names.bodies[group].tensor if isinstance(group, str) else ()
+    if len(tensor) != 6 or any(product != ZERO for product in tensor[3:]):
+        return None
+    moments = tensor[:3]
+    axes = [k for k in range(3) if moments[k - 1] == moments[k - 2]]
+    if not axes or (any_will_do and len(axes) < 3):
+        return None
+    return body_axes(str(group))[axes[-1]]
 
 
 def _axis(names: Names, group: Group, text: str, path: Path) -> tuple[Point | None, Direction | None]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, POSES, conditions
@@ -158,6 +159,9 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
         yield [f"time when rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)]
     elif asked == ["stopping distance"]:
         yield [f"change of {way} until {of or 'it'} stops" for way in lookup.went(names, of)]
+        gone = {way: {*names.measures[way].bodies()} - {GROUND} for way in lookup.went(names, of)}
+        free = [way for way, bodies in gone.items() if not any(joining.can_stick(names, body) for body in bodies)]
+        yield [f"change of {way} until rate({way}) = 0" for way in free]
         yield [
             f"change of {way} until rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)
         ]

@@ -322,7 +322,9 @@ def _stops(names: Names, who: str, other: str) -> Groups:
         return
     if not other and losing.damped(names) and lookup.springs(names):
         return  # where it turns back, or where it comes to rest for good
-    if not other and not can_change(names) and who not in names.connections:  # where it turns back, or comes near to
+    if (
+        not other and not joining.can_stick(names, who) and who not in names.connections
+    ):  # where it turns back, or comes near to
         yield poses.turning(names, who)
         return
     yield [f"{who or 'it'} stops"] if not other else []

@@ -12,7 +12,7 @@ from freebody.language.expression import ZERO, free_symbols
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Components
-from freebody.questions.course import names_line
+from freebody.questions.course import can_change, names_line, sticking
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.lexicon import leading
 
@@ -402,6 +402,13 @@ def is_joined(names: Names, name: str) -> bool:
 def is_rough(names: Names) -> bool:
     """Whether dry friction holds something."""
     return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
+
+
+def can_stick(names: Names, body: str) -> bool:
+    """Whether something comes to rest by itself: a contact, or dry friction, sticks it to the ground."""
+    if body not in names.bodies:
+        return can_change(names)
+    return bool(sticking(names, body, (joint for joint in names.connections if touches(names, joint, body))))
 
 
 def is_held_by_friction(names: Names) -> bool:

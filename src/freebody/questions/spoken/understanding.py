@@ -66,6 +66,9 @@ _TIMED_ALONG = re.compile(
     r"^(?P<of>.+?) (?P<at>(?:just )?(?:after|before) the impact|in the impact|at (?:the )?start) "
     r"(?P<along>along (?:the )?[\w.-]+)[?]?$"
 )
+_WHAT_IS = re.compile(
+    r"^(?:what(?:[’' ]s| is| are)|find|determine|calculate|compute|give|tell) (?:me )?(?:the )?", re.IGNORECASE
+)
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
@@ -107,6 +110,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     found = read(text)
     if found is not None and len(names.problems) == n_before:
         return [(found, text)]
+    if found is None and (plain := _asked_plainly(names, text, read)):
+        del names.problems[n_before:]
+        return plain
     if names.is_broken_in(text):  # told where that stands, and nowhere else
         del names.problems[n_before:]
         return []
@@ -189,6 +195,13 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             )
         names.unknown(text, none, "find")
     return []
+
+
+def _asked_plainly(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What a text asks for that only begins with what is the ..., before words of the grammar."""
+    words = _WHAT_IS.sub("", text).rstrip("?!. ")
+    found = None if words == text.rstrip("?!. ") else _read_quietly(names, words, read)
+    return [] if found is None or isinstance(found, Unread) else [(found[0], words)]
 
 
 def _at_later_impact(names: Names, text: str, n: int, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
