@@ -6,13 +6,13 @@ import importlib
 import math
 import shutil
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.messages import Message
 from freebody.present.drawing import Drawing

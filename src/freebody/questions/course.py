@@ -8,9 +8,10 @@ NAME hits the stop
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
+from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, LENGTH, TIME, Dimension
