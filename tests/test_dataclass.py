@@ -123,7 +123,8 @@ def test_nothing_is_written_while_the_rooms_of_a_model_are_imported() -> None:
         "modules = [m for name, m in sys.modules.items() if name.startswith('freebody.')]\n"
         "classes = {c for m in modules for c in vars(m).values() if isinstance(c, type)}\n"
         "made = {c for c in classes if '__dataclass_fields__' in vars(c)}\n"
-        "made = {c for c in made if c.__module__.startswith('freebody.')}\n"
+        "made = {c for c in made if c.__module__.startswith('freebody.') and '.kernels.' not in c.__module__}\n"
+        # kernels are compiled beside their sources, which stay as they are
         "with_slots = {c for c in made if '__slots__' in vars(c)}\n"
         "standard = {c for c in made - with_slots if c.__init__.__code__.co_filename == '<string>'}\n"
         "print(len(made) > 300, *standard)\n"

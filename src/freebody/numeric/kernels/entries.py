@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
-
-from freebody.dataclass import dataclass
 
 Function = Callable[..., Any]
 
