@@ -21,7 +21,7 @@ from freebody.errors import InputError
 from freebody.model.glyphs import Equation, Lead
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.numeric.reference import Reference
-from freebody.present import animation, video
+from freebody.present import video
 from freebody.present.animation import film_of, resampled, write_animation
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Heading, Node, Place, Rope, hull, positions
