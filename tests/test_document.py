@@ -710,7 +710,7 @@ def test_a_number_that_has_changed_is_all_that_is_read_again(monkeypatch: pytest
     known = Document.read("a: {b: 1 m, c: [2, 3]}  # d\ne: {f: 4}\ng:\n")
     changed = "a: {b: 0.125 mm, c: [2, 3]}  # d\ne: {f: 4}\ng:\n"
     expected = Document.read(changed)._root
-    monkeypatch.setattr("freebody.language.document.document.compose", None)
+    monkeypatch.setattr("freebody.language.document.composer.compose", None)
     found = known.reread(changed)
     assert found._root == expected
     assert found.data == {"a": {"b": "0.125 mm", "c": [2, 3]}, "e": {"f": 4}, "g": None}
@@ -719,7 +719,7 @@ def test_a_number_that_has_changed_is_all_that_is_read_again(monkeypatch: pytest
 
 def test_another_value_of_a_parameter_is_all_that_is_read_again(monkeypatch: pytest.MonkeyPatch):
     known = Document.read("a: {b: 1 m, c: [2, 3]}  # d\ne: {f: 4}\n")
-    monkeypatch.setattr("freebody.language.document.document.compose", None)
+    monkeypatch.setattr("freebody.language.document.composer.compose", None)
     found = known.with_value(("a", "b"), "0.125 mm")
     assert found.dumps() == "a: {b: 0.125 mm, c: [2, 3]}  # d\ne: {f: 4}\n"
     assert found.data == {"a": {"b": "0.125 mm", "c": [2, 3]}, "e": {"f": 4}}

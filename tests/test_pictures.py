@@ -21,7 +21,7 @@ from freebody.errors import InputError
 from freebody.model.glyphs import Equation, Lead
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.numeric.reference import Reference
-from freebody.present import animation
+from freebody.present import video
 from freebody.present.animation import film_of, resampled, write_animation
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Heading, Node, Place, Rope, hull, positions
@@ -551,16 +551,17 @@ def test_a_gif_shows_half_a_second_at_half_speed_for_one_second(tmp_path: Path) 
 
 
 def test_an_mp4_without_ffmpeg_says_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(animation.shutil, "which", lambda _name: None)
+    monkeypatch.setattr(video.shutil, "which", lambda _name: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     scene, poses = example("four_bar")
+    assert not video.has_ffmpeg()
     with pytest.raises(InputError, match=re.escape('pip install "freebody[video]"')):
         write_animation(scene, np.array([0.0]), poses, tmp_path / "a.mp4", title="x")
 
 
 def test_an_mp4_is_written_where_there_is_an_ffmpeg(tmp_path: Path) -> None:
     try:
-        animation._ffmpeg()
+        video.ffmpeg()
     except InputError:
         pytest.skip("no ffmpeg here")
     scene, poses = example("four_bar")

@@ -1017,9 +1017,23 @@ def test_the_first_picture_imports_nothing_that_it_does_not_need() -> None:
         "slow |= {'freebody.connections.cam', 'freebody.loads.drag', 'freebody.present.space.painter'}\n"
         "slow |= {'freebody.questions.spoken.understanding'}\n"
         "print(*sorted(slow & set(sys.modules)))\n"
+        "from freebody.questions.base import FORMS\n"
+        "print(sum('pattern' in vars(form) for form in FORMS) < 30)\n"
     )
     command = [sys.executable, "-c", code, str(ROOT / "examples" / "bouncing_ball.yaml")]
-    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "\n"
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "\nTrue\n"
+
+
+def test_the_server_reads_no_model() -> None:
+    """Its imports go on beside those of the workers, on the cores that these need for the first picture."""
+    code = (
+        "import sys\n"
+        "import freebody.studio.server\n"
+        "slow = {'numpy', 'ruamel.yaml', 'freebody.studio.wire.texts', 'freebody.studio.wire.motions'}\n"
+        "slow |= {'freebody.studio.wire.studies', 'freebody.system.system', 'freebody.questions.base'}\n"
+        "print(*sorted(slow & set(sys.modules)))\n"
+    )
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "\n"
 
 
 def test_work_that_takes_too_long_is_ended() -> None:

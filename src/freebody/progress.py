@@ -7,7 +7,8 @@ on it. `announced` is for what a user should know even where no one looks on, su
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from freebody.dataclass import dataclass
 
 
 @dataclass

@@ -20,6 +20,7 @@ export class Folder {
   /** What has happened by itself. */
   told = $state<Word | "">("");
   release = $state("");
+  hasFfmpeg = $state(false); // without it no video can be coded
   usual = 3; // [s] that a motion is followed, as the server says
   private opening = server.open(); // on its way while the page is made
   private nOpened = 0;
@@ -40,6 +41,7 @@ export class Folder {
       this.files = opening.files;
       this.release = opening.version;
       this.usual = opening.until;
+      this.hasFfmpeg = opening.has_ffmpeg;
       const file = before && before.file !== opening.file.name ? await server.openFile(before.file) : opening.file;
       this.take(file.name, file.text, file.version);
       if (before) this.restore(before);

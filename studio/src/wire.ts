@@ -297,13 +297,14 @@ export interface OpenedFile {
   version: string;
 }
 
-/** What the page begins with. is_file: whether a file was named; until: to which time [s] a motion is followed unless somebody chooses */
+/** What the page begins with. is_file: whether a file was named; until: to which time [s] a motion is followed unless somebody chooses; has_ffmpeg: whether videos can be coded here */
 export interface Opening {
   file: OpenedFile;
   files: string[];
   is_file: boolean;
   version: string;
   until: number;
+  has_ffmpeg: boolean;
 }
 
 /** scales: by kind; messages: why something is not there */

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from html import escape
 
+from freebody.dataclass import dataclass
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.geometry import Point
 

@@ -3,8 +3,7 @@ that is touched from some place on."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 

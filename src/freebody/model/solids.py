@@ -6,7 +6,7 @@ is built (`present.space.bodies`). A solid is added to the vocabulary together w
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from freebody.dataclass import dataclass
 
 
 @dataclass(frozen=True)

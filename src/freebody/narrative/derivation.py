@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from freebody.dataclass import dataclass
 from freebody.narrative.context import Method
 from freebody.narrative.lines.script import DerivationStage
 from freebody.questions.reading import Question

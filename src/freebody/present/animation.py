@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import importlib
 import math
-import shutil
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.messages import Message
 from freebody.present.drawing import Drawing
@@ -22,6 +21,7 @@ from freebody.present.marks import ContactTrack
 from freebody.present.page import Pages
 from freebody.present.plane_page import note_on, page
 from freebody.present.scene import Scene
+from freebody.present.video import ffmpeg
 
 if TYPE_CHECKING:
     from freebody.present.stage import Show
@@ -221,7 +221,7 @@ def _write_gif(figure: Any, stages: Iterator[None], path: Path) -> None:
 
 def _write_mp4(film: Film, path: Path) -> None:
     """Raises InputError without ffmpeg."""
-    program = _ffmpeg()  # first, because drawing takes long
+    program = ffmpeg()  # first, because drawing takes long
     figure, stages = film.stages(RATE)
     matplotlib: Any = importlib.import_module("matplotlib")
     animation: Any = importlib.import_module("matplotlib.animation")
@@ -230,19 +230,6 @@ def _write_mp4(film: Film, path: Path) -> None:
         with writer.saving(figure, str(path), _DPI):
             for _ in stages:
                 writer.grab_frame()
-
-
-def _ffmpeg() -> str:
-    """The program that codes videos: that of imageio-ffmpeg, or one on the PATH."""
-    try:
-        program: str = importlib.import_module("imageio_ffmpeg").get_ffmpeg_exe()
-    except (ImportError, RuntimeError):
-        program = shutil.which("ffmpeg") or ""
-    if not program:
-        raise InputError(
-            'an MP4 needs ffmpeg, and there is none: pip install "freebody[video]", or write .html or .gif instead'
-        )
-    return program
 
 
 def _pictures(figure: Any, stages: Iterator[None]) -> Iterator[Any]:

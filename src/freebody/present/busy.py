@@ -13,10 +13,11 @@ import threading
 import time
 from collections.abc import Generator
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TextIO
 
 from freebody import progress
+from freebody.dataclass import dataclass
 
 PATIENCE = 1.0  # [s] before the line appears
 _EVERY = 0.2  # [s]

@@ -7,10 +7,11 @@ moved, by the same amount at all times, so that its string runs straight off the
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from freebody.dataclass import dataclass
 from freebody.model import glyphs
 from freebody.present.figures import (
     GROUND,

@@ -6,7 +6,7 @@ paper they are lightened. Source: Okabe & Ito, Color Universal Design, 2008.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from freebody.dataclass import dataclass
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypeVar
 
+from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import (
@@ -34,6 +34,7 @@ from freebody.language.units import (
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, RigidBody
 from freebody.model.state import State
+from freebody.questions.needed import Words, needed
 
 if TYPE_CHECKING:
     from freebody.language.expression import Expr
@@ -443,11 +444,20 @@ class Form:
     """One way to ask."""
 
     form: str
-    pattern: re.Pattern[str]
+    words: str  # the pattern of the whole text, which may begin with "the"
     read: Reader
     rank: int
     example: str = ""  # a model that asks so, where the example of no kind does
     fits: Fits = _always  # whether it is meant of what is named
+
+    @cached_property
+    def pattern(self) -> re.Pattern[str]:
+        return re.compile(rf"^(?:the )?(?:{self.words})$")
+
+    @cached_property
+    def needed(self) -> Words:
+        """Words of which one stands wherever it is asked so."""
+        return needed(self.words)
 
     @property
     def is_told_apart(self) -> bool:
@@ -456,6 +466,8 @@ class Form:
 
     def found_in(self, text: str, names: Names) -> Found | None:
         """What the words of a question name, where they ask so."""
+        if self.needed and not any(word in text for word in self.needed):
+            return None
         found = self.pattern.match(text)
         named = None if found is None else found.groupdict()
         return named if named is not None and self.fits(names, named) else None
@@ -497,7 +509,7 @@ def asked(
     forms that fit the one with the highest rank reads. Each form has an example: that of a kind, or its own."""
 
     def register(read: Reader) -> Reader:
-        added = Form(form, re.compile(rf"^(?:the )?(?:{pattern})$"), read, rank, example, fits)
+        added = Form(form, pattern, read, rank, example, fits)
         place = next((k for k, other in enumerate(FORMS) if other.rank < rank), len(FORMS))
         FORMS.insert(place, added)
         return read

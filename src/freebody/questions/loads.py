@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import (
     ZERO,

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
+from freebody.dataclass import dataclass
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, MOMENTUM
 from freebody.measures.geometry import Direction, Point

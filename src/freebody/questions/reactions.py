@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import FORCE, TORQUE, Dimension

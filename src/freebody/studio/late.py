@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import count
 
+from freebody.dataclass import dataclass
 from freebody.studio.wire.around import Call, Reply
 
 AT_ONCE = 0.5  # [s]

@@ -4,12 +4,13 @@ picture waits."""
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Symbol
 from freebody.language.notation import to_mathml
 from freebody.numeric.jets import Array

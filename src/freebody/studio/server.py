@@ -26,6 +26,7 @@ from starlette.routing import Route
 from freebody.errors import InputError
 from freebody.examples_folder import folder as examples_folder
 from freebody.examples_folder import listed_examples, listed_templates, templates
+from freebody.present.video import has_ffmpeg
 from freebody.studio.folder import Folder
 from freebody.studio.lanes import Lanes
 from freebody.studio.late import LateAnswers
@@ -111,6 +112,7 @@ def studio(folder: Folder, token: str, port: int) -> Starlette:
             files=folder.names(),
             is_file=bool(folder.first),
             version=version("freebody"),
+            has_ffmpeg=has_ffmpeg(),
         )
         return opening.model_dump()
 

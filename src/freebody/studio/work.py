@@ -5,37 +5,18 @@ studied, from the start of the processes on."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel, ValidationError
 
+from freebody.dataclass import dataclass
 from freebody.errors import BrokenInstallation, FreebodyError
 from freebody.studio.telling import told
 from freebody.studio.wire.around import Reply
-from freebody.studio.wire.motions import MarksRequest, MotionRequest, OverlaysRequest, StartRequest, SweepRequest
-from freebody.studio.wire.studies import (
-    ExportRequest,
-    HintsRequest,
-    JudgeRequest,
-    PageRequest,
-    PictureRequest,
-    PosedRequest,
-    ShareRequest,
-    StudyRequest,
-)
-from freebody.studio.wire.texts import (
-    AddRequest,
-    DragRequest,
-    EditRequest,
-    JoinRequest,
-    LearnRequest,
-    ReadRequest,
-    RenameRequest,
-    Request,
-    SuggestRequest,
-)
+
+if TYPE_CHECKING:
+    from freebody.studio.wire.texts import Request
 
 
 @dataclass(frozen=True)
@@ -62,12 +43,19 @@ READING, MOVING, PASSING, COUNTING, MARKING, STUDYING, EXPORTING = (
 
 @dataclass(frozen=True)
 class Work:
-    """One kind of request. home: of its function"""
+    """One kind of request. schema: what it says, in a room of `wire`, which the server need not know; home: of its
+    function"""
 
-    request: type[Request]
+    schema: str
     home: str
     function: str
     lane: Lane
+
+    @property
+    def request(self) -> type[Request]:
+        room, name = self.schema.split(".")
+        request: type[Request] = getattr(import_module(f"freebody.studio.wire.{room}"), name)
+        return request
 
     @property
     def answers(self) -> str:
@@ -81,31 +69,31 @@ class Work:
 
 
 WORK: dict[str, Work] = {
-    "read": Work(ReadRequest, "reading", "read", READING),
-    "edit": Work(EditRequest, "editing", "edit", READING),
-    "rename": Work(RenameRequest, "renaming", "rename", READING),
-    "add": Work(AddRequest, "editing", "add", READING),
-    "drag": Work(DragRequest, "dragging", "drag", READING),
-    "spots": Work(Request, "joining", "spots", READING),
-    "join": Work(JoinRequest, "joining", "join", READING),
-    "suggest": Work(SuggestRequest, "editing", "suggest", READING),
-    "motion": Work(MotionRequest, "moving", "motion", MOVING),
-    "start": Work(StartRequest, "moving", "started", MOVING),
-    "curves": Work(MotionRequest, "moving", "curved", MOVING),
-    "overlays": Work(OverlaysRequest, "overlays", "overlaid", COUNTING),  # no motion waits for forces
-    "learn": Work(LearnRequest, "kinds", "learned", COUNTING),
-    "marks": Work(MarksRequest, "marking", "marks", MARKING),
-    "changes": Work(MarksRequest, "changing", "changes", MARKING),
-    "picture": Work(PictureRequest, "asking", "drawn", COUNTING),
-    "judge": Work(JudgeRequest, "quizzing", "judged", STUDYING),
-    "posed": Work(PosedRequest, "quizzing", "posed", COUNTING),
-    "hints": Work(HintsRequest, "quizzing", "hints", STUDYING),
-    "count": Work(StudyRequest, "asking", "studied", COUNTING),
-    "study": Work(StudyRequest, "asking", "studied", STUDYING),
-    "sweep": Work(SweepRequest, "sweeping", "swept", STUDYING),
-    "export": Work(ExportRequest, "asking", "exported", EXPORTING),
-    "page": Work(PageRequest, "asking", "motion_file", EXPORTING),
-    "share": Work(ShareRequest, "sharing", "share", EXPORTING),
+    "read": Work("texts.ReadRequest", "reading", "read", READING),
+    "edit": Work("texts.EditRequest", "editing", "edit", READING),
+    "rename": Work("texts.RenameRequest", "renaming", "rename", READING),
+    "add": Work("texts.AddRequest", "editing", "add", READING),
+    "drag": Work("texts.DragRequest", "dragging", "drag", READING),
+    "spots": Work("texts.Request", "joining", "spots", READING),
+    "join": Work("texts.JoinRequest", "joining", "join", READING),
+    "suggest": Work("texts.SuggestRequest", "editing", "suggest", READING),
+    "motion": Work("motions.MotionRequest", "moving", "motion", MOVING),
+    "start": Work("motions.StartRequest", "moving", "started", MOVING),
+    "curves": Work("motions.MotionRequest", "moving", "curved", MOVING),
+    "overlays": Work("motions.OverlaysRequest", "overlays", "overlaid", COUNTING),  # no motion waits for forces
+    "learn": Work("texts.LearnRequest", "kinds", "learned", COUNTING),
+    "marks": Work("motions.MarksRequest", "marking", "marks", MARKING),
+    "changes": Work("motions.MarksRequest", "changing", "changes", MARKING),
+    "picture": Work("studies.PictureRequest", "asking", "drawn", COUNTING),
+    "judge": Work("studies.JudgeRequest", "quizzing", "judged", STUDYING),
+    "posed": Work("studies.PosedRequest", "quizzing", "posed", COUNTING),
+    "hints": Work("studies.HintsRequest", "quizzing", "hints", STUDYING),
+    "count": Work("studies.StudyRequest", "asking", "studied", COUNTING),
+    "study": Work("studies.StudyRequest", "asking", "studied", STUDYING),
+    "sweep": Work("motions.SweepRequest", "sweeping", "swept", STUDYING),
+    "export": Work("studies.ExportRequest", "asking", "exported", EXPORTING),
+    "page": Work("studies.PageRequest", "asking", "motion_file", EXPORTING),
+    "share": Work("studies.ShareRequest", "sharing", "share", EXPORTING),
 }
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from freebody.dataclass import dataclass
 from freebody.errors import NeverHappens
 from freebody.language.sentences import Message
 from freebody.symbolic.algebraic_time import AlgebraicTime

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from freebody.dataclass import dataclass
 from freebody.language.expression import (
     Call,
     Expr,

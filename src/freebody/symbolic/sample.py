@@ -7,7 +7,9 @@ which of two solutions is the one that is assembled. They never enter a result.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from freebody.dataclass import dataclass
 
 
 @dataclass(frozen=True)

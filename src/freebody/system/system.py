@@ -154,7 +154,8 @@ class System(SystemDescription):
             found = system.asked(rest)
         except ModelError:
             return None
-        told = " and ".join(f"{name} = {value}" for name, value in values.items())
+        *before, last = (f"{name} = {value}" for name, value in values.items())
+        told = f"{', '.join(before)} and {last}" if before else last
         asked = tuple(replace(q, understood=f"{q.understood or q.text} with {told}") for q in found)
         return system, asked if len(asked) > 1 else (replace(asked[0], text=text),)
 

@@ -13,13 +13,18 @@ from pathlib import Path
 from typing import Any
 
 from freebody.errors import InputError, ModelError, Problem
-from freebody.language.document.composer import compose
 from freebody.language.document.file import text_of
 from freebody.language.document.numbers import with_another_number
 from freebody.language.document.plain import checked, copied, is_ordinary, with_value, without_value
 from freebody.language.document.tree import MAX_BYTES, DocumentNode, DocumentStep, Place, kind_of
 from freebody.language.document.writer import block_lines, flow_text, scalar_text
 from freebody.messages import Message
+
+
+def _composed(text: str, file: str | None) -> DocumentNode:
+    from freebody.language.document.composer import compose  # who has no text to read needs no reader of YAML
+
+    return compose(text, file)
 
 
 class Document:
@@ -53,7 +58,7 @@ class Document:
     @classmethod
     def read(cls, text: str, file: str | None = None, folders: Sequence[Path] | None = None) -> Document:
         """Reads YAML text; `file` is the name used in messages, and files beside it are looked for in `folders`."""
-        return cls(text, file, compose(text, file), True, folders=folders)
+        return cls(text, file, _composed(text, file), True, folders=folders)
 
     def reread(self, text: str) -> Document:
         """The document of another text, as `read` makes it."""
@@ -62,7 +67,7 @@ class Document:
     def _root_of(self, text: str) -> DocumentNode:
         """The tree of another text. Where that differs by one number, as it does while a value is being moved, the rest
         is not read again. Raises ModelError."""
-        return with_another_number(self._root, self._text, text) or compose(text, self.file)
+        return with_another_number(self._root, self._text, text) or _composed(text, self.file)
 
     @classmethod
     def load(cls, path: str | Path) -> Document:
@@ -77,14 +82,14 @@ class Document:
         if len(text) <= MAX_BYTES and is_ordinary(plain):  # read back, it says the same
             return cls(text, None, None, False, plain)
         try:
-            return cls(text, None, compose(text, None), False)
+            return cls(text, None, _composed(text, None), False)
         except ModelError as error:
             raise ModelError([Problem(p.path, p.message) for p in error.problems]) from None
 
     @property
     def _root(self) -> DocumentNode:
         if self._composed is None:
-            self._composed = compose(self._text, None)
+            self._composed = _composed(self._text, None)
         return self._composed
 
     # -- asking -------------------------------------------------------------------------------

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FreebodyError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, substitute
 from freebody.language.sentences import Message

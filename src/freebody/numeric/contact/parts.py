@@ -6,11 +6,12 @@ subproblem are searched alone, so that their numbers add up where those of the w
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.dataclass import dataclass
 from freebody.numeric.contact.problem import ContactProblem
 
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.dataclass import dataclass
 from freebody.numeric.engine.steps import Steps
 from freebody.numeric.kernels.arrays import Floats
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.model.elements import ConstraintRow, DryFriction
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from freebody.connections.outlines import Hollow, Outline, RoundPart, Straight
 from freebody.connections.pairs import OutlinePair
+from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.measures.geometry import GROUND, Components, Direction, Point
 from freebody.model.elements import Line

@@ -48,13 +48,14 @@ class OpenedFile(Said):
 
 class Opening(Said):
     """What the page begins with. is_file: whether a file was named; until: to which time [s] a motion is followed
-    unless somebody chooses"""
+    unless somebody chooses; has_ffmpeg: whether videos can be coded here"""
 
     file: OpenedFile
     files: list[str]
     is_file: bool
     version: str
     until: float = UNTIL
+    has_ffmpeg: bool = False
 
 
 class SaveRequest(Said):

@@ -13,9 +13,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
+from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, NotReached
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, reworded

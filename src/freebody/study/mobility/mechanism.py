@@ -6,9 +6,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
+from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, InputError, ModelError, RoutesDisagree
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS

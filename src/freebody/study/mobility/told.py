@@ -43,7 +43,7 @@ def count_section(g: Gruebler) -> Section:
     blocks: list[Block] = [line(Message("n = {n}, L = {bodies}", n=g.n, bodies=bodies))]
     rows: list[tuple[str, str, str, str]] = []
     for c in g.connections[:_MOST]:
-        between: str = " - ".join(c.between)
+        between: str = " – ".join(c.between)
         if c.is_driver:
             between = Message("{between} (driver)", between=between)
         elif c.is_nonholonomic:
@@ -126,7 +126,7 @@ def _centre(c: CentreOfPair) -> tuple[str, Text]:
         where = Message("at infinity along ({direction})", direction=_numbers(c.direction))
     else:
         where = Message("undetermined")
-    return " - ".join(c.pair), _with_formula(where, c.formula or ())
+    return " – ".join(c.pair), _with_formula(where, c.formula or ())
 
 
 def _with_formula(number: str, exact: tuple[Expr | None, ...]) -> Text:

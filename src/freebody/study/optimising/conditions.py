@@ -12,12 +12,13 @@ Source: Nocedal & Wright, Numerical Optimization, 2nd ed. 2006, th. 12.1, 12.6 a
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib import import_module
 from typing import Any, Literal
 
 import numpy as np
 
+from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.optimising.slopes import KEPT, Search
 

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
+from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.sentences import Message, lines
 from freebody.numeric.jets import Array

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import Elements

@@ -12,12 +12,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, cast
 
 import numpy as np
 
+from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message

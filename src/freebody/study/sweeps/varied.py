@@ -8,8 +8,9 @@ driven measure, which follows f(t), then follows f(t) - f(0) + its start value.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.expression import Expr, Symbol, add, negate, number, substitute
 from freebody.language.sentences import Message

@@ -16,8 +16,9 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Expr, free_symbols, substitute
 from freebody.language.sentences import Message

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Sum, Symbol
 from freebody.language.notation.parts import signed_terms
 from freebody.language.notation.stacked import stacked
