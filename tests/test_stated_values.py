@@ -8,6 +8,7 @@ import pytest
 
 import freebody as fb
 from freebody.errors import ModelError
+from freebody.questions.spoken.unchosen import unchosen_things
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 
@@ -37,6 +38,12 @@ STATED = [
         "If I push the cart with 5 N, how fast does it accelerate at first?",
         "acceleration of x at start",
         {"F": "5 N"},
+    ),
+    (
+        "cart_and_pendulum",
+        "Beschleunigung von x mit einer Zugkraft von 2,5 N",
+        "acceleration of x",
+        {"F": "2.5 N"},
     ),
     (
         "atwood_machine",
@@ -86,6 +93,11 @@ def test_a_value_of_the_file_is_no_other_one() -> None:
         ("cart_and_pendulum", "acceleration of the cart with 5 N of friction"),
         ("cart_and_pendulum", "Beschleunigung des Wagens mit einer Reibkraft von 5 N"),
         ("block_pushed_on_incline", "friction force on the block with a normal force of 50 N"),
+        ("cart_and_pendulum", "acceleration of the cart with a spring force of 5 N"),
+        ("cart_and_pendulum", "Beschleunigung des Wagens mit einer Federkraft von 5 N"),
+        ("cart_and_pendulum", "Beschleunigung des Wagens mit einer Trägheitskraft von 5 N"),
+        ("cart_and_pendulum", "acceleration of the cart with a braking force of 5 N"),
+        ("band_brake", "force on the hinge with a rope force of 5 N"),
     ],
 )
 def test_what_cannot_be_read_with_a_value_either_is_refused(name: str, question: str) -> None:
@@ -97,3 +109,9 @@ def test_a_value_that_the_file_does_not_allow_is_told() -> None:
     system = fb.System.load(EXAMPLES / "car_with_a_trailer.yaml")
     with pytest.raises(ModelError, match="F = 0 N is not positive"):
         fb.solve(system, "reaction of hitch with F = 0")
+
+
+def test_what_springs_and_strings_exert_is_chosen_by_nobody_and_what_motors_exert_is() -> None:
+    things = unchosen_things()
+    assert {"spring", "damper", "gravity", "weight", "rope", "belt", "bearing", "drag"} <= things
+    assert {"force", "torque", "motor", "brake", "clutch", "drive"}.isdisjoint(things)

@@ -41,6 +41,7 @@ class Connection(Spec):
     is_rigid: ClassVar[bool] = False
     lets_turn: ClassVar[bool] = False
     lets_hang: ClassVar[bool] = False
+    is_chosen = False
     # in space what it holds follows from the joints of its bodies, and holds none of them anywhere
     follows_joints: ClassVar[bool] = False
     # of a kind of the plane: what does the same in space

@@ -30,6 +30,7 @@ class Brake(Connection, kind="brake"):
     between: list[str]
     torque: Formula | dict[str, Any]
 
+    is_chosen = True
     in_plane = True
     example = """
 bodies: {drum: {disk: {mass: 1 kg, radius: 0.1 m}}}
@@ -59,6 +60,7 @@ class FrictionAlongMeasure(Connection, kind="dry_friction"):
     measure: str | dict[str, Any]
     force: Formula | dict[str, Any]
 
+    is_chosen = True
     in_plane = True
     example = """
 bodies: {block: {particle: {mass: 1 kg}}}

@@ -35,6 +35,8 @@ def own_radius(names: Names, spec: Spec, which: str) -> Expr:
 def look_at_fit(names: Names, inner: str, radius: Expr, ring: str, rim: Expr, *path: str | int) -> None:
     """What runs inside a ring is the smaller one; a problem is noted where it is not."""
     own, room = names.numeric(radius), names.numeric(rim)
+    if any(name in names.bodies and names.bodies[name].is_placeholder for name in (inner, ring)):
+        return
     if own is not None and room is not None and own >= room and (own, room) != (0.0, 0.0):  # 0, 0: both are missing
         names.problem(
             Message(

@@ -48,6 +48,7 @@ class DiscClutch(Connection, kind="disc_clutch"):
     pressure: str = "worn"
     cone_angle: Formula | None = None
 
+    is_chosen = True
     in_plane = True
     example = """
 bodies: {drum: {disk: {mass: 1 kg, radius: 0.1 m}}}

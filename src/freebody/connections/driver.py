@@ -27,6 +27,7 @@ class Driver(Connection, kind="driver"):
     measure: str | dict[str, Any]
     follows: Formula
 
+    is_chosen = True
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {p: {pin: [ground.A, rod.start]}, it: {driver: {measure: angle of rod, follows: w*t}}}

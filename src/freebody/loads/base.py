@@ -32,6 +32,7 @@ class Load(Spec):
     spread_over: ClassVar[str] = ""
     # True if it resists motion and only takes energy
     resists: ClassVar[bool] = False
+    is_chosen = False
 
     @property
     def strikes_when(self) -> str:

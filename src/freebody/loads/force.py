@@ -42,6 +42,7 @@ class Force(Load, kind="force"):
     magnitude: Formula
     at_most: Formula | None = None
 
+    is_chosen = True
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("x", "y", "z", "components", "vector"),
         Message("it has a direction and a magnitude: {{along: [3, 4], magnitude: 5 N}}"),

@@ -73,6 +73,7 @@ class Law(Load, kind="law"):
     force: Formula
     at_most: Formula | None = None
 
+    is_chosen = True
     stores_energy = True
     example = """
 bodies: {ball: {particle: {mass: 1 kg}}}

@@ -37,6 +37,7 @@ class Motor(Load, kind="motor"):
     reacts_on: str = GROUND
     about: Heading | None = None
 
+    is_chosen = True
     example = """
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {motor: {on: wheel, stall_torque: 2 N m, no_load_speed: 50 rad/s}}}

@@ -50,6 +50,7 @@ class Torque(Load, kind="torque"):
     about: Heading | None = None
     at_most: Formula | None = None
 
+    is_chosen = True
     example = """
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}

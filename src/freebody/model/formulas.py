@@ -65,6 +65,7 @@ class Formulas(Noting):
             set()
         )  # parameters whose numbers were asked for: with others a model may read otherwise
         self.space = False
+        self.taken: Mapping[str, object] = {}  # what names stand for that are no parameters: bodies
 
     @property
     def origin(self) -> Components:
@@ -136,6 +137,9 @@ class Formulas(Noting):
             message = Message(
                 "{name} is a function of time; it may stand in drivers and in the laws of loads only", name=unknown[0]
             )
+            return self._quantity(value, dimension, path, message)
+        if unknown and unknown[0] in self.taken:
+            message = Message("{name} is a body; here stands a number, or a formula in parameters", name=unknown[0])
             return self._quantity(value, dimension, path, message)
         if unknown:
             message = Message(

@@ -5,9 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from importlib import import_module
 from pkgutil import iter_modules
-from typing import TypeVar
+from typing import Any, TypeVar
 
 KindT = TypeVar("KindT")
+_FAMILIES: list[Kinds[Any]] = []
+
+
+def every_kind() -> Iterator[Any]:
+    """The kinds of all packages."""
+    for kinds in _FAMILIES:
+        yield from kinds.values()
 
 
 class Kinds(Mapping[str, KindT]):
@@ -15,6 +22,7 @@ class Kinds(Mapping[str, KindT]):
     they are to list them. The order is that of the names, whatever was imported first."""
 
     def __init__(self, package: str) -> None:
+        _FAMILIES.append(self)
         self._package = package
         self._known: dict[str, KindT] = {}
         self._files: set[str] | None = None  # that are not imported yet

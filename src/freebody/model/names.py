@@ -50,7 +50,15 @@ _LEVEL = {
 
 def placeholder(name: str) -> RigidBody:
     """Stands in for a body that could not be read; anything may be asked of it."""
-    return RigidBody(name, ZERO, ZERO, {"center": (ZERO, ZERO)}, "center", radius=number(1), is_placeholder=True)
+    return RigidBody(
+        name,
+        ZERO,
+        ZERO,
+        dict.fromkeys(("center", "mass_center"), (ZERO, ZERO)),
+        "center",
+        radius=number(1),
+        is_placeholder=True,
+    )
 
 
 class Joining(Protocol):
@@ -180,7 +188,7 @@ class Names(Formulas):
     def __init__(self) -> None:
         super().__init__()
         self.folders: Sequence[Path] = ()  # in which its tables are: that of the model file
-        self.bodies: dict[str, RigidBody] = {}
+        self.taken = self.bodies = dict[str, RigidBody]()
         self.measures: dict[str, Measure] = {}
         self.states: dict[str, ControllerState] = {}
         self.connections: Mapping[str, Joining] = {}

@@ -95,6 +95,9 @@ class Spec(BaseModel, metaclass=_Described):
     called: ClassVar[tuple[str, ...]] = ()
     # of these and others the words that a file may say for the kind
     also: ClassVar[tuple[str, ...]] = ()
+    # whether its force or torque is one that somebody chooses, as a motor's; a spring's follows from the motion
+    # (False), and a shape has none (None)
+    is_chosen: ClassVar[bool | None] = None
     # fields that people give it and that are another kind's: what to write there
     elsewhere: ClassVar[Mapping[str, str]] = {}
 

@@ -9,7 +9,7 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr, Symbol
-from freebody.language.notation import compared, to_text
+from freebody.language.notation import compared
 from freebody.language.raising import raised
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.contact.settings import has_phases
@@ -84,7 +84,7 @@ def _chain(script: Script, chain: Chain) -> None:
     script.say("result.chain")
     steps = [compared(step.name, "=", step.formula) for step in chain.named]
     items = [Sentence("result.note", {"text": ready(step)}) for step in steps]
-    items += [Sentence("result.last", {"text": ready(f"= {to_text(part)}")}) for part in chain.result]
+    items += [Sentence("result.last", {"formula": part}) for part in chain.result]
     script.add(Listing(tuple(items)))
 
 

@@ -6,6 +6,7 @@ import re
 
 from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
+from freebody.language.notation import as_equation
 from freebody.language.sentences import Message
 
 ENDLESS = "t grows"
@@ -43,11 +44,11 @@ class SaidEvent:
 
     @property
     def comes(self) -> Message:
-        return Message("{event} is reached", event=self.text)
+        return Message("{event} is reached", event=as_equation(self.text))
 
     @property
     def never(self) -> Message:
-        return Message("{event} is never reached after the start", event=self.text)
+        return Message("{event} is never reached after the start", event=as_equation(self.text))
 
 
 @dataclass(frozen=True)

@@ -119,6 +119,10 @@ def read_component(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what = str(found["of"]), str(found["what"])
     if of in names.broken or _is_misnamed(names, what, of, path) or not has_connection(names, of, path):
         return None
+    joined = [names.bodies[body] for body in names.connections[of].mentions(names) if body in names.bodies]
+    if any(body.is_placeholder for body in joined):  # nobody is told twice
+        names.broken.add(of)
+        return None
     if not is_told(names, of, path):
         return None
 

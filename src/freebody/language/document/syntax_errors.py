@@ -17,6 +17,7 @@ from freebody.errors import Problem
 from freebody.messages import Message
 
 _BARE_NAME = re.compile(r"\s*(?:- )?(\w+)\s+([{\[].*?)\s*(?:#.*)?$")  # an entry of a mapping without its colon
+_BARE_TEXT = re.compile(r"(\w+)\s+([^\s#].*?)\s*(?:#.*)?$")  # of such an entry, its value a text
 
 
 def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
@@ -111,6 +112,10 @@ def _colon_out_of_place(text: str, mark: Any, last: Any) -> Problem:
     squeezed = squeezed_colon(first_line)
     if squeezed:
         message = Message("a space is missing after the colon in '{squeezed}'", squeezed=squeezed)
+        return Problem((), message, start.line + 1, start.column + 1)
+    begun = _BARE_TEXT.match(first_line)
+    if begun and start.column == len(stopped := text.split("\n")[int(mark.line)]) - len(stopped.lstrip()):
+        message = Message("a colon is missing after {name}: {name}: {rest}", name=begun[1], rest=begun[2])
         return Problem((), message, start.line + 1, start.column + 1)
     message = Message(
         "this line is indented as if it continued line {line}; align it with its neighbours", line=start.line + 1

@@ -17,11 +17,12 @@ from __future__ import annotations
 
 from freebody.language.expression import Expr
 from freebody.language.notation.one_line import PYTHON, TEXT
-from freebody.language.notation.stated import Stated, compared, joined, reworded, stated_plain
+from freebody.language.notation.stated import Stated, as_equation, compared, joined, reworded, stated_plain
 from freebody.messages import Shown
 
 __all__ = [
     "Stated",
+    "as_equation",
     "compared",
     "joined",
     "reworded",

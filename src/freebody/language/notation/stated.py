@@ -7,14 +7,20 @@ are no expressions of SymPy's.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import Any
 
-from freebody.language.expression import Expr
+from freebody.errors import ExpressionError
+from freebody.language.expression import Call, Expr
 from freebody.language.notation.one_line import PYTHON, TEXT
+from freebody.language.parser import parse
+from freebody.language.raising import typeset_words
 from freebody.language.sentences import in_turn
 
 _SHOWN = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠", "=": "="}
+
+_WITH_UNIT = re.compile(r"\d [A-Za-zµ°]")
 
 
 class Stated(str):
@@ -41,6 +47,20 @@ def compared(left: Expr, relation: str, right: Expr) -> Stated:
     machine = f"{PYTHON.write(left)[0]} {operator} {PYTHON.write(right)[0]}"
     shown = _SHOWN[relation]
     return Stated(f"{TEXT.write(left)[0]} {shown} {TEXT.write(right)[0]}", machine, (left, shown, right))
+
+
+def as_equation(text: str) -> str:
+    """An equation that a user has written, with its formulas as such; a value with a unit is as it stands, and so is a
+    text that is none."""
+    left, equals, right = (part.strip() for part in text.partition("="))
+    try:
+        if _WITH_UNIT.search(right) is None:
+            return compared(parse(left), "=", parse(right))
+        measure = parse(left)
+    except ExpressionError:
+        return text
+    is_plain = bool(equals) and not isinstance(measure, Call)  # no rate, which is told elsewhere
+    return f"{TEXT.write(measure)[0]} = {typeset_words(right).replace(' deg', '°')}" if is_plain else text
 
 
 def reworded(text: str, of: str) -> str:

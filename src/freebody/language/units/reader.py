@@ -49,6 +49,7 @@ def is_unit(name: str) -> bool:
 
 
 _DEGREES = ("Grad", "GRAD")  # as Germans write degrees
+_TURNS = ("U", "Umdr", "Umdrehung", "Umdrehungen")  # as they write revolutions: U/min
 
 
 class _UnitReader:
@@ -144,6 +145,12 @@ def _named_unit(name: str, *, with_rare: bool = True) -> Unit:
         raise UnitError(
             Message(
                 "the unit '{name}' is not known: write deg for degrees; grad is the 400th part of a turn", name=name
+            )
+        )
+    if name in _TURNS:  # U alone is a unit of enzymes
+        raise UnitError(
+            Message(
+                "the unit '{name}' is not known: write rev for revolutions, or rpm for those in a minute", name=name
             )
         )
     for n_letters in (1, 2):

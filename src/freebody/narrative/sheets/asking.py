@@ -16,7 +16,8 @@ from freebody.questions.course import Transition
 from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
-from freebody.questions.rest import Holds, RestLimit
+from freebody.questions.rest import FirstFailure, Holds, RestLimit
+from freebody.questions.steady import SteadyStability
 from freebody.system.system import System
 
 
@@ -42,6 +43,16 @@ def _asking_conserved(q: Conserved, system: System, question: Question) -> Sente
 def _asking_rest(q: RestLimit, system: System, question: Question) -> Sentence:
     slips = "_slip" if q.is_of_slip else ""
     return Sentence(f"ask.rest_{q.which}{slips}", {"parameter": Symbol(q.parameter)})
+
+
+@_asking.register(FirstFailure)
+def _asking_failure(q: FirstFailure, system: System, question: Question) -> Sentence:
+    return Sentence("ask.first_failure", {"parameter": Symbol(q.parameter)})
+
+
+@_asking.register(SteadyStability)
+def _asking_stability(q: SteadyStability, system: System, question: Question) -> Sentence:
+    return Sentence("ask.steady_stability")
 
 
 @_asking.register(Holds)

@@ -59,7 +59,7 @@ class SheetWriter:
                 solved = (Remark(catalogue.tell(Sentence("sheet.no_numbers", {"n": number})), "warning"), *solved)
             blocks.append(Section(catalogue.tell(Sentence("sheet.exercise", title)), (*set_, *solved)))
         if solutions:
-            blocks.append(Section((catalogue.word("sheet.solutions"),), tuple(solutions)))
+            blocks.append(Section((catalogue.word("sheet.solutions"),), tuple(solutions), is_apart=True))
         if sheet.solutions != "none":
             blocks.append(Section((catalogue.word("sheet.key_title"),), (key_table(catalogue, sheet.key(self.n)),)))
         title, language, words = catalogue.word("sheet.title"), catalogue.language, catalogue.report_words

@@ -196,9 +196,12 @@ class Step:
 
 @dataclass(frozen=True)
 class Section:
+    """is_apart: it begins on a page of its own, where there are pages."""
+
     title: Text
     blocks: tuple[Block, ...]
     level: int = 2
+    is_apart: bool = False
 
 
 @dataclass(frozen=True)

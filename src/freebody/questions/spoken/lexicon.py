@@ -4,6 +4,7 @@ A phrase is words, with choices (a|b), parts that may be left out (a)?, an open 
 between its words (comes _ back), verbs in all their forms (~tug, inflecting.py), and families of words that stand for
 one another (<keeps>). The table `spelling` is of rules
 for the whole text, before its words are looked up.
+A table of its own may stand in a further file: `xx.values.toml`.
 A file other than the English one says what things are called in English (`nouns`), with their endings, and which words
 are written as one with them (`compounds`).
 """
@@ -41,6 +42,7 @@ _NO_WORDS = (
     "adjectives",
     "adverbs",
     "values",
+    "stated",
     "measured",
     "symbols",
     "assumptions",
@@ -108,13 +110,14 @@ def _is_word(word: str, token: str) -> bool:
 
 def languages() -> tuple[str, ...]:
     """The languages that are understood, English first."""
-    found = {path.stem for path in Path(__file__).parent.glob("*.toml")}
+    found = {path.name.partition(".")[0] for path in Path(__file__).parent.glob("*.toml")}
     return (ENGLISH, *sorted(found - {ENGLISH}))
 
 
 @cache
 def _file(language: str) -> dict[str, Any]:
-    return tomllib.loads((Path(__file__).parent / f"{language}.toml").read_text("utf-8"))
+    parts = (tomllib.loads(path.read_text("utf-8")) for path in Path(__file__).parent.glob(f"{language}.*toml"))
+    return {table: words for part in parts for table, words in part.items()}
 
 
 @cache
@@ -364,6 +367,12 @@ def unit_words(language: str) -> dict[str, str]:
     """How units, and what joins them, are said, by how they are written."""
     said = cast("dict[str, list[str]]", _file(language)["units"])
     return {word: unit for unit, words in said.items() for word in words}
+
+
+@cache
+def values_stated(language: str) -> dict[str, str]:
+    """Patterns for values that are said in passing, by how they are said."""
+    return cast("dict[str, str]", _file(language)["stated"])
 
 
 @cache

@@ -11,11 +11,11 @@ from freebody.symbolic.field import Ratio
 
 _COMPLETE = Message(
     "K(k) is the complete elliptic integral of the first kind with the modulus k, the integral of "
-    "1/sqrt(1 - k^2 sin^2 x) from 0 to pi/2; tables and programs that take the parameter m want k^2"
+    "1/√(1 − k² sin² x) from 0 to π/2; tables and programs that take the parameter m want k²"
 )
 _INCOMPLETE = Message(
-    "F(phi, k) is the elliptic integral of the first kind with the modulus k, the integral of 1/sqrt(1 - k^2 sin^2 x) "
-    "from 0 to phi, and K(k) the complete one, up to pi/2; tables and programs that take the parameter m want k^2"
+    "F(φ, k) is the elliptic integral of the first kind with the modulus k, the integral of 1/√(1 − k² sin² x) "
+    "from 0 to φ, and K(k) the complete one, up to π/2; tables and programs that take the parameter m want k²"
 )
 _LAMBERT = {
     "lambert_W0": Message(

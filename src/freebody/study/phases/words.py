@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from freebody.language.notation import as_equation
 from freebody.language.sentences import Message, in_turn
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
@@ -213,11 +214,11 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
         case "strikes":
             blow = None if after is None else next((b for b in after.base.blows if b.name == watch.name), None)
             if blow is None:
-                return Message("{event} is reached", event=watch.name)
+                return Message("{event} is reached", event=as_equation(watch.name))
             return Message("{blow} ({event})", blow=blow.words, event=watch.name)
         case "is left":
             return watch.name
         case "is reached" | "changes sign":
-            return Message("{event} is reached", event=watch.name)
+            return Message("{event} is reached", event=as_equation(watch.name))
         case _:
             return watch.kind

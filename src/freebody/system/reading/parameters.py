@@ -121,7 +121,8 @@ def read_parameter(names: Names, name: str, value: Any) -> Parameter:
         )
     acute = quantity.is_angle and sign == "positive" and 0 < quantity.value < _RIGHT_ANGLE
     shown = str(text).split(maxsplit=1)[1] if " " in str(text).strip() else ""
-    return Parameter(name, quantity.dimension, quantity.value, sign, acute, shown, quantity.is_angle)
+    number = quantity.value if sign == "any" else abs(quantity.value)  # a wrong sign is told here, and nowhere else
+    return Parameter(name, quantity.dimension, number, sign, acute, shown, quantity.is_angle)
 
 
 def _without_number(names: Names, name: str, value: Any, sign: Sign, error: Exception) -> Parameter:

@@ -206,7 +206,8 @@ class _Writer(BlockWriter[str]):
         heading = f'<h{self.depth} id="{name}">{self.text(section.title)}</h{self.depth}>'
         content = self.blocks(section.blocks)
         self.depth = before
-        return f'<section aria-labelledby="{name}">\n{heading}\n{content}\n</section>'
+        apart = ' class="apart"' if section.is_apart else ""
+        return f'<section{apart} aria-labelledby="{name}">\n{heading}\n{content}\n</section>'
 
     def step(self, step: Step) -> str:
         self.n_steps += 1

@@ -149,7 +149,8 @@ class _Writer(BlockWriter[str]):
     def section(self, section: Section) -> str:
         heading = _HEADINGS.get(section.level, "paragraph")
         title = rf"\{heading}{{\texorpdfstring{{{self.text(section.title)}}}{{{self.bookmark(section.title)}}}}}"
-        return f"{title}\n{self.blocks(section.blocks)}"
+        page = "\\clearpage\n" if section.is_apart else ""
+        return f"{page}{title}\n{self.blocks(section.blocks)}"
 
     def beside(self, left: Sequence[Block], right: Sequence[Block]) -> str:
         narrow = _Writer(self.report, _COLUMN_WIDTH)

@@ -177,7 +177,8 @@ class _Writer(BlockWriter[str]):
 
     def section(self, section: Section) -> str:
         level = max(1, section.level - 1)
-        return f"#heading(level: {level})[{self.text(section.title)}]\n\n{self.blocks(section.blocks)}"
+        page = "#pagebreak(weak: true)\n" if section.is_apart else ""
+        return f"{page}#heading(level: {level})[{self.text(section.title)}]\n\n{self.blocks(section.blocks)}"
 
     def beside(self, left: Sequence[Block], right: Sequence[Block]) -> str:
         before, self.width = self.width, _COLUMN_WIDTH
