@@ -149,6 +149,10 @@ class Joining(Protocol):
         """Where it keeps a point beside a curve, if its foot there is a coordinate of its own."""
         ...
 
+    def foot(self, names: Names) -> CurvePlace | SurfacePlace | None:
+        """Where it keeps a point beside a curve or a surface, if its foot there has coordinates of its own."""
+        ...
+
     def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Loads that belong to it, by their names."""
         ...

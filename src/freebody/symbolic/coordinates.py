@@ -291,8 +291,9 @@ class CoordinateChoice:
 
     def _linear_in(self, value: Ratio, taken: set[int], *, is_named: bool) -> Coordinate | None:
         """The coordinate of no name in which alone a value is linear, with a constant slope; one that a connection
-        offers gives way to what is named only."""
-        for c in self.chosen.speeds.coordinates:
+        offers gives way to what is named only. So does one whose rate alone is bound, by rows of velocities."""
+        speeds = self.chosen.speeds
+        for c in (*speeds.coordinates, *(() if self.chosen.elimination.loops else speeds.dependent)):
             is_offered = c.index in self._unknowns.defined and not is_named
             if c.index in taken or c.name in self._system.all_measures or is_offered:
                 continue
