@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from functools import lru_cache, singledispatch
+from functools import singledispatch
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -14,8 +13,6 @@ from freebody.questions.steady import Extremes, SpinStability, SteadyOscillation
 from freebody.study.answering.answer import Value
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.symbolic.spatial.balls import balls
-from freebody.system.system import System
 
 
 def find(setup: Setup, question: Question) -> Finding:
@@ -27,19 +24,12 @@ def find(setup: Setup, question: Question) -> Finding:
 
 def looked_at(setup: Setup, question: Question) -> Setup:
     """The system as a question looks at it: for what is so in the poses of a turn the drive is left out that turns it
-    evenly, and in steady motion nobody looks at how a ball is turned."""
+    evenly."""
     if not question.quantity.is_of_turn:
-        rolling = balls(setup.system) if question.quantity.scope == "steady motion" else frozenset[str]()
-        return setup if rolling <= setup.system.unfollowed else with_open_balls(setup.system)
+        return setup
     from freebody.study.steady.drive import without_drive
 
     return without_drive(setup)
-
-
-@lru_cache(maxsize=4)
-def with_open_balls(system: System) -> Setup:
-    """The system with balls of which only the angular velocity counts, along axes that do not turn."""
-    return Setup(replace(system, unfollowed=balls(system)))
 
 
 @singledispatch

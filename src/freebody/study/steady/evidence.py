@@ -11,9 +11,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
-from freebody.measures.geometry import AXES
 from freebody.model.elements import NonholonomicForm
-from freebody.model.spins import spin
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
@@ -160,7 +158,7 @@ def moving(steady: SteadyMotion, draw: Draw, q: Array, rates: dict[int, float]) 
     """Cyclic coordinates with given rates, the others at rest."""
     wanted: list[tuple[Measure | NonholonomicForm, float]] = []
     for c in steady.model.coordinates:
-        seen = seen_as(steady, c)
+        seen = steady.model.form_of(c)
         if seen is None and c in steady.cyclic:
             raise CannotAnswer(Message("{x} is no measure of the model, so its rate cannot be checked", x=c.name))
         if seen is not None:
@@ -168,21 +166,10 @@ def moving(steady: SteadyMotion, draw: Draw, q: Array, rates: dict[int, float]) 
     return draw.reference.snapshot(q, draw.reference.velocities(q, wanted, with_start=False))
 
 
-def seen_as(steady: SteadyMotion, c: Coordinate) -> Measure | NonholonomicForm | None:
-    """What the numeric route has the rate of a coordinate of: its measure, or of a ball the angular velocity about an
-    axis of the ground."""
-    m = steady.model
-    for body in sorted(m.system.unfollowed):
-        for axis, turn in zip(AXES, m.bodies.unfollowed_turns(body), strict=True):
-            if m.field.index(turn) == c.index:
-                return spin(body, axis)
-    return m.measure_of(c)
-
-
 def coordinate_accelerations(steady: SteadyMotion, draw: Draw, snapshot: Snapshot) -> Array:
     """Of the coordinates that are measures, or turns of balls, by the engine."""
     seen = draw.seen(snapshot)
-    forms = [seen_as(steady, c) for c in steady.model.coordinates]
+    forms = [steady.model.form_of(c) for c in steady.model.coordinates]
     return np.array([seen.acceleration(form) for form in forms if form is not None])
 
 
