@@ -327,6 +327,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "rope": "m*g",
         "moment": "2*v*w*(M*(x0 + v*t) + m*(x0 + r + v*t))",
     },
+    # the rope keeps x + 2 h + (c - x) - R psi with R psi = u t: the trolley has no part in it, and takes the load along
+    "tower_crane": {"freedom": "0", "lifted": "u/2", "rope": "m*g/2", "drive": ["(M + m)*a", "0"]},
     # one string: m_2 g moves both masses and half of each wheel, a disk whose I/r^2 is M/2
     "cable_round_a_corner": {
         "freedom": "1",

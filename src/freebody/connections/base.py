@@ -93,6 +93,10 @@ class Connection(Spec):
         """The direction of a line of the ground that bears a body, which may leave it."""
         return None
 
+    def carried_by(self, names: Names, point: Point) -> Point | None:
+        """The point of a guided body, which does not turn, to which it joins a point."""
+        return None
+
     def is_floor_below(self, names: Names, body: str) -> bool:
         """Whether it is no more to a body than a level floor on which it may land, and above which it is put."""
         return False

@@ -6,7 +6,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection, as_written
+from freebody.connections.standing import begun_by
+from freebody.language.expression import ZERO, Expr, substitute
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
+from freebody.measures.geometry import Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -41,6 +44,15 @@ parameters: {w: 2 rad/s}
         target = names.formula(self.follows, measure.dimension, "follows", extra={"t": TIME})
         what = {LENGTH: "driving force", DIMENSIONLESS: "driving torque"}
         return [ConstraintRow("drive", what.get(measure.dimension, "driving force"), measure, target)]
+
+    def bears_at(self, names: Names, point: Point, normal: Direction) -> Expr | None:
+        """Where what it leads starts, at t = 0."""
+        with names.quietly():
+            measure = measure_of(names, self.measure)
+            if measure is None or point.body not in set(measure.bodies()):
+                return None
+            target = names.formula(self.follows, measure.dimension, extra={"t": TIME})
+        return begun_by(names, measure, substitute(target, {"t": ZERO}), point, normal)
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         measure = measure_of(names, self.measure)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.connections.base import Connection, coincidence
-from freebody.connections.standing import stands_at
+from freebody.connections.standing import begins_without_turning, ground_guide_of, stands_at
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -78,13 +78,27 @@ connections: {it: {pin: [ground.A, rod.start]}}
         return names.point(self.first, "first"), names.point(self.second, "second")
 
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        other = self._joined_to(names, point)
+        return None if other is None else stands_at(names, other, along, seen)
+
+    def carried_by(self, names: Names, point: Point) -> Point | None:
+        other = self._joined_to(names, point)
+        return None if other is None or ground_guide_of(names, other.body, turning=False) is None else other
+
+    def bears_at(self, names: Names, point: Point, normal: Direction) -> Expr | None:
+        """Where a guided body that does not turn carries it."""
+        other = self.carried_by(names, point)
+        return None if other is None else begins_without_turning(names, other, normal)
+
+    def _joined_to(self, names: Names, point: Point) -> Point | None:
+        """The point of the other body at one that it joins."""
         if point.body not in self.mentions(names):
             return None
         with names.quietly():
-            first, second = names.point(self.first, "first"), names.point(self.second, "second")
+            first, second = self.joined_points(names)
         for own, other in ((first, second), (second, first)):
             if (own.body, own.offset) == (point.body, point.offset):
-                return stands_at(names, other, along, seen)
+                return other
         return None
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.standing import along_of, is_parallel, stands_at
+from freebody.connections.standing import along_of, arm_on_ground, is_parallel, stands_at
 from freebody.dataclass import dataclass
-from freebody.language.expression import Expr, multiply
+from freebody.language.expression import Expr, add, multiply
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
@@ -161,12 +161,17 @@ connections: {it: {slider: {body: block, along: right}}}
         with names.quietly():
             guided, body = names.point(self.body, "body"), names.known(point.body)
             normal = names.direction(self.along, "along", body=self.on).normal()
-            if guided.offset != point.offset or not is_parallel(names, normal, along):
+            if not is_parallel(names, normal, along):
                 return None
             if self.through is None and body.start.at is not None:
-                return along_of(body.start.at[1], along) if body.points[body.start.at[0]] == point.offset else None
-            rail = self._guide(names, point)
-        return stands_at(names, rail.across.origin, along, seen) if isinstance(rail.across, Displacement) else None
+                name, place = body.start.at
+                arm = arm_on_ground(body, body.points[name], point.offset)
+                return along_of(tuple(add(p, a) for p, a in zip(place, arm, strict=True)), along)
+            rail = self._guide(names, guided)
+        if not isinstance(rail.across, Displacement):
+            return None
+        level = stands_at(names, rail.across.origin, along, seen)
+        return None if level is None else add(level, along_of(arm_on_ground(body, guided.offset, point.offset), along))
 
     def guide_of(self, names: Names, body: str, *, turning: bool) -> Direction | None:
         return ground_guide(names, body, self.body, self.along, self.on)

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import Expr, add, evaluate, multiply, negate
+from freebody.language.expression import Call, Expr, add, evaluate, multiply, negate
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.elements import RigidBody
@@ -35,8 +35,19 @@ def stands_at(names: Names, point: Point, along: Direction, seen: frozenset[str]
         return None if point.name.rpartition(".")[2] in nowhere else along_of(point.offset, along)
     if body.fixed:
         return _of_fixed(body, point, along)
+    if names.standing is None:
+        return _kept_at(names, point, along, seen)
+    # nothing changes while the way of a string is being found, but which strings place nothing yet
+    key = (point.body, point.offset, along, seen, tuple(id(string) for string in names.laying))
+    if key not in names.standing:
+        names.standing[key] = _kept_at(names, point, along, seen)
+    return names.standing[key]
+
+
+def _kept_at(names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+    """Where the connections of a body keep a point of it."""
     for connection in names.connections.values():
-        place = connection.keeps_at(names, point, along, seen | {body.name})
+        place = connection.keeps_at(names, point, along, seen | {point.body})
         if place is not None:
             return place
     return None
@@ -89,15 +100,49 @@ def starts_at(names: Names, point: Point, along: Direction) -> Expr | None:
 
 def begins_at(names: Names, point: Point, along: Direction) -> Expr | None:
     """How far along a direction of the ground the file lets a named measure of a point start."""
-    for name, begun in names.placed_at_start.items():
-        measure = names.measures.get(name)
-        if not isinstance(measure, Displacement) or measure.origin.body != GROUND:
-            continue
-        is_of_point = (measure.of.body, measure.of.offset) == (point.body, point.offset)
-        if is_of_point and is_parallel(names, measure.along, along):
-            sense = ONE if same_way(names, measure.along, along) else negate(ONE)
-            return add(along_of(measure.origin.offset, along), multiply(sense, begun))
+    named = ((names.measures.get(name), begun) for name, begun in names.placed_at_start.items())
+    places = (begun_by(names, measure, begun, point, along) for measure, begun in named)
+    return next((place for place in places if place is not None), None)
+
+
+def begun_by(names: Names, measure: object, begun: Expr, point: Point, along: Direction) -> Expr | None:
+    """How far along a direction of the ground a point is where a measure has a value; None where the measure is no
+    displacement of the point that way."""
+    if not isinstance(measure, Displacement) or measure.origin.body != GROUND:
+        return None
+    is_of_point = (measure.of.body, measure.of.offset) == (point.body, point.offset)
+    if not is_of_point or not is_parallel(names, measure.along, along):
+        return None
+    sense = ONE if same_way(names, measure.along, along) else negate(ONE)
+    return add(along_of(measure.origin.offset, along), multiply(sense, begun))
+
+
+def begins_without_turning(names: Names, point: Point, along: Direction) -> Expr | None:
+    """How far along a direction of the ground a point of a body that does not turn starts: as the body is put, or as
+    a measure of it starts or is driven."""
+    body = names.known(point.body)
+    if body.start.at is not None and not body.fixed:
+        named, place = body.start.at
+        arm = arm_on_ground(body, body.points[named], point.offset)
+        return along_of(tuple(add(p, a) for p, a in zip(place, arm, strict=True)), along)
+    if (held := stands_at(names, point, along)) is not None:
+        return held
+    measured = (m.of for m in names.measures.values() if isinstance(m, Displacement) and m.of.body == body.name)
+    for own in dict.fromkeys((point, *measured)):
+        borne = (connection.bears_at(names, own, along) for connection in names.connections.values())
+        begun = next((x for x in borne if x is not None), None) or begins_at(names, own, along)
+        if begun is not None:
+            return add(begun, along_of(arm_on_ground(body, own.offset, point.offset), along))
     return None
+
+
+def arm_on_ground(body: RigidBody, start: tuple[Expr, ...], end: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """From one point of a body that does not turn to another one, by components of the ground, in the plane."""
+    x, y, *_ = (add(q, negate(p)) for p, q in zip(start, end, strict=True))
+    if body.start.angle is None:
+        return x, y
+    cos, sin = (Call(name, body.start.angle) for name in ("cos", "sin"))
+    return add(multiply(cos, x), negate(multiply(sin, y))), add(multiply(sin, x), multiply(cos, y))
 
 
 def moves_out_of_plane(names: Names, bodies: Iterable[str]) -> bool:
@@ -118,6 +163,29 @@ def ground_guide_of(names: Names, body: str, *, turning: bool) -> Direction | No
     """The direction of the ground along which a connection guides a body. turning: also where it may turn."""
     found = (connection.guide_of(names, body, turning=turning) for connection in names.connections.values())
     return next((along for along in found if along is not None), None)
+
+
+def carriage_point(names: Names, point: Point) -> Point | None:
+    """The point of a guided body on which a point turns that goes with it: of a trolley that of the axle of a wheel."""
+    found = (connection.carried_by(names, point) for connection in names.connections.values())
+    return next((other for other in found if other is not None), None)
+
+
+def carriage_line(names: Names, point: Point) -> Direction | None:
+    """The direction of the ground along which a point goes with the guided body on which it turns."""
+    other = carriage_point(names, point)
+    return None if other is None else ground_guide_of(names, other.body, turning=False)
+
+
+def apart_at_start(names: Names, first: Point, second: Point, along: Direction) -> Expr | None:
+    """How far a point is from another one along a direction of the ground at the start: where both are carried by one
+    body, or by where both start."""
+    carried = carriage_point(names, first), carriage_point(names, second)
+    if carried[0] is not None and carried[1] is not None and carried[0].body == carried[1].body:
+        body = names.known(carried[0].body)
+        return along_of(arm_on_ground(body, carried[0].offset, carried[1].offset), along)
+    start, end = (starts_at(names, point, along) for point in (first, second))
+    return None if start is None or end is None else add(end, negate(start))
 
 
 def ground_line_under(names: Names, body: str) -> Direction | None:

@@ -157,6 +157,10 @@ class Joining(Protocol):
         """Where it keeps a point beside a curve, if its foot there is a coordinate of its own."""
         ...
 
+    def foot(self, names: Names) -> CurvePlace | SurfacePlace | None:
+        """Where it keeps a point beside a curve or a surface, if its foot there has coordinates of its own."""
+        ...
+
     def brings(self, names: Names) -> dict[str, AppliedLoad]:
         """Loads that belong to it, by their names."""
         ...
@@ -209,6 +213,7 @@ class Names(Formulas):
         self.fields: set[tuple[Direction, Expr]] = set()  # of gravity: along which direction, and how strong
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
+        self.standing: dict[tuple[object, ...], Expr | None] | None = None  # where points stand, as a way is being found
         self.up: Components = (ZERO, ONE)
         self.usual_questions: tuple[str, ...] = ()  # what the file asks, in the words of the grammar
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
@@ -217,6 +222,7 @@ class Names(Formulas):
         """The same names for what is asked later, whose problems and points of the ground are its own."""
         names = copy(self)
         names.problems, names.assumptions, names.laying = [], [*self.assumptions], []
+        names.standing = None
         names.broken, names.told_once = {*self.broken}, {*self.told_once}
         names.free_ground_points = {}
         ground = self.bodies[GROUND]

@@ -25,7 +25,7 @@ from freebody.measures.turn import Alignment, Turn
 from freebody.model.elements import Attitude
 from freebody.model.names import Names
 from freebody.model.rotations import perpendiculars
-from freebody.model.surfaces import from_axis
+from freebody.model.surfaces import SurfacePlace, from_axis
 
 Path = tuple[str | int, ...]
 Found = dict[str, str | None]
@@ -141,6 +141,30 @@ def _parameter(names: Names, found: Found, path: Path) -> Measure:
         names.unknown(cast("str", found["of"]), told, *path)
         return Displacement(names.ground_origin, names.ground_origin, RIGHT)
     return place.parameter
+
+
+@_phrase(
+    "rho|phi of CONNECTION",
+    r"(?P<which>rho|phi) of (?P<of>[A-Za-z_]\w*)",
+    """
+space: {up: z}
+parameters: {k: 1 1/m, r: 0.1 m}
+bodies: {ball: {sphere: {mass: 1 kg, radius: r}, near: {at: [0.3 m, 0, 0.2 m]}}}
+connections: {bowl: {rolling_on_surface: {body: ball, z: k*rho^2}}}
+measures: {rho: rho of bowl, phi: phi of bowl}
+""",
+)
+def _of_contact(names: Names, found: Found, path: Path) -> Measure:
+    """Where a sphere touches the surface on which it rolls: how far from the axis of that, and at which angle round it,
+    counted from x towards y."""
+    connection = names.connections.get(cast("str", found["of"]))
+    with names.quietly():
+        place = None if connection is None else connection.foot(names)
+    if not isinstance(place, SurfacePlace):
+        told = Message("{name} is no surface z = f(x, y) on which a sphere rolls", name=found["of"])
+        names.unknown(cast("str", found["of"]), told, *path)
+        return Displacement(names.ground_origin, names.ground_origin, RIGHT)
+    return place.polar[found["which"] == "phi"]
 
 
 @_phrase(

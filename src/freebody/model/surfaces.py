@@ -21,6 +21,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Bearing
 from freebody.measures.geometry import AXES, GROUND, Components, Direction, Point
 from freebody.model.curves import FOOT
 from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody, Start
@@ -114,6 +115,13 @@ class SurfacePlace:
             turning = spin_terms(self.point.body, axis, axis.body)
             terms += [(self._share(arm * c, by), rate) for by, rate in turning]
         return NonholonomicForm(tuple(terms), LENGTH)
+
+    @property
+    def polar(self) -> tuple[Measure, Measure]:
+        """rho and phi of the foot: how far from the axis of the surface it is, and at which angle round that."""
+        middle, foot = (Point(body, (ZERO,) * 3) for body in (GROUND, self.carrier))
+        away = Composed(Call("sqrt", SQUARE), self._own[:2], LENGTH)
+        return away, Bearing(middle, foot)
 
     def body(self) -> RigidBody:
         """What carries the foot: nothing that has mass."""

@@ -32,6 +32,7 @@ from freebody.study.answering.places_of_quantities import placed
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
 from freebody.study.given import each
+from freebody.study.steady.open_balls import with_open_balls
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -86,6 +87,7 @@ def explain(
     system, asked = (system, system.questions) if question is None else _asked(system, known, each(question))
     asked = tuple(placed(system, asked, solve)[0])
     system = system if asked == system.questions else replace(system, questions=asked)
+    system = with_open_balls(system, asked)
     context = Context(system)
     # the setup of a motion in phases is that of its first one, with too few draws to check an answer
     shared = None if has_phases(system) else context.setup
@@ -98,7 +100,7 @@ def explain_solved(system: System, solution: Solution, k: int, *, language: str 
     question = system.questions[k]
     if isinstance(question.event, OfQuantity):  # solved as another question, at the place of the event
         return explain(system, question.id, language=language)
-    alone = replace(system, questions=(question,))
+    alone = with_open_balls(replace(system, questions=(question,)), (question,))
     found = replace(solution, system=alone, answers=(solution.answers[k],))
     return _explained(Context(alone), found, "auto", None, language)
 

@@ -291,8 +291,10 @@ class CoordinateChoice:
 
     def _linear_in(self, value: Ratio, taken: set[int], *, is_named: bool) -> Coordinate | None:
         """The coordinate of no name in which alone a value is linear, with a constant slope; one that a connection
-        offers gives way to what is named only."""
-        for c in self.chosen.speeds.coordinates:
+        offers gives way to what is named only. So does one whose rate alone is bound, by rows of velocities."""
+        speeds = self.chosen.speeds
+        binds_rates = any(isinstance(row.measure, NonholonomicForm) for row in self._system.constraint_rows)
+        for c in (*speeds.coordinates, *(speeds.dependent if binds_rates else ())):
             is_offered = c.index in self._unknowns.defined and not is_named
             if c.index in taken or c.name in self._system.all_measures or is_offered:
                 continue

@@ -26,7 +26,9 @@ from collections.abc import Callable, Mapping, Sequence
 from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
+from freebody.measures.geometry import AXES
 from freebody.model.elements import ConstraintRow, NonholonomicForm
+from freebody.model.spins import spin
 from freebody.symbolic.bodies import Bodies, Parts, PlanarBodies
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.coordinates import CoordinateChoice
@@ -202,6 +204,15 @@ class SymbolicModel:
     def measure_of(self, c: Coordinate) -> Measure | None:
         """The measure that a coordinate is; None for a length or angle of a line that is none by itself."""
         return self._unknowns.measures.get(c.index)
+
+    def form_of(self, c: Coordinate) -> Measure | NonholonomicForm | None:
+        """What the rate of a coordinate is the rate of: its measure, or of a ball whose orientation is left open the
+        angular velocity about an axis of the ground."""
+        for body in sorted(self.system.unfollowed):
+            for axis, turn in zip(AXES, self.bodies.unfollowed_turns(body), strict=True):
+                if self.field.index(turn) == c.index:
+                    return spin(body, axis)
+        return self.measure_of(c)
 
     def rate(self, x: Ratio) -> Ratio:
         """Total time derivative; speeds of dependent coordinates stay as they are, but for those that are zero."""

@@ -204,8 +204,10 @@ connections:
         if names.space and self._is_of_space(names, way):
             return self._run_in_space(names, way)
         names.laying.append(self)
+        before, names.standing = names.standing, {} if names.standing is None else names.standing
         run = run_over(names, way, self.leads)
         goes_round = is_sure(names, run, "path" if self.path else "over" if self.over else "under")
+        names.standing = before
         names.laying.pop()
         return run if goes_round else None
 

@@ -14,10 +14,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from freebody.connections.standing import is_parallel, is_zero, same_way, stands_at
+from freebody.connections.standing import apart_at_start, is_parallel, is_zero, same_way, stands_at
 from freebody.connections.string.node import StringNode
 from freebody.dataclass import dataclass
-from freebody.language.expression import Expr, add, negate
+from freebody.language.expression import Expr, add, multiply, negate
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, ZERO, Direction, Point
 from freebody.model.elements import ConstraintRow
@@ -94,6 +94,24 @@ def askew(
         first, second, normal = way[k].point, way[k + 1].point, lead.normal()
         start, end = stands_at(names, first, normal), stands_at(names, second, normal)
         if start is None or end is None:
+            if _is_beside(names, way, leads, arms, k):
+                yield first, second, lead
             continue
         if not is_zero(names, add(end, negate(start), arms[k], negate(arms[k + 1]))):
             yield first, second, lead
+
+
+def _is_beside(
+    names: Names, way: Sequence[StringNode], leads: Sequence[Direction | None], arms: Sequence[Expr], k: int
+) -> bool:
+    """Whether a lead goes up from a wheel that hangs below another one, as from trolley to trolley, and what it leads
+    to starts beside it: the first lead of the wheel puts it at C + n rho, its second one at C - n rho."""
+    before, after = leads[k - 1] if k > 0 else None, leads[k]
+    if before is None or after is None or not way[k].hangs or not is_parallel(names, before, after):
+        return False
+    apart = apart_at_start(names, way[k - 1].point, way[k + 1].point, RIGHT)
+    if apart is None:
+        return False
+    (n, *_), (m, *_) = before.normal().components, after.normal().components
+    rho, other = (add(arms[j + 1], negate(arms[j])) for j in (k - 1, k))
+    return not is_zero(names, add(multiply(n, rho), multiply(m, other), negate(apart)))

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import (
+    apart_at_start,
     ground_line_under,
     is_parallel,
     number_of,
@@ -106,6 +107,8 @@ def _runs_along(names: Names, run: StringRun, k: int) -> bool:
     Where the body gets there the distance from a point has no slope, and the way along the guide has one."""
     way, arms = run.way, run.arms
     for j in (j for j in (k - 1, k) if 0 <= j < len(run.leads)):
+        if way[j].hangs or way[j + 1].hangs:
+            continue  # it runs up or down
         lead, first, second = run.leads[j], way[j].point, way[j + 1].point
         if lead is None or lead.body != GROUND:
             return False
@@ -234,6 +237,8 @@ def _leads(names: Names, way: Sequence[StringNode]) -> list[Direction | None]:
         elif abs(_in_numbers(names, along)[1]) > ROUNDED and any(n.guide and n.radius != ZERO for n in (a, b)):
             rises = (_of_hanging(a, b) is UP) == (_in_numbers(names, along)[1] > 0.0)  # a wheel that is led up and down
             found.append(along if rises else along.reversed())
+        elif (runs := _sense_at_start(names, a, b, along)) is not None:
+            found.append(along if runs > 0.0 else along.reversed())
         else:
             into_pulley = a.way == "end" and b.way != "end"
             ex, ey = _in_numbers(names, along)
@@ -241,6 +246,18 @@ def _leads(names: Names, way: Sequence[StringNode]) -> list[Direction | None]:
             leaving = -ey if abs(ey) > ROUNDED else ex
             found.append(along if (rising if into_pulley else leaving) > 0 else along.reversed())
     return found
+
+
+def _sense_at_start(names: Names, a: StringNode, b: StringNode, along: Direction) -> float | None:
+    """How far a lead to a wheel that is led runs along a line at the start [m]; None where nobody has said."""
+    if not any(node.guide is not None and node.radius != ZERO for node in (a, b)):
+        return None
+    start, end = (where_at_start(names, node) for node in (a, b))
+    if start is None or end is None:
+        return None
+    ex, ey = _in_numbers(names, along)
+    far = (end[0] - start[0]) * ex + (end[1] - start[1]) * ey
+    return far if abs(far) > ROUNDED else None
 
 
 def _of_hanging(a: StringNode, b: StringNode) -> Direction:
@@ -304,6 +321,10 @@ def _goes_left(names: Names, before: StringNode, wheel: StringNode, after: Strin
     start, end, here = before.place, after.place, place_of(names, wheel.point)
     if start is not None and end is not None:
         return end[0] - start[0] < -ROUNDED
+    if before.track is not None or after.track is not None:
+        apart = apart_at_start(names, before.point, after.point, RIGHT)
+        if apart is not None:
+            return number_of(names, apart) < -ROUNDED
     if here is None or before.hangs == after.hangs:
         return False
     beside = number_of(names, wheel.radius) + ROUNDED

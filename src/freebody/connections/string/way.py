@@ -7,7 +7,14 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
-from freebody.connections.standing import begins_at, ground_guide_of, ground_line_under, is_parallel, is_zero
+from freebody.connections.standing import (
+    begins_at,
+    carriage_line,
+    ground_guide_of,
+    ground_line_under,
+    is_parallel,
+    is_zero,
+)
 from freebody.connections.string.node import StringNode
 from freebody.language.expression import Call, Expr, add, multiply, negate
 from freebody.language.sentences import Message
@@ -151,9 +158,10 @@ def _read_node(
     is_free = not (is_held(names, body.name) or body.fixed or swings or body.name == GROUND)
     is_free = is_free and hangs_straight(names, body, point) and not _is_pushed_aside(names, body.name)
     guide = ground_guide_of(names, body.name, turning=False)
-    line = guide or ground_line_under(names, body.name)
+    carried = None if names.space or radius == ZERO else carriage_line(names, point)
+    line = guide or carried or ground_line_under(names, body.name)
     is_started = line is not None and begins_at(names, point, line) is not None
-    may_lie = is_given or (guide is None and (found["wound"] is not None or is_started))
+    may_lie = is_given or (guide is None and (found["wound"] is not None or carried is not None or is_started))
     return StringNode(
         point,
         radius,

@@ -34,6 +34,7 @@ from freebody.language.expression import (
 from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import FORCE
 from freebody.measures.base import Measure
+from freebody.model.elements import NonholonomicForm
 from freebody.narrative.lines.differences import SymbolValues, value_of
 from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
@@ -280,6 +281,15 @@ class Glossary:
                 found.setdefault(c.name, measure)
         return found
 
+    @cached_property
+    def turns(self) -> dict[str, NonholonomicForm]:
+        """Coordinates of balls that have nothing but rates: their angular velocities about axes of the ground."""
+        if not self.setup.system.unfollowed:
+            return {}
+        model = self.setup.model
+        forms = ((c.name, model.form_of(c)) for c in (*model.coordinates, *model.dependent))
+        return {name: form for name, form in forms if isinstance(form, NonholonomicForm)}
+
     @property
     def start_values(self) -> dict[str, Sentence]:
         """Symbols of start values that follow from the assembly only."""
@@ -315,11 +325,14 @@ class Glossary:
         bare = name.replace("rate(", "").replace(")", "")
         if bare in self.setup.system.states:  # the rate of its integral
             name, bare = f"rate({name})", self.setup.system.states[bare].carrier
+        order = name.count("rate(")
         if bare in self.measures:
             read_at = (world.snapshot.value, world.snapshot.rate, world.snapshot.acceleration)
-            order = name.count("rate(")
             if order < len(read_at):
                 return float(read_at[order](self.measures[bare]))
+        if bare in self.turns and order in (1, 2):
+            seen = world.snapshot.rate if order == 1 else world.snapshot.acceleration
+            return float(seen(self.turns[bare]))
         return world.generators[name]
 
     def worlds(self, when: TrueWhen) -> Iterator[World]:

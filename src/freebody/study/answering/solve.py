@@ -30,6 +30,7 @@ from freebody.study.answering.reactions_at_rest import reaction_at_rest
 from freebody.study.answering.solution import Solution
 from freebody.study.given import each
 from freebody.study.setup import Setup, independent_measures
+from freebody.study.steady.open_balls import with_open_balls
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -128,7 +129,8 @@ def _in_whole(
 
 def _in_one_law(system: System, questions: Sequence[Question], setup: Setup | None = None) -> Solution:
     """Where no contact or friction changes the law of motion."""
-    setup = Setup(system) if setup is None else setup
+    seen = with_open_balls(system, questions)
+    setup, system = Setup(seen) if setup is None or seen is not system else setup, seen
     try:
         model = setup.model
     except CannotAnswer as error:

@@ -11,6 +11,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
@@ -155,21 +156,21 @@ def general_pose(setup: Setup, draw: Draw, k: int) -> Array:
 
 def moving(steady: SteadyMotion, draw: Draw, q: Array, rates: dict[int, float]) -> Snapshot:
     """Cyclic coordinates with given rates, the others at rest."""
-    wanted: list[tuple[Measure, float]] = []
+    wanted: list[tuple[Measure | NonholonomicForm, float]] = []
     for c in steady.model.coordinates:
-        measure = steady.model.measure_of(c)
-        if measure is None and c in steady.cyclic:
+        seen = steady.model.form_of(c)
+        if seen is None and c in steady.cyclic:
             raise CannotAnswer(Message("{x} is no measure of the model, so its rate cannot be checked", x=c.name))
-        if measure is not None:
-            wanted.append((measure, rates.get(c.speed, 0.0)))
+        if seen is not None:
+            wanted.append((seen, rates.get(c.speed, 0.0)))
     return draw.reference.snapshot(q, draw.reference.velocities(q, wanted, with_start=False))
 
 
 def coordinate_accelerations(steady: SteadyMotion, draw: Draw, snapshot: Snapshot) -> Array:
-    """Of the coordinates that are measures, by the engine."""
+    """Of the coordinates that are measures, or turns of balls, by the engine."""
     seen = draw.seen(snapshot)
-    measures = [steady.model.measure_of(c) for c in steady.model.coordinates]
-    return np.array([seen.acceleration(m) for m in measures if m is not None])
+    forms = [steady.model.form_of(c) for c in steady.model.coordinates]
+    return np.array([seen.acceleration(form) for form in forms if form is not None])
 
 
 def unevenness(steady: SteadyMotion, draw: Draw, snapshot: Snapshot) -> float:

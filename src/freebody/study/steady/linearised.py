@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import product
+from typing import TypeVar
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.study.answering.answer import Evidence
@@ -22,6 +24,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
+_Form = TypeVar("_Form", bound=Measure | NonholonomicForm)
 _TOLERANCE = 1e-5  # relative, of second differences
 _FACTORS = (0.2, 0.5, 1.0, 2.0, 5.0)  # times the rates of the start: on both sides of a condition
 _FAST = 25.0  # where what oscillates needs to be faster than the start
@@ -86,7 +89,8 @@ class About:
 
     def __init__(self, setup: Setup, linear: Linear, draw: Draw, factor: float) -> None:
         self.steady, self.draw = linear.steady, draw
-        self.others, self.cyclic = (self._measured(c) for c in (self.steady.others, self.steady.cyclic))
+        self.others = [(c, self._known(c, self.steady.model.measure_of(c))) for c in self.steady.others]
+        self.cyclic = [(c, self._known(c, self.steady.model.form_of(c))) for c in self.steady.cyclic]
         start = draw.start()
         there = {index: element_at(setup, (linear.place[index],), draw, start)[0] for index in linear.moved}
         places = [there[c.index] if c.index in there else start.value(m) for c, m in self.others]
@@ -100,19 +104,14 @@ class About:
         self.rates = np.array([rates[c.speed] for c, _m in self.cyclic], dtype=np.float64)
         self.snapshot = moving(self.steady, draw, q, rates)
 
-    def _measured(self, coordinates: Sequence[Coordinate]) -> list[tuple[Coordinate, Measure]]:
-        found: list[tuple[Coordinate, Measure]] = []
-        for c in coordinates:
-            measure = self.steady.model.measure_of(c)
-            if measure is None:
-                raise CannotAnswer(
-                    Message("{x} is no measure of the model, so its stability cannot be checked", x=c.name)
-                )
-            found.append((c, measure))
-        return found
+    @staticmethod
+    def _known(c: Coordinate, seen: _Form | None) -> _Form:
+        if seen is None:
+            raise CannotAnswer(Message("{x} is no measure of the model, so its stability cannot be checked", x=c.name))
+        return seen
 
     @staticmethod
-    def _rate(c: Coordinate, measure: Measure, start: Snapshot, factor: float, linear: Linear) -> float:
+    def _rate(c: Coordinate, measure: Measure | NonholonomicForm, start: Snapshot, factor: float, linear: Linear) -> float:
         if c.speed in linear.rates and linear.rates[c.speed].is_zero():
             return 0.0
         rate = start.rate(measure)

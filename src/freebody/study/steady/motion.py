@@ -160,7 +160,22 @@ class SteadyMotion:
         for base, _exponent in x.field.factor(x.num)[1]:
             if x.field.ingredients(base) & {c.speed for c in self.cyclic}:
                 product = product * base
-        return primitive_part(x) if product == 1 else product
+        return primitive_part(x) if product == 1 else self._without_common_factor(product)
+
+    def _without_common_factor(self, x: Ratio) -> Ratio:
+        """An equation without a factor of the pose that all its coefficients of rates have in common. Beside square
+        roots, w^2 = 1 + 4 k^2 rho^2 of a slope, it is no factor of a polynomial, but cancels in their quotients."""
+        f = x.field
+        parts = [x]
+        for c in self.cyclic:
+            parts = [each for part in parts for each in part.coefficients(c.speed) if not each.is_zero()]
+        roots = [g for g in f.ingredients(x) if f.generators[g].kind == "root" and f.generators[g].made_of]
+        if len(roots) != 1 or len(parts) < 2:
+            return x
+        # the divisor a + b w makes the quotient with a - b w above and below the bar
+        others = [f.substitute(part, {roots[0]: -f.variable(roots[0])}) for part in parts]
+        quotients = [f.quotient((x * c).num, (part * c).num) for part, c in zip(parts, others, strict=True)]
+        return primitive_part(min((x, *(q.numerator() for q in quotients)), key=lambda e: len(e.num)))
 
     @cached_property
     def always(self) -> list[Ratio]:

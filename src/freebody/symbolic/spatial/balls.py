@@ -16,7 +16,9 @@ from typing import cast
 
 from freebody.language.expression import ZERO
 from freebody.measures.base import Measure
+from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import Direction, SpatialPose, Vector
 from freebody.model.elements import NonholonomicForm, RigidBody
 from freebody.symbolic.field import Field, Ratio
@@ -65,14 +67,24 @@ def _stated(system: System) -> Iterable[Measure | NonholonomicForm]:
 def _looks_alike(system: System, name: str) -> bool:
     """Whether nothing that is stated of a body depends on its orientation."""
     stated = [m for m in dict.fromkeys(_stated(system)) if name in set(m.bodies())]
-    if any(looks_at_axes(m, name) for m in stated if isinstance(m, Displacement)):
-        return False
-    forms = [m for m in stated if not isinstance(m, Displacement)]
-    fixed = {body.name for body in system.bodies.values() if body.fixed}
-    if any(not isinstance(m, NonholonomicForm) or not set(m.bodies()) <= fixed | {name} for m in forms):
+    forms = [m for m in stated if not _is_of_places(m, name)]
+    unturned = {body.name for body in system.bodies.values() if body.fixed or not body.turns}
+    if any(not isinstance(m, NonholonomicForm) or not set(m.bodies()) <= unturned | {name} for m in forms):
         return False
     geometries = [_turned(system, name, columns) for columns in (None, _TURNED)]
     return all(_along_ground(geometries[0], m, name) == _along_ground(geometries[1], m, name) for m in forms)
+
+
+def _is_of_places(stated: Measure | NonholonomicForm, name: str) -> bool:
+    """Whether a measure is of where points are alone, along directions that a ball, all of whose points are its middle,
+    does not carry."""
+    if isinstance(stated, Composed):
+        return all(_is_of_places(part, name) for _name, part in stated.measures)
+    if isinstance(stated, Combination):
+        return all(_is_of_places(part, name) for _share, part in stated.terms)
+    if isinstance(stated, Bearing) and stated.origin == name:
+        return False
+    return isinstance(stated, (Displacement, Distance, Bearing)) and not looks_at_axes(stated, name)
 
 
 def looks_at_axes(stated: object, name: str) -> bool:

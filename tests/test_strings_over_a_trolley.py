@@ -1,0 +1,112 @@
+"""Ropes that run along a jib, over the sheaves of a trolley that travels on it, and down to a load.
+
+With x the trolley and h the depth of the load below it, of a rope from the mast over a sheave to the hook
+
+    x + h - R psi = constant,
+
+so that a trolley that moves draws the load up or lets it down, while one that goes down to a hook block and up to the
+other sheave and on to the tip of the jib at c keeps x + 2 h + (c - x) - R psi: the load keeps its height. A load that is
+kept below its trolley moves sideways as it does. Sources: Meriam & Kraige, Dynamics, sec. 2/9 (constrained motion of
+connected particles); the equations below are Newton's, written by hand.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+from posed import is_derived, is_formula, posed
+
+HOIST = """
+parameters: {m: 800 kg, M: 200 kg, I: 5 kg m^2, R: 0.3 m, r: 0.2 m, b: 6 m, c: 12 m, F: 300 N, T: 2600 N m, g: 9.81 m/s^2}
+ground: {points: {mast: [WHERE, r - R]}}
+bodies:
+  drum: {body: {inertia: I, radius: R}}
+  trolley: {rectangle: {mass: M, width: 1 m, height: 0.2 m}, points: {lug: [0.1 m, 0]}}
+  sheave: {disk: {mass: 0, radius: r}}
+  load: {particle: {mass: m}}
+connections:
+  winch: {pin: [ground.mast, drum]}
+  rail: {slider: {body: trolley, along: right}}
+  axle: {pin: [trolley.lug, sheave]}
+  rope: {string: {path: [wound on drum SENSE, over sheave, load]}}
+loads:
+  weight: {gravity: g}
+  push: {force: {at: trolley, along: right, magnitude: F}}
+  motor: {torque: {on: drum, magnitude: SIGN T}}
+measures: {x: x of trolley, y: y of load}
+start: {y: -5 m, x: b}
+"""
+LEFT = HOIST.replace("WHERE", "-1 m").replace("SENSE", "clockwise").replace("c: 12 m, ", "").replace("SIGN ", "")
+RIGHT = HOIST.replace("WHERE", "c").replace("SENSE", "counterclockwise").replace("SIGN ", "-")
+CRANE = """
+parameters: {m: 800 kg, M: 200 kg, R: 0.3 m, r: 0.2 m, b: 6 m, c: 30 m, F: 300 N, u: 0.4 m/s, g: 9.81 m/s^2}
+ground: {points: {mast: [0, r - R], tip: [c, r]}}
+bodies:
+  drum: {disk: {mass: 0, radius: R}}
+  trolley: {rectangle: {mass: M, width: 1.2 m, height: 0.2 m}, points: {left: [-2*r, 0], right: [2*r, 0]}}
+  one: {disk: {mass: 0, radius: r}}
+  other: {disk: {mass: 0, radius: r}}
+  block: {disk: {mass: 0, radius: r}}
+  load: {particle: {mass: m}}
+connections:
+  winch: {pin: [ground.mast, drum]}
+  rail: {slider: {body: trolley, along: right}}
+  left: {pin: [trolley.left, one]}
+  right: {pin: [trolley.right, other]}
+  rope: {string: {path: PATH}}
+  hook: {string: {from: block, to: load}}
+  hoisting: {driver: {measure: psi, follows: u*t/R}}
+loads: {weight: {gravity: g}, push: {force: {at: trolley, along: right, magnitude: F}}}
+measures: {x: x of trolley, y: y of load, psi: angle of drum}
+start: {y: -6 m, x: b}
+"""
+FORTH = "[wound on drum clockwise, over one, under block, over other, ground.tip]"
+BACK = "[ground.tip, over other, under block, over one, wound on drum counterclockwise]"
+
+
+@pytest.mark.parametrize(("model", "side"), [(LEFT, "-1"), (RIGHT, "1")])
+def test_a_rope_from_a_winch_beside_the_rail_draws_its_trolley_by_the_tension(model: str, side: str) -> None:
+    """S the tension, e = -1 with the winch to the left: (M + m) x'' = F + e S, m y'' = S - m g, and what is drawn in,
+    w, is e x + y = w with I w''/R^2 = T/R - S. Then S (1/(M + m) + 1/m + R^2/I) = R T/I + g - e F/(M + m)."""
+    tension = f"(R*T/I + g - ({side})*F/(M + m))/(1/(M + m) + 1/m + R^2/I)"
+    is_formula(model, "tension of rope at load", tension)
+    is_formula(model, "acceleration of x", f"(F + ({side})*{tension})/(M + m)")
+    is_formula(model, "acceleration of y", f"{tension}/m - g")
+
+
+@pytest.mark.parametrize("path", [FORTH, BACK])
+def test_a_load_on_two_falls_keeps_its_height_while_the_trolley_travels(path: str) -> None:
+    model = CRANE.replace("PATH", path)
+    is_formula(model, "velocity of y", "u/2")
+    is_formula(model, "tension of rope at drum", "m*g/2")
+    is_formula(model, "acceleration of x", "F/(M + m)")
+
+
+def test_a_trolley_that_is_driven_starts_where_its_driver_puts_it() -> None:
+    model = CRANE.replace("PATH", FORTH).replace(", x: b}", "}")
+    model = model.replace("  hoisting:", "  going: {driver: {measure: x, follows: b + F*t^2/(2*M)}}\n  hoisting:")
+    model = model.replace(", push: {force: {at: trolley, along: right, magnitude: F}}", "")
+    found = is_formula(model, "driving force of going", "(M + m)*F/M")
+    assert [str(condition) for condition in found.conditions] == ["for all positive parameters"]
+
+
+def test_both_falls_are_said_to_be_askew_where_the_block_is_not_as_wide_as_they_are_apart() -> None:
+    wide = CRANE.replace("PATH", FORTH).replace("block: {disk: {mass: 0, radius: r}}", "block: {disk: {radius: 2*r}}")
+    for model, is_askew in ((CRANE.replace("PATH", FORTH), False), (wide, True)):
+        told = fb.System.from_text(model).assumptions
+        assert any("from block to other" in str(text) for text in told) == is_askew
+
+
+def test_the_load_stays_level_in_a_simulation() -> None:
+    still = CRANE.replace("PATH", FORTH).replace("u*t/R", "0").replace(", u: 0.4 m/s", "")
+    motion = fb.System.from_text(still).simulate(5.0)
+    y, x = (motion.series[name][0] for name in "yx")
+    assert y == pytest.approx(-6.0, abs=1e-9)
+    assert x[-1] == pytest.approx(6.0 + 0.3 * 25 / 2, rel=1e-9)
+
+
+def test_how_a_load_is_lifted_over_a_trolley_is_derived() -> None:
+    told = is_derived(CRANE.replace("PATH", FORTH), "tension of rope at drum")
+    assert "Rope" not in told["de"]
+    assert posed(LEFT, "tension of rope at drum").value is not None
