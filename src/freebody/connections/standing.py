@@ -120,6 +120,14 @@ def ground_guide_of(names: Names, body: str, *, turning: bool) -> Direction | No
     return next((along for along in found if along is not None), None)
 
 
+def ground_pivot_of(names: Names, body: str) -> Point | None:
+    """The point of the ground about which a body turns, if one connection pins it there."""
+    joined = (connection.joined_points(names) for connection in names.connections.values())
+    ends = [pair for pair in joined if pair is not None]
+    turned = [*ends, *((second, first) for first, second in ends)]
+    return next((own for own, other in turned if own.body == GROUND and other.body == body), None)
+
+
 def ground_line_under(names: Names, body: str) -> Direction | None:
     """The direction of a line of the ground that bears a body, if it bears one and nothing is said of its velocity."""
     if names.known(body).start.velocity is not None:
