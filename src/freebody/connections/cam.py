@@ -175,8 +175,8 @@ connections:
         return ConstraintRow("contact", "contact force", Composed(away, used, LENGTH), unilateral=True)
 
     def aside_of_way(self, names: Names) -> Measure | Message:
-        """From the way of the follower, along its guide or round its pivot, to the normal of the edge, e_r + r'/r e_t at
-        the follower."""
+        """From the way of the follower, along its guide or round its pivot, to the normal of the edge, e_r + r'/r e_t
+        at the follower."""
         with names.quietly():
             parts = self._parts(names)
             guide = None if parts is None else ground_guide_of(names, parts[1].body, turning=True)
@@ -207,8 +207,8 @@ connections:
     def _aside_of_swing(
         self, names: Names, parts: tuple[RigidBody, Point, Direction | None], pivot: Point
     ) -> Measure | Message:
-        """Of a follower that swings about a pivot B, whose point of contact P moves along k x (P - B): with the normal n
-        of the edge, tan(alpha) = (P - B).n/((P - B).(k x n)). A flat face is touched at P = O + r n - r' k x n."""
+        """Of a follower that swings about a pivot B, whose point of contact P moves along k x (P - B): with the normal
+        n of the edge, tan(alpha) = (P - B).n/((P - B).(k x n)). A flat face is touched at P = O + r n - r' k x n."""
         cam, point, normal = parts
         r = self._radius(names)
         slope = differentiate(r, _PHI)
