@@ -45,8 +45,8 @@ def start_velocities(reference: NumericSystem, g: JetGeometry, extra: Wanted, *,
 
 
 def _contradiction(names: Sequence[str], gaps: Array) -> str:
-    """What contradicts: the gaps r of least squares fulfil J' r = 0, so that the rates in which r is not zero cannot all
-    have their values, as r . b is not zero."""
+    """What contradicts: the gaps r of least squares fulfil J' r = 0, so that the rates in which r is not zero cannot
+    all have their values, as r . b is not zero."""
     k = int(gaps.argmax())
     parts = list(dict.fromkeys(name for name, gap in zip(names, gaps, strict=True) if gap > _HAS_PART * gaps[k]))
     if not 1 < len(parts) <= _MOST_NAMED:
