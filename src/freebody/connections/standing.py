@@ -28,7 +28,7 @@ def stands_at(names: Names, point: Point, along: Direction, seen: frozenset[str]
     """How far along a direction of the ground a point is from its origin, where nothing moves it that way; None where
     the model does not tell. seen: bodies whose places are being asked for."""
     body = names.known(point.body)
-    if body.name in seen:
+    if body.name in seen or body.is_placeholder:
         return None
     if body.name == GROUND:
         nowhere = names.free_ground_points if len(names.free_ground_points) > 1 else {}  # a single one is the origin
