@@ -38,3 +38,9 @@ def test_a_shaft_with_two_gears_multiplies_their_ratios(b: str) -> None:
 def test_a_radius_that_none_of_its_gears_has_is_refused() -> None:
     with pytest.raises(fb.ModelError, match=r"b has the radius 0.05 m, and module and teeth give 0.08 m"):
         fb.System.from_text(TRAIN.format(b="gear: {inertia: 0.002 kg m^2, radius: 50 mm}"))
+
+
+def test_a_gear_of_no_size_of_its_own_is_drawn_by_its_pitch_circle() -> None:
+    small = fb.System.from_text(TRAIN.format(b="body: {inertia: 1 g m^2}")).draw().tikz()
+    given = fb.System.from_text(TRAIN.format(b="body: {inertia: 1 g m^2, radius: 80 mm}")).draw().tikz()
+    assert small == given
