@@ -414,3 +414,31 @@ def test_a_swinging_face_is_pushed_aside_by_its_distance_from_the_pivot(start: f
 def test_a_face_in_line_with_its_pivot_has_no_pressure_angle_left() -> None:
     cam = "{cam: {cam: disk, follower: lever.end, base_radius: a, lift: e*cos(phi), along: against lever.y}}"
     assert pressure_angle_of_swing(cam, 1.0) == pytest.approx(0.0, abs=1e-12)
+
+
+VALVE = """
+parameters: {rb: 20 mm, h: 8 mm, m: 0.1 kg, k: 4000 N/m, F0: 60 N, w: 200 rad/s}
+ground: {points: {O: [0, 0], S: [0, 0.15 m]}}
+bodies: {disk: {body: {inertia: 0.001 kg m^2}}, valve: {particle: {mass: m}}}
+connections:
+  axle: {pin: [ground.O, disk]}
+  guide: {slider: {body: valve, along: up}}
+  cam: {cam: {cam: disk, follower: valve, base_radius: rb, lift: h/2*(1 - cos(2*phi)), along: up}}
+  motor: {driver: {measure: phi, follows: w*t}}
+loads: {spring: {spring: {first: ground.S, second: valve, stiffness: k, preload: -F0}}}
+measures: {phi: angle of disk from up}
+"""
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "largest w so that contact force of cam stays above 0 over a turn",
+        "largest w so that contact force of cam > 0 over a turn",
+        "largest w so that contact force of cam is greater than 0 over a turn",
+    ],
+)
+def test_the_speed_at_which_a_valve_floats_is_that_of_the_textbook(asked: str, agrees: Callable[..., None]) -> None:
+    """m y'' = 2 m h w^2 cos(2 phi) is least at full lift, where the spring pushes with F0 + k h; at no lift, where it is
+    greatest, the cam is pressed at any speed."""
+    agrees(fb.System.from_text(VALVE).solve(asked), "q1", "sqrt((F0 + k*h)/(2*m*h))")
