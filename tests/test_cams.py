@@ -439,6 +439,6 @@ measures: {phi: angle of disk from up}
     ],
 )
 def test_the_speed_at_which_a_valve_floats_is_that_of_the_textbook(asked: str, agrees: Callable[..., None]) -> None:
-    """m y'' = 2 m h w^2 cos(2 phi) is least at full lift, where the spring pushes with F0 + k h; at no lift, where it is
-    greatest, the cam is pressed at any speed."""
+    """m y'' = 2 m h w^2 cos(2 phi) is least at full lift, where the spring pushes with F0 + k h; at no lift, where it
+    is greatest, the cam is pressed at any speed."""
     agrees(fb.System.from_text(VALVE).solve(asked), "q1", "sqrt((F0 + k*h)/(2*m*h))")
