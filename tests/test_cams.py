@@ -362,3 +362,83 @@ def test_over_a_turn_a_spring_is_preloaded_as_at_the_start_of_the_drive(form: st
     """N = F_0 + k L + m L'' Omega^2 with L = h/2 (1 - cos phi): as k > m Omega^2 it is least where the lift is none."""
     system = fb.System.from_text(PRELOADED.replace("FORM", form))
     agrees(system.solve("least contact force of cam over a turn of phi"), "q1", "F_0 + m*h*Omega**2/2")
+
+
+# the same eccentric circle pushes a lever about B; its normal goes through the middle E of the circle
+SWINGING = """
+parameters: {{a: 30 mm, b: 10 mm, e: 8 mm, f: 5 mm, L: 80 mm, c: 90 mm, w: 20 rad/s}}
+ground: {{points: {{O: [0, 0], B: [c, 0]}}}}
+bodies:
+  disk: {{body: {{mass: 1 kg, inertia: 0.01 kg m^2}}}}
+  lever: {{rod: {{mass: 0.2 kg, length: L}}, near: {{angle: 155 deg}}, points: {{face: [0, f]}}}}
+connections:
+  axle: {{pin: [ground.O, disk]}}
+  pivot: {{pin: [ground.B, lever.start]}}
+  it: {cam}
+  motor: {{driver: {{measure: phi, follows: {start} + w*t}}}}
+measures: {{phi: angle of disk from right}}
+"""
+
+
+def pressure_angle_of_swing(cam: str, start: float) -> float:
+    system = fb.System.from_text(SWINGING.format(cam=cam, start=start))
+    reference = Reference(system)
+    q = reference.assemble()
+    snapshot = reference.snapshot(q, reference.velocities(q))
+    return float(system.question("pressure angle of it").quantity.value(system, snapshot))
+
+
+@pytest.mark.parametrize("start", [0.0, 1.0, 2.5, 4.0])
+def test_a_swinging_roller_is_pushed_aside_by_the_angle_in_the_triangle_of_pivot_roller_and_eccentric(
+    start: float,
+) -> None:
+    # the way of the roller is across the lever, so that sin(alpha) is the cosine of the angle between lever and normal
+    cam = ROLLER.replace("tappet", "lever.end")
+    a_b, e, lever, c = 0.040, 0.008, 0.080, 0.090
+    square = e**2 + c**2 - 2 * e * c * np.cos(start)  # from the middle of the circle to the pivot
+    expected = np.arcsin((a_b**2 + lever**2 - square) / (2 * a_b * lever))
+    assert pressure_angle_of_swing(cam, start) == pytest.approx(expected, rel=1e-8)
+
+
+@pytest.mark.parametrize("start", [0.0, 1.0, 2.5, 4.0])
+def test_a_swinging_face_is_pushed_aside_by_its_distance_from_the_pivot(start: float) -> None:
+    # the face is touched a beside the middle of the circle, and at f across from the pivot: sin(alpha) = f over what is
+    # between pivot and the place of contact
+    cam = "{cam: {cam: disk, follower: lever.face, base_radius: a, lift: e*cos(phi), along: against lever.y}}"
+    a, e, f, c = 0.030, 0.008, 0.005, 0.090
+    square = e**2 + c**2 - 2 * e * c * np.cos(start)
+    expected = -np.arctan(f / np.sqrt(square - (a + f) ** 2))
+    assert pressure_angle_of_swing(cam, start) == pytest.approx(expected, rel=1e-8)
+
+
+def test_a_face_in_line_with_its_pivot_has_no_pressure_angle_left() -> None:
+    cam = "{cam: {cam: disk, follower: lever.end, base_radius: a, lift: e*cos(phi), along: against lever.y}}"
+    assert pressure_angle_of_swing(cam, 1.0) == pytest.approx(0.0, abs=1e-12)
+
+
+VALVE = """
+parameters: {rb: 20 mm, h: 8 mm, m: 0.1 kg, k: 4000 N/m, F0: 60 N, w: 200 rad/s}
+ground: {points: {O: [0, 0], S: [0, 0.15 m]}}
+bodies: {disk: {body: {inertia: 0.001 kg m^2}}, valve: {particle: {mass: m}}}
+connections:
+  axle: {pin: [ground.O, disk]}
+  guide: {slider: {body: valve, along: up}}
+  cam: {cam: {cam: disk, follower: valve, base_radius: rb, lift: h/2*(1 - cos(2*phi)), along: up}}
+  motor: {driver: {measure: phi, follows: w*t}}
+loads: {spring: {spring: {first: ground.S, second: valve, stiffness: k, preload: -F0}}}
+measures: {phi: angle of disk from up}
+"""
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "largest w so that contact force of cam stays above 0 over a turn",
+        "largest w so that contact force of cam > 0 over a turn",
+        "largest w so that contact force of cam is greater than 0 over a turn",
+    ],
+)
+def test_the_speed_at_which_a_valve_floats_is_that_of_the_textbook(asked: str, agrees: Callable[..., None]) -> None:
+    """m y'' = 2 m h w^2 cos(2 phi) is least at full lift, where the spring pushes with F0 + k h; at no lift, where it
+    is greatest, the cam is pressed at any speed."""
+    agrees(fb.System.from_text(VALVE).solve(asked), "q1", "sqrt((F0 + k*h)/(2*m*h))")

@@ -66,3 +66,35 @@ def test_copies_in_space_need_a_bearing_on_a_carrier() -> None:
         fb.System.from_text("space: true\nbodies: {p: {sphere: {mass: 1 kg, radius: 0.1 m}, copies: 3}}\n")
     assert "the copies of p need one pin on a carrier that turns" in str(refused.value)
     assert "pinned" not in str(refused.value)
+
+
+def test_nobody_hears_what_follows_for_the_place_of_a_body_that_could_not_be_read() -> None:
+    with pytest.raises(fb.ModelError) as refused:
+        fb.System.from_text("""
+bodies:
+  sun: {gear: {inertia: 0.001 kg m^2}}
+  carrier: {body: {mass: 1 kg, inertia: 0.01 kg m^2, points: {P: [50 mm, 0]}}}
+  planet: {gear: {mass: 0.5 kg, inertia: 0.0004 kg m^2}, copies: 3}
+connections:
+  A: {pin: [ground.O, sun]}
+  B: {pin: [ground.O, carrier]}
+  C: {pin: [carrier.P, planet]}
+  s: {gear_mesh: {first: sun, second: planet, module: 2 mm, teeth: [20, 30]}}
+""")
+    assert [problem.message.split(":")[0] for problem in refused.value.problems] == [
+        "write points beside body, not inside it"
+    ]
+
+
+def test_numbers_in_place_of_a_number_are_no_place() -> None:
+    with pytest.raises(fb.ModelError, match=r"teeth: expected a text or a number, found \[2, 40\]"):
+        fb.System.from_text("""
+space: true
+bodies:
+  worm: {cylinder: {mass: 1 kg, radius: 25 mm, length: 0.1 m, axis: x}}
+  wheel: {cylinder: {mass: 5 kg, radius: 100 mm, length: 0.03 m, axis: z}}
+connections:
+  a: {revolute: {first: ground.A, second: worm, about: x}}
+  b: {revolute: {first: ground.A, second: wheel, about: z}}
+  mesh: {worm_gear: {worm: worm, wheel: wheel, teeth: [2, 40], radius: 25 mm, lead_angle: 5 deg}}
+""")

@@ -120,7 +120,7 @@ def test_a_large_system_says_as_well_what_contradicts_itself():
     model = four_bars(2)
     model["bodies"]["crank1"] = model["bodies"]["crank1"] | {"angular_velocity": 2.0}
     reference = Reference(System.from_data(model))
-    with pytest.raises(CannotAnswer, match="velocities contradict each other"):
+    with pytest.raises(CannotAnswer, match=r"velocities.* contradict each other"):
         reference.velocities(reference.assemble())
 
 

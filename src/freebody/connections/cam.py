@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.connections.cam_points import lift_through
-from freebody.connections.standing import ground_guide_of, number_of, stands_at, vanishes
+from freebody.connections.standing import ground_guide_of, ground_pivot_of, number_of, stands_at, vanishes
 from freebody.errors import FreebodyError
 from freebody.language.expression import (
     PI,
@@ -43,7 +43,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.geometry import RIGHT, UP, Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, RigidBody
 from freebody.model.glyphs import Glyph
@@ -175,10 +175,14 @@ connections:
         return ConstraintRow("contact", "contact force", Composed(away, used, LENGTH), unilateral=True)
 
     def aside_of_way(self, names: Names) -> Measure | Message:
-        """Between the normal of the edge, e_r + r'/r e_t at the follower, and the guide of the follower."""
+        """From the way of the follower, along its guide or round its pivot, to the normal of the edge, e_r + r'/r e_t
+        at the follower."""
         with names.quietly():
             parts = self._parts(names)
             guide = None if parts is None else ground_guide_of(names, parts[1].body, turning=True)
+            pivot = None if parts is None or guide is not None else ground_pivot_of(names, parts[1].body)
+        if parts is not None and pivot is not None:
+            return self._aside_of_swing(names, parts, pivot)
         if self.form == "flat":
             return Message("a flat face is pushed along its normal, whatever the cam: it has no pressure angle")
         if parts is None or guide is None:
@@ -199,6 +203,37 @@ connections:
             ("@seen", Bearing(cam.center, point)),
         )
         return Composed(Call("atan", divide(across + steep * along, along - steep * across)), used, DIMENSIONLESS)
+
+    def _aside_of_swing(
+        self, names: Names, parts: tuple[RigidBody, Point, Direction | None], pivot: Point
+    ) -> Measure | Message:
+        """Of a follower that swings about a pivot B, whose point of contact P moves along k x (P - B): with the normal
+        n of the edge, tan(alpha) = (P - B).n/((P - B).(k x n)). A flat face is touched at P = O + r n - r' k x n."""
+        cam, point, normal = parts
+        r = self._radius(names)
+        slope = differentiate(r, _PHI)
+        used: _Parts
+        if self.form == "flat":
+            assert normal is not None
+            used = (
+                ("@off", Displacement(point, pivot, normal)),
+                ("@away", Displacement(cam.center, pivot, normal.normal())),
+                (_PHI, Angle(cam.name, normal.body, direction_angle(normal))),
+            )
+            return Composed(Call("atan", divide(Symbol("@off"), Symbol("@away") - slope)), used, DIMENSIONLESS)
+        steep = substitute(divide(slope, r), {_PHI: Symbol("@turned") - Symbol("@seen")})
+        x, y, b_x, b_y = (Symbol(name) for name in ("@x", "@y", "@arm x", "@arm y"))
+        n_x, n_y = x - steep * y, y + steep * x
+        used = (
+            ("@x", Displacement(point, cam.center, RIGHT)),
+            ("@y", Displacement(point, cam.center, UP)),
+            ("@arm x", Displacement(point, pivot, RIGHT)),
+            ("@arm y", Displacement(point, pivot, UP)),
+            ("@turned", Angle(cam.name)),
+            ("@seen", Bearing(cam.center, point)),
+        )
+        aside = divide(b_x * n_x + b_y * n_y, b_y * n_x - b_x * n_y)
+        return Composed(Call("atan", aside), used, DIMENSIONLESS)
 
     def step_of_edge(self, names: Names) -> tuple[float, float, float] | None:
         """r(2 pi) - r(0), and the same of r'."""

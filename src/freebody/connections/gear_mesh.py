@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from freebody.connections.circles import look_at_fit, own_radius, touching
@@ -196,10 +196,12 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
             )
 
     def _look_at_radius(self, names: Names, key: str, radius: Expr) -> None:
-        """A body with a radius of its own has that of its teeth."""
+        """A body with a radius of its own has that of its teeth; of several gears on one shaft that of one of them."""
         own = names.known(getattr(self, key)).radius
         drawn, needed = None if own is None else names.numeric(own), names.numeric(radius)
-        if drawn is not None and needed is not None and not is_near(drawn, needed):
+        if drawn is None or needed is None or is_near(drawn, needed):
+            return
+        if not any(is_near(drawn, other) for other in self._radii_by_teeth(names, getattr(self, key))):
             names.problem(
                 Message(
                     "{body} has the radius {drawn:.4g} m, and module and teeth give {needed:.4g} m; leave its radius "
@@ -210,6 +212,19 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
                 ),
                 key,
             )
+
+    def _radii_by_teeth(self, names: Names, body: str) -> Iterator[float]:
+        """What the module and the teeth of all meshes of a body give."""
+        meshes = [mesh for mesh in names.connections.values() if isinstance(mesh, GearMesh)]
+        for mesh in meshes:
+            if mesh.module is None or mesh.teeth is None or body not in (mesh.first, mesh.second):
+                continue
+            with names.quietly():
+                module = names.numeric(names.formula(mesh.module, LENGTH))
+                teeth = [names.numeric(names.formula(z, DIMENSIONLESS)) for z in mesh.teeth]
+            z = dict(zip((mesh.first, mesh.second), teeth, strict=False)).get(body)
+            if module is not None and z is not None:
+                yield module * z / 2.0
 
     def parts(self, names: Names) -> dict[str, Expr]:
         return parts_of_tooth_force(read_pressure_angle(names, self))

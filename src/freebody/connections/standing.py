@@ -28,7 +28,7 @@ def stands_at(names: Names, point: Point, along: Direction, seen: frozenset[str]
     """How far along a direction of the ground a point is from its origin, where nothing moves it that way; None where
     the model does not tell. seen: bodies whose places are being asked for."""
     body = names.known(point.body)
-    if body.name in seen:
+    if body.name in seen or body.is_placeholder:
         return None
     if body.name == GROUND:
         nowhere = names.free_ground_points if len(names.free_ground_points) > 1 else {}  # a single one is the origin
@@ -165,6 +165,7 @@ def ground_guide_of(names: Names, body: str, *, turning: bool) -> Direction | No
     return next((along for along in found if along is not None), None)
 
 
+
 def carriage_point(names: Names, point: Point) -> Point | None:
     """The point of a guided body on which a point turns that goes with it: of a trolley that of the axle of a wheel."""
     found = (connection.carried_by(names, point) for connection in names.connections.values())
@@ -186,6 +187,14 @@ def apart_at_start(names: Names, first: Point, second: Point, along: Direction) 
         return along_of(arm_on_ground(body, carried[0].offset, carried[1].offset), along)
     start, end = (starts_at(names, point, along) for point in (first, second))
     return None if start is None or end is None else add(end, negate(start))
+
+def ground_pivot_of(names: Names, body: str) -> Point | None:
+    """The point of the ground about which a body turns, if one connection pins it there."""
+    joined = (connection.joined_points(names) for connection in names.connections.values())
+    ends = [pair for pair in joined if pair is not None]
+    turned = [*ends, *((second, first) for first, second in ends)]
+    return next((own for own, other in turned if own.body == GROUND and other.body == body), None)
+
 
 
 def ground_line_under(names: Names, body: str) -> Direction | None:

@@ -25,6 +25,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point, SpatialPose
 from freebody.model.elements import Attitude, NonholonomicForm, RigidBody, Start
 from freebody.numeric import spatial
+from freebody.numeric.closing import cannot_close
 from freebody.numeric.described import axes_of, start_pose
 from freebody.numeric.jet_geometry import Branch, JetGeometry
 from freebody.numeric.jets import LARGE, Array, Jet
@@ -175,9 +176,11 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     # else from the guess alone, and from disturbed ones
     try:
         best, q = _searched(reference, guess, equations, n_starts)
-    except BudgetExhausted:
-        raise
     except CannotAnswer as error:
+        if (why := cannot_close(reference, start_values(reference, extra))) is not None:
+            raise CannotAnswer(Message("the start cannot be assembled: {why}", why=why)) from error
+        if isinstance(error, BudgetExhausted):
+            raise
         raise error if extra else CannotAnswer(_with_places_that_fit(reference, error.args[0])) from error
     if q is not guess:
         best = _settled(reference, best, guess, wishes)
@@ -368,12 +371,16 @@ def _starts(
 
 
 def _start_equations(reference: NumericSystem, extra: Wanted) -> list[PoseEquation]:
-    equations: list[PoseEquation] = []
-    for name, expr in reference.system.all_start.items():
-        measure = reference.system.all_measures[name]
-        if all(measure != other for other, _ in extra):
-            equations.append(PoseEquation.of(name, measure, Jet(reference.number(expr))))
-    return equations + [PoseEquation.of(reference.name_of(m), m, Jet(x)) for m, x in extra]
+    system = reference.system
+    said: dict[Measure | NonholonomicForm, str] = {system.all_measures[name]: name for name in system.all_start}
+    return [PoseEquation.of(said.get(m) or reference.name_of(m), m, Jet(x)) for m, x in start_values(reference, extra)]
+
+
+def start_values(reference: NumericSystem, extra: Wanted) -> Wanted:
+    """The values that named measures have at the start, and what is wanted beside, or in place, of them."""
+    begun = ((reference.system.all_measures[name], expr) for name, expr in reference.system.all_start.items())
+    own = [(m, reference.number(expr)) for m, expr in begun if all(m != other for other, _x in extra)]
+    return [*own, *extra]
 
 
 def _guessed(body: RigidBody) -> Start:

@@ -8,7 +8,7 @@ from contextlib import suppress
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, listed
 from freebody.model.elements import RigidBody
 from freebody.model.state import rate_not_given
 from freebody.numeric.jet_geometry import JetGeometry
@@ -21,6 +21,8 @@ from freebody.numeric.start import Wanted
 from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
+_HAS_PART = 1e-6  # of the largest gap: less is round-off
+_MOST_NAMED = 8  # rates that contradict each other; of more only the worst is named
 NO_ENERGY = 1e-7  # of a motion of unit size: it moves massless bodies only
 _Rate = tuple[str, Jet, float]  # whose rate, the jet that has it, and what it must be
 
@@ -38,16 +40,29 @@ def start_velocities(reference: NumericSystem, g: JetGeometry, extra: Wanted, *,
         v = _least_velocities(reference, J, b)
     gaps = np.abs(J @ v - b)
     if gaps.size and gaps.max() > ROUND_OFF * max(1.0, float(np.abs(b).max())):
-        k = int(gaps.argmax())
-        raise CannotAnswer(
-            Message(
-                "the velocities contradict each other: at best {name} is off by {gap:.3g} (in SI "
-                "units). Change or remove one of them",
-                name=wanted[k][0],
-                gap=gaps[k],
-            )
-        )
+        raise CannotAnswer(_contradiction([name for name, _jet, _rate in wanted], gaps))
     return v
+
+
+def _contradiction(names: Sequence[str], gaps: Array) -> str:
+    """What contradicts: the gaps r of least squares fulfil J' r = 0, so that the rates in which r is not zero cannot
+    all have their values, as r . b is not zero."""
+    k = int(gaps.argmax())
+    parts = list(dict.fromkeys(name for name, gap in zip(names, gaps, strict=True) if gap > _HAS_PART * gaps[k]))
+    if not 1 < len(parts) <= _MOST_NAMED:
+        return Message(
+            "the velocities contradict each other: at best {name} is off by {gap:.3g} (in SI units). Change or remove "
+            "one of them",
+            name=names[k],
+            gap=gaps[k],
+        )
+    return Message(
+        "the velocities of {names} contradict each other: at best {name} is off by {gap:.3g} (in SI units). Change or "
+        "remove one of them",
+        names=listed(parts),
+        name=names[k],
+        gap=gaps[k],
+    )
 
 
 def _rates_matrix(jets: Sequence[Jet], n: int) -> Array | SparseRows:

@@ -288,6 +288,8 @@ class _Reader:
             return self._solid(plain, body)
         if body.radius is not None and not body.edges:
             return self._wheel(plain, body, self.number(body.radius))
+        if not body.edges and not body.corners and (pitch := self._pitch_radius(plain.center)):
+            return self._wheel(plain, body, pitch)
         edge = self.edges.get(plain.index)  # of a body without a form of its own, as a cam
         return plain if edge is None or body.edges or body.corners else replace(plain, edges=(edge,))
 
@@ -318,6 +320,12 @@ class _Reader:
         bore = self.number(body.inner) if body.inner is not None and body.solid == DISK else 0.0
         is_hollow = bool(inside) or is_thin or body.is_ring or bore > 0.0
         return replace(plain, radius=rim, hubs=hubs, is_hollow=is_hollow, bore=bore, inside=inside)
+
+    def _pitch_radius(self, center: Place) -> float:
+        """Of a gear that says nothing of its size the greatest of its pitch circles; 0 of what is no gear."""
+        gears = [s for s in self.signs if isinstance(s, Wheels) and s.is_toothed]
+        ends = [end for gear in gears for end in zip((gear.first, gear.second), gear.radii, strict=True)]
+        return max((abs(radius) for place, radius in ends if _is_near(place, center)), default=0.0)
 
     def _arms_about(self, center: Place) -> Iterable[float]:
         """Radii of the circles about a centre that strings, gears and surfaces touch."""

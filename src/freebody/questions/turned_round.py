@@ -174,11 +174,16 @@ def steadily(relation: str) -> str:
     return _STEADILY.sub(lambda m: f"{m['left']}{m['steadily']}{m['sign']}{m['right']}{m['timed'] or ''}", relation)
 
 
-def inequality_of(relation: str) -> tuple[str, str, str] | None:
-    """The left side, the sign and the right side of an inequality; None where there is none."""
+def _with_signs(relation: str) -> str:
+    """With signs in place of the words of an inequality."""
     for words, sign in _WORDS.items():
         relation = re.sub(rf"(?:\b|(?<=\s)){words}(?=\s|$)", sign, relation)
-    found = _INEQUALITY.match(relation)
+    return relation
+
+
+def inequality_of(relation: str) -> tuple[str, str, str] | None:
+    """The left side, the sign and the right side of an inequality; None where there is none."""
+    found = _INEQUALITY.match(_with_signs(relation))
     return None if found is None else (found["left"].strip(), found["sign"], found["right"].strip())
 
 
@@ -202,6 +207,7 @@ _STAYS: tuple[tuple[str, str, str], ...] = (
     (rf"{_ALWAYS} at least|never (?:is below|gets below|goes below|falls below|is less than)", "least", ">="),
 )
 _STAYING = [(re.compile(rf"^(?P<of>.+?) (?:{words}) (?P<value>.+)$"), end, sign) for words, end, sign in _STAYS]
+_OF_A_TURN = re.compile(r"^(?P<of>.+?)\s*(?P<sign>>=|<=|[<>≥≤])\s*(?P<value>.+?)(?P<turn> over a turn.*)$")
 _STAYS_CONSTANT = re.compile(
     rf"^(?:the )?(?P<of>{NAME}) (?:does not change|is constant|(?:{_ALWAYS}) (?:constant|unchanged|the same|as it is))$"
 )
@@ -215,6 +221,11 @@ def over_the_motion(relation: str) -> str:
         if found is not None:
             value, over, turn = found["value"].partition(" over a turn")
             return f"{end} {found['of']}{over}{turn} {sign} {value}"
+    if (found := _OF_A_TURN.match(_with_signs(relation))) is not None and not found["of"].startswith(
+        ("least ", "greatest ")
+    ):
+        end = "least" if found["sign"] in (">", ">=", "≥") else "greatest"  # x > a over a turn: at each of its places
+        return f"{end} {found['of']}{found['turn']} {found['sign']} {found['value']}"
     return relation
 
 

@@ -215,7 +215,13 @@ class QuestionSolver:
             needed = [[] if isinstance(x, Fraction) else needs(found, x, k) for k, x in enumerate(roots)]
             is_range = is_of_turn and q.relation != "="
             in_place = q.of.scope != "steady motion" and not is_range  # what goes on evenly has a route of its own
-            if is_range and depends_on(setup, q.parameter, needed):
+            always = needed
+            if is_range and depends_on(setup, q.parameter, needed) and found.cases is not None:
+                plain = replace(found, conditions=[*found.cases.always])
+                roots = tuple(x for x, _where in found.cases.each)
+                always = [needs(plain, x) for x in roots]
+                needed = [[*own, *where] for own, (_x, where) in zip(always, found.cases.each, strict=True)]
+            if is_range and depends_on(setup, q.parameter, always):
                 told = Message(
                     "where the extreme of a turn is changes with {name}; ask for the value of {name} at which it is so",
                     name=q.parameter,

@@ -48,6 +48,14 @@ class OnlyInNumbers(CannotAnswer):
         self.value = value
 
 
+@dataclass(frozen=True)
+class Cases:
+    """Formulas of which one is right everywhere, each with what it takes for that one, and what all of them need."""
+
+    always: Sequence[Condition]
+    each: Sequence[tuple[Ratio, Sequence[Condition]]]
+
+
 @dataclass
 class Finding:
     """A closed form with its evidence; `says` are conditions in words, such as `stable if ...`."""
@@ -64,6 +72,7 @@ class Finding:
     is_complete: bool = False  # whether its conditions are all there are
     in_names: InNames | None = None  # the same in short steps
     of_root: Sequence[Sequence[Condition]] = ()  # of several values: what each needs for itself
+    cases: Cases | None = None  # whatever it is, where it may be one of several formulas
 
 
 def answered(

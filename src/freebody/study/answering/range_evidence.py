@@ -24,6 +24,7 @@ from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.range_truth import Interval, TruthInNumbers, keys_of
 from freebody.study.answering.turned_round import (
     PutBack,
+    instant_of,
     quantity_with,
 )
 from freebody.study.setup import N_MORE
@@ -135,6 +136,8 @@ class RangeEvidence:
             check.compare(made.draw, (1.0,), 1.0)
             return
         assert isinstance(truth.formula.element, Ratio)
-        exact = element_at(self.truth.setup, truth.formula.element, made.draw, made.draw.start())
-        seen = made.draw.seen(made.draw.start())
+        has_numbers = truth.formula.in_numbers is not None
+        here = made.draw.start() if has_numbers else instant_of(self.truth.question, self.truth.wanted.of, made)
+        exact = element_at(self.truth.setup, truth.formula.element, made.draw, here)
+        seen = made.draw.seen(here)
         check.compare(made.draw, exact, numeric, lambda: magnitude(self.truth.wanted.of.dimension, seen))

@@ -37,7 +37,7 @@ def range_at_rest(system: System, question: Question) -> Answer | None:
     of = question.quantity
     if not isinstance(of, ReactionComponent) or of.less or question.event or question.transition:
         return None
-    if system.space or not system.has_values or depends_on_time(system):
+    if not system.has_values or depends_on_time(system):
         return None
     try:
         if np.any(Setup(system).draws[0].start().v):

@@ -388,6 +388,8 @@ def _without_phases(system: System, questions: Sequence[Question], reason: str) 
             answers.append(at_rest(system, q))
         elif (resting := _of_rest(system, q)) is not None:
             answers.append(at_rest(system, resting))
+        elif (held := reaction_at_rest(system, q)) is not None:
+            answers.append(held)
         else:
             direct = partial(_while_it_sticks, system, q) if q.quantity.scope == "small motion" else None
             answers.append(

@@ -21,6 +21,7 @@ from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
+from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.reading import AskedEvent, Question
@@ -318,8 +319,13 @@ def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formu
         return number_at(setup, of, question.event, draw)
     if question.event is not None:
         return at_event(setup, of, draw, draw.start(), _until(setup, question.event, draw), question.event)
-    here = draw.start() if question.at_start else draw.anywhere(SEED + made.number, TIME, 0.1)
-    return of.value(setup.system, draw.seen(here))
+    return of.value(setup.system, draw.seen(instant_of(question, of, made)))
+
+
+def instant_of(question: Question, of: Quantity, made: PutBack) -> Snapshot:
+    """Where a formula is looked at: at the start, from which an event is reached, or at any instant."""
+    is_of_any = of.is_of_state and question.event is None and not question.at_start
+    return made.draw.anywhere(SEED + made.number, TIME, 0.1) if is_of_any else made.draw.start()
 
 
 def _until(setup: Setup, event: AskedEvent, draw: Draw) -> float:

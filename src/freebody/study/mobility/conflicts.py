@@ -26,13 +26,14 @@ from freebody.language.sentences import Message, in_turn, listed
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point
+from freebody.numeric.closing import cannot_close
 from freebody.numeric.described import axes_of
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array, Jet
 from freebody.numeric.mobility.described import attitude, described
 from freebody.numeric.placing import ACCEPTED, TOLERANCE, Fit, Placing, PoseEquation
 from freebody.numeric.reference import Reference
-from freebody.numeric.start import N_STARTS
+from freebody.numeric.start import N_STARTS, start_values
 from freebody.system.system import System
 
 MOST_EVALUATIONS = 40_000  # of a single condition; half of it again once it is clear that there is a contradiction
@@ -48,10 +49,13 @@ class Conflict:
     gap: str  # what is missed in the pose that comes nearest, with its unit
     is_geometric: bool  # the connections alone contradict each other, whatever the start
     is_minimal: bool = True  # without any one of them the others hold
+    proof: str | None = None  # the inequality of lengths that no pose can fulfil, where one is found
 
     @property
     def message(self) -> str:
         """What contradicts, by how much, and what to do."""
+        if self.proof is not None:
+            return Message("{names} contradict each other: {why}", names=listed(self.names), why=self.proof)
         told = Message(
             "{names} contradict each other: at best {gap}, from every start that was tried. Change or leave out one of "
             "them, or change the {what}."
@@ -73,6 +77,7 @@ class Conflict:
             "gap": self.gap,
             "is_geometric": self.is_geometric,
             "is_minimal": self.is_minimal,
+            "proof": self.proof,
             "message": self.message,
         }
 
@@ -95,7 +100,8 @@ def conflict(system: System, most_evaluations: int = MOST_EVALUATIONS) -> Confli
     suspects, fit = search.by_sensitivity(suspects, fit)
     search, fit = search.among(suspects, fit)
     names, fit = search.by_deletion(suspects, fit)
-    return Conflict(names, fit.gap, geometric is not None, search.is_complete)
+    proof = cannot_close(search.reference, () if geometric is not None else start_values(search.reference, ()))
+    return Conflict(names, fit.gap, geometric is not None, search.is_complete, proof)
 
 
 # -- trials -----------------------------------------------------------------------------------

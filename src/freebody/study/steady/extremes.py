@@ -19,7 +19,7 @@ from freebody.language.sentences import Message, in_turn
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
-from freebody.study.answering.finding import Elements, Finding
+from freebody.study.answering.finding import Cases, Elements, Finding
 from freebody.study.answering.motion_extremes import along
 from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.answering.sizes import is_size
@@ -58,8 +58,9 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     turning, x = turning_with(setup, question, q, x)
     turning.check(x)
     search = ExtremaSearch(turning)
-    _all, least, largest = search.extremes(setup, x)
-    conditions = search.conditions + _kept(setup, turning)
+    every, least, largest = search.extremes(setup, x)
+    kept = _kept(setup, turning)
+    conditions = search.conditions + kept
     if isinstance(turning, Phase):
         evidence = over_a_period(setup, question.text, q.of, turning, (least.value, largest.value), conditions)
     else:
@@ -67,7 +68,9 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     ends = ((Message("least"), least), (Message("largest"), largest))
     notes = [_where(end, e, turning) for end, e in ends] + turning.notes
     element = told(search, q, least, largest)
-    return Finding(element, evidence, conditions, notes)
+    way = {"least": 1, "greatest": -1}.get(q.what)
+    each = [] if way is None else [(e.value, search.beside(e, every, way)) for e in every]
+    return Finding(element, evidence, conditions, notes, cases=Cases(search.settled + kept, each) if each else None)
 
 
 def waves_of(setup: Setup, question: Question, q: Extremes, x: Ratio) -> Superposed | None:
@@ -219,6 +222,7 @@ class ExtremaSearch:
         self.turning = turning
         self.field = turning.model.field
         self.conditions: list[Condition] = []
+        self.settled: list[Condition] = []  # without which there is no such turn, whichever extreme is which
 
     def extremes(self, setup: Setup, x: Ratio) -> tuple[list[Extremum], Extremum, Extremum]:
         """All stationary values, the least and the largest of them; of a size by its square, which has a slope where it
@@ -231,6 +235,7 @@ class ExtremaSearch:
         self.must_exist(x)
         self.must_go_round(setup)
         found = self.stationary(x)
+        self.settled = [*self.conditions]
         least, largest = self.ordered(found)
         if not root:
             return found, least, largest
@@ -369,6 +374,11 @@ class ExtremaSearch:
         """Least and largest: by sign, else as at the first sample, which is a condition then."""
         values = [self._at_first(e.value) for e in found]
         return self._first(found, values, 1), self._first(found, values, -1)
+
+    def beside(self, one: Extremum, every: Sequence[Extremum], way: int) -> list[Condition]:
+        """What it takes for one stationary value to be the least of all (way = 1), or the largest (-1)."""
+        gaps = [way * (e.value - one.value) for e in every if e is not one]
+        return [Condition(odd_part(gap), ">=", Message("which extreme is which")) for gap in gaps]
 
     def _first(self, found: list[Extremum], values: list[float], way: int) -> Extremum:
         chosen = found[min(range(len(values)), key=lambda k: way * values[k])]

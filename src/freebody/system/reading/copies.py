@@ -81,7 +81,8 @@ def add_copies(
             if axle is None or not _looks_alike(names, body, axle, connections):
                 continue
             axis, n = _axis_of(names, axle.carried.body, body, connections), len(body.copies) + 1
-            _look_at_room(names, body, axle, axis, connections)
+            if not names.known(axle.carried.body).is_placeholder:
+                _look_at_room(names, body, axle, axis, connections)
             _look_at_assembly(names, body, connections)
             for k, copy in enumerate(body.copies, 1):
                 names.bodies[copy] = _copy(names, body, copy)

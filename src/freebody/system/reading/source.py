@@ -221,7 +221,7 @@ class Source:
                     wanted=listed(list(dict.fromkeys(wanted)), "{first} or {second}"),
                     value=as_found(fault["input"]),
                 )
-                is_of_points = not issubclass(kind, Shape)
+                is_of_points = not issubclass(kind, Shape) and kind.field_types().get(what) == "text"
                 if fault["type"] == "string_type" and is_of_points and self._is_a_place(fault["input"]):
                     message = Message(
                         "{what} takes a point by its name: give the ground or a body points: {{P: {place}}}, then "
