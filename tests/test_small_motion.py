@@ -274,13 +274,53 @@ def test_the_cart_moves_against_the_pendulum(agrees: Agree) -> None:
     assert the(ask(CART, "mode 3")).reason == "there are 2 modes only"
 
 
-def test_equal_frequencies_single_out_no_mode() -> None:
+def test_of_equal_frequencies_a_basis_is_given_and_said_not_to_be_the_only_one(agrees: Agree) -> None:
     model = row(2, walls=False).replace("s1: {law: {measure: {expression: x2 - x1}, force: -k*(x2 - x1)}}", "")
     model += "\n"
     model = model.replace(
         "loads:\n", "loads:\n  a: {law: {measure: x1, force: -k*x1}}\n  b: {law: {measure: x2, force: -k*x2}}\n"
     )
-    assert "any combination of them is a mode" in the(ask(model, "mode shapes")).reason
+    found = ask(model, "mode shapes")
+    agrees(found, "q1", ["1", "0", "0", "1"])
+    assert "any combination of them is a mode too" in " ".join(map(str, the(found).notes))
+
+
+def ring(n: int, mass: str = "m") -> str:
+    """n masses on a ring with equal springs between neighbours; the first has another mass."""
+    model = row(n, walls=False).replace("P1: {particle: {mass: m}}", f"P1: {{particle: {{mass: {mass}}}}}")
+    return model.replace(
+        "loads:\n", f"loads:\n  last: {{law: {{measure: {{expression: x1 - x{n}}}, force: -k*(x1 - x{n})}}}}\n"
+    )
+
+
+def test_three_equal_masses_on_a_ring_have_two_modes_of_one_frequency(agrees: Agree) -> None:
+    # K = k (3 I - 1 1^T): s = 0 for (1, 1, 1), s = 3 k/m for all v with x1 + x2 + x3 = 0, of which two are orthogonal
+    found = ask(ring(3), "mode shapes")
+    agrees(found, "q1", ["1", "1", "1", "1", "0", "-1", "1", "-2", "1"])
+    assert "checked numerically" in str(found)
+
+
+def test_the_shapes_of_equal_frequencies_are_eigenvectors_without_common_inertia() -> None:
+    # four on a ring: s = 0, 2 k/m twice, 4 k/m (Rao, Mechanical Vibrations, ch. 6); K v = s M v is tried out
+    answer = the(ask(ring(4), "mode shapes"))
+    v = np.array(answer.value).reshape(4, 4)
+    K = 2 * np.eye(4) - np.roll(np.eye(4), 1, axis=0) - np.roll(np.eye(4), -1, axis=0)
+    for shape, s in zip(v, (0, 2, 2, 4), strict=True):
+        assert np.allclose(K @ shape, s * shape)
+    assert abs(v[1] @ v[2]) < 1e-12
+
+
+def test_a_frequency_that_is_twice_the_root_of_a_quadratic_has_a_basis_too() -> None:
+    # two equal chains of two masses on a wall each, nothing between them: the shapes of Landau, Mechanics, ch. 5
+    # s = (3 -+ sqrt(5)) k/(2 m), x2/x1 = (1 +- sqrt(5))/2
+    between = "  s2: {law: {measure: {expression: x3 - x2}, force: -k*(x3 - x2)}}"
+    model = row(4, walls=False).replace(between, "")
+    model = model.replace(
+        "loads:\n", "loads:\n  a: {law: {measure: x1, force: -k*x1}}\n  b: {law: {measure: x3, force: -k*x3}}\n"
+    )
+    v = np.array(the(ask(model, "mode shapes")).value).reshape(4, 4)
+    golden = (1 + 5**0.5) / 2
+    assert np.allclose(v, [[1, golden, 0, 0], [0, 0, 1, golden], [1, 1 - golden, 0, 0], [0, 0, 1, 1 - golden]])
 
 
 def test_residues_have_inverses_and_vanish_at_roots_only() -> None:

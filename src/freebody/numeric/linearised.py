@@ -105,6 +105,33 @@ def generalized_modes(mass: Array, K: Array) -> tuple[Array, Array]:
     return 1.0 / found[kept] - sigma, np.asarray(np.real(vectors), dtype=np.float64)[:, kept]
 
 
+def basis_of_shapes(parts: Array, inertia: Array) -> Array:
+    """Columns that span those of `parts` (components of shapes with one frequency): echelon form, the first component
+    that moves being 1, each then without what it shares with those before it, v_i . M v_j = 0. inertia: v_i . M v_j of
+    the given columns."""
+    mixing, tiny = np.eye(parts.shape[1]), _BY_DIFFERENCES * float(np.abs(parts).max())
+    done = 0
+    for row in range(len(parts)):  # elimination by columns, the largest entry of a row being its pivot
+        if done == parts.shape[1]:
+            break
+        entries = (parts @ mixing)[row]
+        best = done + int(np.argmax(np.abs(entries[done:])))
+        if abs(entries[best]) > tiny:
+            mixing[:, [done, best]] = mixing[:, [best, done]]
+            mixing[:, done] /= entries[best]
+            others = [k for k in range(mixing.shape[1]) if k != done]
+            mixing[:, others] -= np.outer(mixing[:, done], (parts @ mixing)[row, others])
+            done += 1
+    for k in range(done):
+        for j in range(k):
+            u, v = mixing[:, j], mixing[:, k]
+            mixing[:, k] = v - u * (u @ inertia @ v) / (u @ inertia @ u)
+        v = parts @ mixing[:, k]
+        mixing[:, k] /= next(x for x in v if abs(x) > tiny)
+    found = parts @ mixing
+    return np.where(np.abs(found) > tiny, found, 0.0)
+
+
 def frequencies(mass: Array, K: Array) -> Array:
     """Natural angular frequencies [rad/s], ascending; 0 for a direction without stiffness. Raises CannotAnswer
     if the equilibrium is unstable."""

@@ -77,6 +77,8 @@ def between_events(names: Names, phrase: str) -> str:
     up to an event as what comes together on the way."""
     if (average := _AVERAGE.match(phrase)) is not None:
         until, by_clock = average["until"], _CLOCK.match(average["until"])
+        if average["what"] in ("velocity", "acceleration") and not average["along"] and _is_point(names, average["of"]):
+            return f"mean {average['what']} vector of {average['of']} until {until}"
         elapsed = f"(time when {until})" if by_clock is None else f"({by_clock['time']})"
         return f"({_counted(names, average, until)}) / {elapsed}"
     if (dying := _DYING.match(phrase)) is not None:
@@ -90,6 +92,11 @@ def between_events(names: Names, phrase: str) -> str:
     if _NTH_ALONE.match(first) and (impact := _NTH_OF.match(last)) is not None:  # the first and the second impact
         first = f"{first} {impact['what']}"
     return f"(time when {last}) - (time when {first})"
+
+
+def _is_point(names: Names, name: str) -> bool:
+    """Whether a name is that of a body or of one of its points, of which the average has components."""
+    return name not in names.measures and name.partition(".")[0] in names.bodies
 
 
 def _counted(names: Names, average: re.Match[str], until: str) -> str:
@@ -106,7 +113,7 @@ def _counted(names: Names, average: re.Match[str], until: str) -> str:
         "speed": f"distance travelled along {way}",
         "velocity": f"change of {way}",
     }
-    if what == "speed" and not along and of not in names.measures and of.partition(".")[0] in names.bodies:
+    if what == "speed" and not along and _is_point(names, of):
         return f"length of the path of {of} until {until}"
     return f"{counted[what]} until {until}"
 

@@ -131,6 +131,10 @@ class Passage(Protocol[S_co]):
         """Of the path of a point."""
         ...
 
+    def half_swings(self) -> S_co:
+        """How often it has gone from one rest to the next."""
+        ...
+
     def revolutions(self, body: str) -> S_co:
         """How often a body has turned, counted without sign."""
         ...

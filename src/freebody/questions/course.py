@@ -275,8 +275,8 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         return Transition("touches", of, text, ORDINALS[nth["nth"]])
     if (again := _NTH_TIME.match(text.strip())) is not None:
         once = read_transition(names, again["what"], path)
-        is_impact = once is not None and once.kind == "touches"
-        return replace(once, text=text, count=ORDINALS[again["nth"]]) if once is not None and is_impact else None
+        counts = once is not None and (once.kind == "touches" or (once.rests and not once.stays))
+        return replace(once, text=text, count=ORDINALS[again["nth"]]) if once is not None and counts else None
     for pattern, kind in _TRANSITIONS:
         found = pattern.match(text.strip())
         if found is None:

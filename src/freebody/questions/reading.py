@@ -27,6 +27,7 @@ from freebody.questions.blow import BesideBlow
 from freebody.questions.clock import time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition
 from freebody.questions.event import AskedEvent, QuestionEvent
+from freebody.questions.half_swings import swings_as_rests
 from freebody.questions.motion import OfMeasure
 from freebody.questions.nth_impact import read_nth
 from freebody.questions.operands import (
@@ -307,6 +308,7 @@ def _complete(names: Names, phrase: str, when: object) -> Meant | None:
 
 def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
+    phrase = swings_as_rests(names, phrase)
     if (nth := read_nth(names, phrase, lambda words: _asked(names, words, when))) is not None:
         return nth
     extreme = EXTREME_FOR.match(phrase)

@@ -81,6 +81,8 @@ class Closure:
             if parts is not None:
                 found, room = self._angle(d, *parts)
                 yield [d], found, room
+            elif (length := self._length(x, d)) is not None:
+                yield [d], {d.index: length}, self.field.one
             elif (square := self._square(x, d)) is not None:
                 yield [d], {d.index: self.side(self.field.variable(d.index)) * self.field.sqrt(square)}, square
         for both, inside in pairs:
@@ -106,15 +108,24 @@ class Closure:
             return None
         return a, b, in_sin[0]
 
+    def _length(self, x: Ratio, d: Coordinate) -> Ratio | None:
+        """l by a l + b = 0, as that of what a slot of a turning lever leads along a line."""
+        parts = self._in_length(x, d)
+        return self.field.lowest_terms(-parts[0] / parts[1]) if parts is not None and len(parts) == 2 else None
+
     def _square(self, x: Ratio, d: Coordinate) -> Ratio | None:
         """l^2 of a length by a l^2 + b = 0, as that of what goes round an axis on a sphere."""
+        parts = self._in_length(x, d)
+        if parts is None or len(parts) != 3 or not parts[1].is_zero():
+            return None
+        return self.field.lowest_terms(-parts[0] / parts[2])
+
+    def _in_length(self, x: Ratio, d: Coordinate) -> list[Ratio] | None:
+        """The coefficients of a polynomial in a length, from the constant one up."""
         f, index = self.field, d.index
         if f.pair_of(index) is not None or any(index in f.generators[g].made_of for g in x.generators()):
             return None
-        parts = x.coefficients(index)
-        if len(parts) != 3 or not parts[1].is_zero():
-            return None
-        return f.lowest_terms(-parts[0] / parts[2])
+        return x.coefficients(index)
 
     def put(self, angle: Coordinate, at: Ratio) -> dict[int, Ratio]:
         """An angle that has a value, with its cosine and sine."""

@@ -187,7 +187,7 @@ class FreeOscillations:
         """Whether a sum of the coordinates moves in a mode, or in any of those that have its frequency; so it is taken
         to be where these are not known."""
         if mode.factor.times > 1 and mode.factor.degree == 1:
-            shapes = self._shapes_with(mode.square)
+            shapes = self._eigenspace(mode.square)
         else:
             try:
                 shapes = [[mode.residues.at(x, mode.square) for x in self.shape(mode)]]
@@ -197,17 +197,48 @@ class FreeOscillations:
         sums = (sum((a * b for a, b in zip(slopes, shape, strict=True)), zero) for shape in shapes)
         return not all(map(self.linear.vanishes, sums))
 
-    def _shapes_with(self, square: Ratio) -> list[list[Ratio]]:
-        """Independent solutions of (K - s M) v = 0 for a squared frequency without roots."""
+    # -- shapes -------------------------------------------------------------------------------
+    def parts(self, k: int) -> list[Ratio]:
+        """The components of the k-th mode along the coordinates, the first that moves being 1. Of modes with one
+        frequency any combination is a mode: these are the first of `basis`."""
+        mode = self.modes[k]
+        if mode.factor.times == 1:
+            return [mode.residues.at(x, mode.square) for x in self.shape(mode)]
+        before = sum(other.square == mode.square for other in self.modes[:k])
+        return self.basis(mode)[before]
+
+    def basis(self, mode: Mode) -> list[list[Ratio]]:
+        """Independent shapes with one squared frequency, v_i . M v_j = 0, by Gram and Schmidt from those that begin as
+        late as they can. Raises CannotAnswer where there are fewer than the frequency occurs."""
+        f, found = self.model.field, list[list[Ratio]]()
+        mass = [[f.lowest_terms(x) for x in row] for row in self.linear.mass]
+        for v in self._eigenspace(mode.square):
+            for u in found:
+                along = self._paired(mass, u, v) / self._paired(mass, u, u)
+                v = [f.lowest_terms(x - along * y) for x, y in zip(v, u, strict=True)]
+            first = next(x for x in v if not self.linear.vanishes(x))
+            found.append([f.lowest_terms(x / first) for x in v])
+        if len(found) != mode.factor.times:
+            raise CannotAnswer(Message("several modes have this frequency: any combination of them is a mode"))
+        return found
+
+    def _paired(self, A: list[list[Ratio]], u: list[Ratio], v: list[Ratio]) -> Ratio:
+        """u . A v"""
+        zero = self.model.field.zero
+        terms = (x * a * y for x, row in zip(u, A, strict=True) for a, y in zip(row, v, strict=True))
+        return self.model.field.lowest_terms(sum(terms, start=zero))
+
+    def _eigenspace(self, square: Ratio) -> list[list[Ratio]]:
+        """Independent solutions of (K - s M) v = 0 for a squared frequency: one for each coordinate that stays free
+        when the last ones are expressed by the first, so that its first component that moves is 1."""
         f, columns = self.model.field, [c.index for c in self.model.coordinates]
         rows = [dict(zip(columns, map(f.lowest_terms, row), strict=True)) for row in self.linear.pencil(square)]
-        solved = solve(f, rows, columns, self.linear.vanishes)
+        solved = solve(f, rows, columns[::-1], self.linear.vanishes, in_order=True)
         return [
             [f.one if c == free else solved.pivots.get(c, {}).get(free, f.zero) for c in columns]
-            for free in solved.free
+            for free in solved.free[::-1]
         ]
 
-    # -- shapes -------------------------------------------------------------------------------
     def shape(self, mode: Mode) -> list[Coefficients]:
         """The components along the coordinates, the first that moves being 1, as elements rational in s. Raises
         CannotAnswer where several modes have one frequency."""

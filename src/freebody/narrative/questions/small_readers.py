@@ -24,7 +24,7 @@ from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.lines.glossary import World
 from freebody.numeric.jets import Array
-from freebody.numeric.linearised import generalized_modes
+from freebody.numeric.linearised import basis_of_shapes, generalized_modes
 from freebody.numeric.placing import PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.study.answering.at_equilibrium import frequencies_at, instants, is_driven
@@ -114,9 +114,9 @@ class SmallMotions:
 
         def read(world: World) -> float:
             mass, stiffness = self._linear(world.draw)
-            v = generalized_modes(mass, stiffness)[1][:, self._place(world.draw, k)]
-            first = next(x for x in v if abs(x) > SETTLED * np.abs(v).max())
-            return float(v[j] / first)
+            places = [self._place(world.draw, i) for i in self._alike(k)]
+            v = generalized_modes(mass, stiffness)[1][:, places]
+            return float(basis_of_shapes(v, v.T @ mass @ v)[j, self._alike(k).index(k)])
 
         return read
 
@@ -163,6 +163,11 @@ class SmallMotions:
     def frequency(self, k: int) -> Callable[[World], float]:
         """The natural frequency of the full system about the equilibrium that the k-th formula is of."""
         return lambda world: float(np.sort(self._frequencies(world.draw))[self._place(world.draw, k)])
+
+    def _alike(self, k: int) -> list[int]:
+        """The modes with the frequency of the k-th one."""
+        squares = self._squares()
+        return [i for i, x in enumerate(squares) if x == squares[k]] if k < len(squares) else [k]
 
     def _place(self, draw: Draw, k: int) -> int:
         """By size in this draw, of the k-th of the claimed squares; equal ones keep their order."""

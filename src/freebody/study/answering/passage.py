@@ -66,6 +66,10 @@ def resistances(system: Described) -> list[str]:
     return [name for name, load in system.loads.items() if load.resists]
 
 
+NO_SWINGS = Message("half swings are counted where friction alone ends each motion of one coordinate")
+_AT_A_TURN = 1e-3  # of the speed between: slower is as good as at rest
+
+
 @dataclass(frozen=True)
 class FormulaPassage:
     """In formulas. system: without what only friction pushes; numbers: an element of the answer at all samples."""
@@ -134,6 +138,9 @@ class FormulaPassage:
             before = before + sign * first.told(first.begin.potential(push))
             after = after + sign * last.told(last.end.potential(push))
         return before, after
+
+    def half_swings(self) -> Ratio:
+        raise CannotAnswer(NO_SWINGS)
 
     def heat(self, of: str) -> Ratio:
         """Of what resists, where nothing rubs: what T + V of all else has lost."""
@@ -385,6 +392,20 @@ class NumericPassage:
             raise CannotAnswer(Message("the way is not counted here"))
         axes = along_axes(point, in_space=bool(self.begin.reference.system.space))
         return sum(straight_through([[s.value(m) for m in axes] for s in instants]) for instants in self.ways())
+
+    def half_swings(self) -> float:
+        """Runs of instants between which all goes on the same way: where it turns the velocities are against those
+        before."""
+        if self.ways is None:
+            raise CannotAnswer(NO_SWINGS)
+        n, before = 0, np.zeros(0)
+        for instants in self.ways():
+            fastest = max((float(np.abs(s.v).max(initial=0.0)) for s in instants), default=0.0)
+            for s in instants:
+                if np.abs(s.v).max(initial=0.0) > _AT_A_TURN * fastest > 0.0:
+                    n += not len(before) or float(before @ s.v) < 0.0
+                    before = s.v
+        return float(n)
 
     def travelled(self, measure: Measure) -> float:
         if self.ways is None:

@@ -13,7 +13,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
-from freebody.study.answering.passage import FORCE_CHANGES, FormulaPassage, drivers
+from freebody.study.answering.passage import FORCE_CHANGES, NO_SWINGS, FormulaPassage, drivers
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
@@ -76,6 +76,14 @@ class PassageWithFriction(FormulaPassage):
             parts.append(tuple(self.tree.to_home(phase, part) * ended.time for part in told))
         total = tuple(x[0].field.lowest_terms(sum(x[1:], x[0])) for x in zip(*parts, strict=True))
         return total if is_vector else total[0]
+
+    def half_swings(self) -> Ratio:
+        """The phases in which it slides, each from one turn to the next: what slides along one coordinate."""
+        nodes = self.way.nodes
+        if any(len(node.phase.model.coordinates) > 1 or node.impact is not None for node in nodes):
+            raise CannotAnswer(NO_SWINGS)
+        sliding = [node for node in nodes if any(node.phase.mode.states.values())]
+        return self.tree.home.model.field.element(len(sliding))
 
     def heat(self, of: str) -> Ratio:
         nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
-from freebody.numeric.linearised import generalized_modes
+from freebody.numeric.linearised import basis_of_shapes, generalized_modes
 from freebody.numeric.small_motion import SmallMotion
 from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.reading import Question
@@ -17,9 +19,13 @@ from freebody.questions.small_motion import ModeShapes
 from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.study.small_motion.resting import NONE, TOLERANCE, AtRest, beside, compared, oscillates
+from freebody.study.small_motion.resting import TOLERANCE, AtRest, beside, compared, oscillates
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.small_motion import FreeOscillations, Mode, free_oscillations
+
+NOT_UNIQUE = Message(
+    "several modes have one frequency: any combination of them is a mode too; those shown share no inertia (v·M w = 0)"
+)
 
 
 def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest) -> Finding:
@@ -35,13 +41,15 @@ def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest
     notes = list(free.notes)
     if isinstance(q, AmplitudeRatio):
         x = _ratio(setup, q, free)
-        own = RatioReader(setup, wanted, q)
+        own = RatioReader(setup, wanted, free, q)
         return Finding(x, compared(setup, question, [x], free.equilibrium, conditions, beside(own)), conditions, notes)
     for k in wanted:
-        shape = free.shape(modes[k])
-        parts += [modes[k].residues.at(x, modes[k].square) for x in shape]
+        shape = free.parts(k)
+        parts += shape
         notes.append(_mode_told(k, free, modes[k], len(parts) - len(shape)))
-    evidence = compared(setup, question, parts, free.equilibrium, conditions, beside(ModeReader(setup, wanted)))
+    if any(modes[k].factor.times > 1 for k in wanted):
+        notes.append(NOT_UNIQUE)
+    evidence = compared(setup, question, parts, free.equilibrium, conditions, beside(ModeReader(setup, wanted, free)))
     if len({str(m.dimension) for c in coordinates if (m := setup.model.measure_of(c)) is not None}) > 1:
         notes.append(Message("components of unlike coordinates are in SI units, angles in rad"))
     return Finding(tuple(parts), evidence, conditions, notes, may_be_complex=free.are_real_by_symmetry)
@@ -81,8 +89,9 @@ def _mode_told(k: int, free: FreeOscillations, mode: Mode, before: int) -> str:
 class ModeReader:
     """Components of modes from the numeric linearisation, the first that moves being 1."""
 
-    def __init__(self, setup: Setup, wanted: Sequence[int]) -> None:
-        self.setup, self.wanted = setup, wanted
+    def __init__(self, setup: Setup, wanted: Sequence[int], free: FreeOscillations | None = None) -> None:
+        """free: the formulas, which say of which modes the frequencies are equal; without it none are."""
+        self.setup, self.wanted, self.free = setup, wanted, free
 
     def __call__(self, small: SmallMotion) -> Sequence[float]:
         measures = [self.setup.model.measure_of(c) for c in self.setup.model.coordinates]
@@ -90,23 +99,28 @@ class ModeReader:
             raise CannotAnswer(Message("a coordinate is no measure of the model, so the mode cannot be checked"))
         g = small.at.geometry(small.reference, small.at.q, small.at.v)
         squares, shapes = undamped_modes(small)
+        rows = np.array([small.reference.jet(g, m).row(len(small.at.q)) for m in measures if m is not None])
         found: list[float] = []
         for k in self.wanted:
-            if any(abs(squares[k] - x) <= TOLERANCE * max(squares) for j, x in enumerate(squares) if j != k):
+            alike = self._alike(k)
+            if any(abs(squares[k] - x) <= TOLERANCE * max(squares) for j, x in enumerate(squares) if j not in alike):
                 raise SaysNothing(Message("two modes have nearly one frequency"))
-            rows = [small.reference.jet(g, m).row(len(small.at.q)) for m in measures if m is not None]
-            parts = [float(row @ shapes[k]) for row in rows]
-            largest = max(map(abs, parts))
-            first = next(x for x in parts if abs(x) > TOLERANCE * largest)
-            found += [x / first if abs(x) > NONE * largest else 0.0 for x in parts]
+            moves = np.array([shapes[j] for j in alike])
+            parts = basis_of_shapes(rows @ moves.T, moves @ (small.reference.masses[:, None] * moves.T))
+            found += parts[:, alike.index(k)].tolist()
         return found
+
+    def _alike(self, k: int) -> list[int]:
+        """The modes with the frequency of the k-th one."""
+        squares = self.free.squares if self.free else ()
+        return [j for j, x in enumerate(squares) if x == squares[k]] if k < len(squares) else [k]
 
 
 class RatioReader(ModeReader):
     """The ratio of the amplitudes of two measures in a mode."""
 
-    def __init__(self, setup: Setup, wanted: Sequence[int], q: AmplitudeRatio) -> None:
-        super().__init__(setup, wanted)
+    def __init__(self, setup: Setup, wanted: Sequence[int], free: FreeOscillations | None, q: AmplitudeRatio) -> None:
+        super().__init__(setup, wanted, free)
         self.sides = [setup.system.measures[name] for name in (q.top, q.bottom)]
 
     def __call__(self, small: SmallMotion) -> Sequence[float]:
