@@ -165,7 +165,6 @@ def ground_guide_of(names: Names, body: str, *, turning: bool) -> Direction | No
     return next((along for along in found if along is not None), None)
 
 
-
 def carriage_point(names: Names, point: Point) -> Point | None:
     """The point of a guided body on which a point turns that goes with it: of a trolley that of the axle of a wheel."""
     found = (connection.carried_by(names, point) for connection in names.connections.values())
@@ -188,13 +187,13 @@ def apart_at_start(names: Names, first: Point, second: Point, along: Direction) 
     start, end = (starts_at(names, point, along) for point in (first, second))
     return None if start is None or end is None else add(end, negate(start))
 
+
 def ground_pivot_of(names: Names, body: str) -> Point | None:
     """The point of the ground about which a body turns, if one connection pins it there."""
     joined = (connection.joined_points(names) for connection in names.connections.values())
     ends = [pair for pair in joined if pair is not None]
     turned = [*ends, *((second, first) for first, second in ends)]
     return next((own for own, other in turned if own.body == GROUND and other.body == body), None)
-
 
 
 def ground_line_under(names: Names, body: str) -> Direction | None:

@@ -37,6 +37,7 @@ from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, is_one
 from freebody.model.states import ControllerState
+from freebody.model.surfaces import SurfacePlace
 from freebody.model.thread import Thread
 from freebody.model.transmitted import CutTension, Transmitted
 from freebody.tolerances import LEAST
