@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import joining, lookup, poses, strings
 
 if TYPE_CHECKING:
@@ -22,16 +23,21 @@ def damped(names: Names) -> list[str]:
 
 
 def only_loses_in_the_blow(names: Names) -> bool:
-    """Whether nothing but the blow at the start takes energy away."""
+    """Whether nothing but the blow at the start takes energy away; an impulse that is applied takes none."""
     stops = [name for name in names.connections if "stop" in names.called.get(name, ())]
     is_alone = joining.is_struck_at_start_alone(names) and joining.goes_on(names)
+    is_alone &= not names.struck_at_start <= names.impulses
     return is_alone and not _takes_energy(names) and not stops
 
 
 def runs_down(names: Names) -> list[str]:
-    """What turns at the start, where nothing drives it and a brake stops it."""
-    brakes = [name for name in names.connections if "brake" in names.called.get(name, ())]
-    return lookup.started(names) if brakes and not names.loads else []
+    """What turns at the start, or after a push, where nothing drives it and a brake, or dry friction, stops it."""
+    kinds = {"brake", "dry friction"}
+    brakes = [name for name in names.connections if kinds & {*names.called.get(name, ())}]
+    if not brakes or not names.loads.keys() <= names.impulses:
+        return []
+    pushed = {body for p in names.strikes for body in p.measure.bodies() if body != GROUND}
+    return lookup.started(names) or [body for body in lookup.massive(names) if body in pushed]
 
 
 def comes_to_roll(names: Names) -> bool:
@@ -106,6 +112,6 @@ def has_kinetic_energy_alone(names: Names) -> bool:
 def _takes_energy(names: Names) -> bool:
     return (
         bool(damped(names))
-        or joining.is_rough(names)
+        or any(row.reaction.startswith("friction") for row in names.constraint_rows)
         or any("brake" in names.called.get(name, ()) for name in names.connections)
     )
