@@ -286,6 +286,8 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         stays = any(lasts)
         if rests and not can_change(names):
             return None  # nothing sticks where it stops: an event of a measure, whose rate is zero
+        if kind == "touches" and found.groupdict().get("on") is None and not names.constraint_rows:
+            return None  # what flies lands where it is told to, at no contact
         if name is None:
             if rests:
                 _refuse_rolling(names, (), path)

@@ -68,8 +68,8 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
         allowed |= {_OF_ANGLE[of] for of in allowed & _OF_ANGLE.keys()}
     if Word("verb", "accelerate") in main:  # at what rate it spins up
         allowed |= {ACCELERATION, _RATE_2}
-    if ACCELERATION in allowed and any(_turns_about_centre(names, word) for word in main):
-        allowed.add(_RATE_2)
+    if any(_turns_about_centre(names, word) for word in main):
+        allowed |= {_OF_ANGLE[of] for of in allowed & {VELOCITY, ACCELERATION}}
     if not allowed or any(word.kind == "quantity" and not measured_in(word) for word in said):
         return True
     if _is_about_angles(names, words):
@@ -85,7 +85,7 @@ def _named_behind_ask(names: Names, main: Sequence[Word]) -> str | None:
 
 
 def _turns_about_centre(names: Names, word: Word) -> bool:
-    """Whether a word names a body whose centre rests on its axle: it has no acceleration but that of turning."""
+    """Whether a word names a body whose centre rests on its axle: it has no speed but that of turning."""
     is_body = word.kind == "name" and word.what in lookup.moving(names)
     return is_body and joining.axle_of(names, word.what) == "center"
 
