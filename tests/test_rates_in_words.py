@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from freebody.language.notation import as_equation
 from freebody.language.parser import parse
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.dollars import with_rates
@@ -46,3 +47,16 @@ def test_an_option_in_words_has_its_rate_as_a_formula() -> None:
 def test_no_measure_text_is_left_in_what_is_told_of_an_event(language: str) -> None:
     told = fb.System.load(EXAMPLES / "ball_with_back_spin.yaml").explain(language=language).to_text()
     assert "rate(" not in told
+
+
+@pytest.mark.parametrize(
+    ("written", "told"),
+    [
+        ("theta = 180 deg", "θ = 180°"),
+        ("z = k*R^2/2", "z = k·R²/2"),
+        ("rate(phi) = omega_0/4", "φ' = ω_0/4"),
+        ("speed of ball when it lands", "speed of ball when it lands"),
+    ],
+)
+def test_an_event_is_told_in_formulas(written: str, told: str) -> None:
+    assert as_equation(written) == told

@@ -27,6 +27,7 @@ from freebody.present.report.blocks import (
     Step,
     Table,
     Text,
+    Unbroken,
 )
 from freebody.present.report.formulas.mathml import MathMLFormulas
 from freebody.present.report.formulas.rows import formula_width, rows
@@ -66,7 +67,7 @@ def html_page(report: Report) -> str:
 <meta name="color-scheme" content="light dark">
 <title>{_words(report.title)}</title>
 <style>
-{_font()}{asset("report", "report.css")}body {{ margin: 0; }}
+{_font()}{_rules(report)}body {{ margin: 0; }}
 @page {{ size: A4; margin: 15mm 18mm; }}
 </style>
 </head>
@@ -95,7 +96,7 @@ def html_content(report: Report, prefix: str, *, is_marked: bool = False) -> str
 def html_fragment(report: Report) -> str:
     """The report to stand within another page, as a notebook's: its style is its own, and it has no script."""
     digest = hashlib.sha256(_body(report, "", "div").encode()).hexdigest()[:8]
-    style = f"<style>\n{asset('report', 'report.css')}{_IN_NOTEBOOKS}</style>"
+    style = f"<style>\n{_rules(report)}{_IN_NOTEBOOKS}</style>"
     return f'<div class="freebody-report">\n{style}\n{_body(report, f"r{digest}-", "div")}\n</div>'
 
 
@@ -295,6 +296,18 @@ class _Writer(BlockWriter[str]):
 
     def figure_link(self, number: int) -> str:
         return f'<a href="#{self.prefix}fig-{number}">{self.word("figure")} {number}</a>'
+
+
+def _rules(report: Report) -> str:
+    """The style sheet; with what exercises need beside it, where there are any."""
+    sheet = asset("report", "report.css")
+    return f"{sheet}{asset('report', 'exercises.css')}" if _has_exercises(report.blocks) else sheet
+
+
+def _has_exercises(blocks: Sequence[Block]) -> bool:
+    return any(
+        isinstance(block, Unbroken) or (isinstance(block, Section) and _has_exercises(block.blocks)) for block in blocks
+    )
 
 
 def _count_sections(blocks: Sequence[Block]) -> int:
