@@ -87,6 +87,17 @@ class Visitor:
             self.found.append(f"{where}: wider than the screen")
 
 
+# of the first of some elements, how many are behind something else
+COVERED = """(selector) => {
+  const [first] = document.querySelectorAll(selector), box = first.getBoundingClientRect();
+  const there = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+  return first.contains(there) || there?.contains(first) ? 0 : 1;
+}"""
+# axe judges no words on a gradient
+GRADIENTS = """() => [...document.querySelectorAll('.cm-search .cm-button')]
+  .filter((button) => getComputedStyle(button).backgroundImage !== 'none').length"""
+
+
 def panes_and_menus(visitor: Visitor) -> None:
     page = visitor.page
     for pane in ("model", "scene", "results"):
@@ -99,6 +110,7 @@ def panes_and_menus(visitor: Visitor) -> None:
     for menu in (".transport .menu", ".plots .menu"):
         page.click(f"{menu} > summary")
         visitor.look(menu)
+        assert page.evaluate(COVERED, f"{menu} .sheet :is(input, button)") == 0
         page.click(f"{menu} > summary")
     page.locator(".view .choice button").nth(1).click()
     page.wait_for_selector(".view .dimension", timeout=WAIT)
@@ -196,6 +208,8 @@ def mistakes(visitor: Visitor) -> None:
     page.keyboard.press("Control+f")
     page.wait_for_selector(".cm-search")
     visitor.look("searching in the text")
+    assert page.inner_text(".cm-search .cm-button[name=next]") == {"en": "next", "de": "weiter"}[visitor.language]
+    assert page.evaluate(GRADIENTS) == 0
     page.keyboard.press("Escape")
     visitor.write("")
     visitor.pane("scene")

@@ -4,10 +4,11 @@ import { defaultKeymap, history, historyField, historyKeymap, isolateHistory, re
 import { yaml } from "@codemirror/lang-yaml";
 import { bracketMatching, HighlightStyle, indentUnit, syntaxHighlighting } from "@codemirror/language";
 import { type Diagnostic, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
-import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { closeSearchPanel, highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Annotation, Compartment, EditorState, type Text, Transaction } from "@codemirror/state";
 import { EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
+import { editorWords } from "./editorwords";
 import type { Studio, Writer } from "./state.svelte";
 import type { Remark } from "./wire";
 
@@ -27,6 +28,14 @@ const look = EditorView.theme({
   "& .cm-searchMatch.cm-searchMatch-selected": { outline: "2px solid var(--accent)" },
   ".cm-cursor": { borderLeftColor: "var(--ink)" },
   ".cm-tooltip, .cm-panels": { backgroundColor: "var(--paper)", color: "var(--ink)", border: "1px solid var(--faint)" },
+  // as buttons and fields of the page are: the editor's own have a light gradient, on which nothing is read in the dark
+  ".cm-panel .cm-button": {
+    color: "var(--ink)", backgroundColor: "var(--wash)", backgroundImage: "none", border: "1px solid var(--muted)", borderRadius: "0.3rem", padding: "0.1rem 0.5rem", textTransform: "none",
+  },
+  ".cm-panel .cm-button:active": { backgroundImage: "none" },
+  ".cm-panel .cm-textfield": { color: "var(--ink)", backgroundColor: "var(--paper)", border: "1px solid var(--muted)", borderRadius: "0.3rem" },
+  ".cm-panel .cm-textfield::placeholder": { color: "var(--muted)", opacity: "1" },
+  ".cm-panel button[name=close]": { color: "var(--ink)", cursor: "pointer", minWidth: "1.5rem", minHeight: "1.5rem" },
   ".cm-tooltip-autocomplete ul li[aria-selected]": { backgroundColor: "var(--accent)", color: "var(--paper)" },
   ".cm-diagnostic": { padding: "0.35rem 0.6rem", whiteSpace: "pre-wrap", maxWidth: "34rem" },
   ".cm-diagnosticAction": {
@@ -41,7 +50,9 @@ const colors = HighlightStyle.define([
 
 /** An editor in an element of the page, whose text is that of the studio. */
 export function editorIn(parent: HTMLElement, studio: Studio, complete: (context: CompletionContext) => CompletionResult | null, label: string) {
-  const name = new Compartment();
+  const name = new Compartment(), language = new Compartment();
+  const spoken = () => EditorState.phrases.of(editorWords(studio.language));
+  const named = () => EditorView.contentAttributes.of({ "aria-label": label });
   const extensions = [
     lineNumbers(),
     history({ newGroupDelay: 700, minDepth: 1000 }),
@@ -58,7 +69,6 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
     autocompletion({ override: [complete] }),
     // Tab leaves the editor, as everywhere on the page; it takes a completion that is offered
     keymap.of([{ key: "Tab", run: acceptCompletion }, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap]),
-    name.of(EditorView.contentAttributes.of({ "aria-label": label })),
     EditorView.contentAttributes.of({ tabindex: "0" }), // the text scrolls, so keys must reach it
     EditorView.updateListener.of((update) => {
       if (update.docChanged) {
@@ -70,7 +80,7 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
       studio.canRedo = redoDepth(update.state) > 0;
     }),
   ];
-  const all = () => [EditorState.readOnly.of(studio.isShared || !studio.folder.isOpen), ...extensions];
+  const all = () => [EditorState.readOnly.of(studio.isShared || !studio.folder.isOpen), language.of(spoken()), name.of(named()), ...extensions];
   const stateOf = (doc: string) => EditorState.create({ doc, extensions: all() });
   const view = new EditorView({ parent, state: stateOf(studio.text) });
   function take(state: EditorState) {
@@ -104,7 +114,12 @@ export function editorIn(parent: HTMLElement, studio: Studio, complete: (context
   return {
     view,
     writer,
-    setLabel: (text: string) => view.dispatch({ effects: name.reconfigure(EditorView.contentAttributes.of({ "aria-label": text })) }),
+    /** In the language that the page has now; an open search would go on in the one before. */
+    setLabel(text: string) {
+      closeSearchPanel(view);
+      label = text;
+      view.dispatch({ effects: [name.reconfigure(named()), language.reconfigure(spoken())] });
+    },
     show(remarks: Remark[]) {
       const told = view.state.doc.toString().trim() ? remarks : []; // an empty page has no mistake
       view.dispatch(setDiagnostics(view.state, told.map((remark) => diagnostic(remark, view.state.doc))));

@@ -20,9 +20,13 @@ keep_to_one_core()
 from freebody.studio.work import MOVING, READING, done, prepare  # noqa: E402  (what it imports reads the environment)
 
 _ROD = """
+parameters: {g: 9.81 m/s^2}
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {A: {pin: [ground.A, rod.start]}}
-loads: {weight: {gravity: 9.81 m/s^2}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of rod}}
+start: {theta: -60 deg}
+questions: {it: acceleration of theta}
 """
 
 prepare(READING.name)
