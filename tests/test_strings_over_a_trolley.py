@@ -5,8 +5,8 @@ With x the trolley and h the depth of the load below it, of a rope from the mast
     x + h - R psi = constant,
 
 so that a trolley that moves draws the load up or lets it down, while one that goes down to a hook block and up to the
-other sheave and on to the tip of the jib at c keeps x + 2 h + (c - x) - R psi: the load keeps its height. A load that is
-kept below its trolley moves sideways as it does. Sources: Meriam & Kraige, Dynamics, sec. 2/9 (constrained motion of
+other sheave and on to the tip of the jib at c keeps x + 2 h + (c - x) - R psi: the load keeps its height. A load
+that is kept below its trolley moves sideways as it does. Sources: Meriam & Kraige, Dynamics, sec. 2/9 (constrained motion of
 connected particles); the equations below are Newton's, written by hand.
 """
 
@@ -18,7 +18,8 @@ import freebody as fb
 from posed import is_derived, is_formula, posed
 
 HOIST = """
-parameters: {m: 800 kg, M: 200 kg, I: 5 kg m^2, R: 0.3 m, r: 0.2 m, b: 6 m, c: 12 m, F: 300 N, T: 2600 N m, g: 9.81 m/s^2}
+parameters:
+  {m: 800 kg, M: 200 kg, I: 5 kg m^2, R: 0.3 m, r: 0.2 m, b: 6 m, c: 12 m, F: 300 N, T: 2600 N m, g: 9.81 m/s^2}
 ground: {points: {mast: [WHERE, r - R]}}
 bodies:
   drum: {body: {inertia: I, radius: R}}

@@ -37,6 +37,7 @@ from freebody.model.formulas import Formulas
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, is_one
 from freebody.model.states import ControllerState
+from freebody.model.surfaces import SurfacePlace
 from freebody.model.thread import Thread
 from freebody.model.transmitted import CutTension, Transmitted
 from freebody.tolerances import LEAST
@@ -115,6 +116,10 @@ class Joining(Protocol):
 
     def attitude(self, names: Names) -> Attitude | None:
         """In space: how one of its bodies is turned from the other."""
+        ...
+
+    def carried_by(self, names: Names, point: Point) -> Point | None:
+        """The point of a guided body, which does not turn, to which it joins a point."""
         ...
 
     def bears_at(self, names: Names, point: Point, normal: Direction) -> Expr | None:
@@ -205,7 +210,9 @@ class Names(Formulas):
         self.fields: set[tuple[Direction, Expr]] = set()  # of gravity: along which direction, and how strong
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
-        self.standing: dict[tuple[object, ...], Expr | None] | None = None  # where points stand, as a way is being found
+        self.standing: dict[tuple[object, ...], Expr | None] | None = (
+            None  # where points stand, as a way is being found
+        )
         self.up: Components = (ZERO, ONE)
         self.usual_questions: tuple[str, ...] = ()  # what the file asks, in the words of the grammar
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there

@@ -111,7 +111,9 @@ class About:
         return seen
 
     @staticmethod
-    def _rate(c: Coordinate, measure: Measure | NonholonomicForm, start: Snapshot, factor: float, linear: Linear) -> float:
+    def _rate(
+        c: Coordinate, measure: Measure | NonholonomicForm, start: Snapshot, factor: float, linear: Linear
+    ) -> float:
         if c.speed in linear.rates and linear.rates[c.speed].is_zero():
             return 0.0
         rate = start.rate(measure)
