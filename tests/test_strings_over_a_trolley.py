@@ -6,8 +6,8 @@ With x the trolley and h the depth of the load below it, of a rope from the mast
 
 so that a trolley that moves draws the load up or lets it down, while one that goes down to a hook block and up to the
 other sheave and on to the tip of the jib at c keeps x + 2 h + (c - x) - R psi: the load keeps its height. A load
-that is kept below its trolley moves sideways as it does. Sources: Meriam & Kraige, Dynamics, sec. 2/9 (constrained motion of
-connected particles); the equations below are Newton's, written by hand.
+that is kept below its trolley moves sideways as it does. Sources: Meriam & Kraige, Dynamics, sec. 2/9 (constrained
+motion of connected particles); the equations below are Newton's, written by hand.
 """
 
 from __future__ import annotations

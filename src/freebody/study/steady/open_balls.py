@@ -21,5 +21,5 @@ def with_open_balls(system: System, questions: Sequence[Question]) -> System:
         return system
     if all(q.quantity.scope != "steady motion" for q in questions):
         return system
-    open_ones = frozenset(b for b in balls(system) if not any(looks_at_axes(q, b) for q in questions))
+    open_ones = frozenset(b for b in balls(system, curved=True) if not any(looks_at_axes(q, b) for q in questions))
     return replace(system, unfollowed=open_ones) if open_ones else system
