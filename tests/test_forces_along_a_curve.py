@@ -1,6 +1,6 @@
 """The normal force on a bead along a curve, and ropes with mass that unwind with a load, by hand.
 
-Down a curve v^2 = 2 g (y_0 - y), and N = m (g cos(psi) + v^2/rho), psi the slope. Of the cycloid x = R (2 s + sin(2 s)),
+Down a curve v^2 = 2 g (y_0 - y), and N = m (g cos(psi) + v^2/rho), psi the slope. Of the cycloid x = R (2 s + sin(2s)),
 y = R (1 - cos(2 s)) the slope is s and rho = 4 R cos(s), so that N = m g (2 cos(s) - cos(s_0)^2/cos(s)); let go at the
 cusp, s_0 = 90 deg, it would be 2 m g cos(s) (Huygens 1673, part 2). Of the parabola y = x^2/(4 a), in s with x = 2 s,
 N = m a g (a^2 + s_0^2)/(a^2 + s^2)^(3/2); of the catenary y = a cosh(s/a), N = m g (2 cosh(s_0/a) - cosh(s/a))/
