@@ -121,8 +121,8 @@ def test_the_condition_is_derived() -> None:
 
 
 def test_where_a_ball_touches_has_no_say_in_how_it_is_turned() -> None:
-    assert balls(fb.System.from_text(PARABOLOID)) == {"ball"}
+    assert balls(fb.System.from_text(PARABOLOID), curved=True) == {"ball"}
     watched = PARABOLOID.replace("phi: phi of bowl}", "phi: phi of bowl, turned: angle of ball about z}")
-    assert balls(fb.System.from_text(watched)) == frozenset()
+    assert balls(fb.System.from_text(watched), curved=True) == frozenset()
     with pytest.raises(fb.ModelError, match="no surface"):
         fb.System.from_text(PARABOLOID.replace("rho: rho of bowl", "rho: rho of weight"))

@@ -229,6 +229,7 @@ _SPHERE = "(7*mu*cos(theta) - 2*sin(theta))"
 _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 
 _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
+_C, _S = "(1/sqrt(1 + (2*k*R)**2))", "(2*k*R/sqrt(1 + (2*k*R)**2))"
 _LEANS, _ROLLS = "(k*theta + c*rate(theta))", "(3*m/2 + M)"
 _BEAM = "(k - J*g*c_x/c)"
 _HELICAL = "((T - m_1*(T - M*z_1/z_2)/(m_1 + m_2))/r)"  # tangential force
@@ -329,6 +330,15 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # the rope keeps x + 2 h + (c - x) - R psi with R psi = u t: the trolley has no part in it, and takes the load along
     "tower_crane": {"freedom": "0", "lifted": "u/2", "rope": "m*g/2", "drive": ["(M + m)*a", "0"]},
+    # rho_C (7 cos^2 + 2 sin^2) W^2 + 2 r sin w_z W = 5 g sin cos, tan = 2 k R, rho_C = R - r sin (Routh, sec. 224)
+    "ball_circling_in_a_bowl": {
+        "freedom": "3",
+        "circle": [
+            f"(-2*r*{_S}*rate(phi_z_ball) {sign} sqrt((2*r*{_S}*rate(phi_z_ball))**2"
+            f" + 20*(R - r*{_S})*(7*{_C}**2 + 2*{_S}**2)*g*{_S}*{_C}))/(2*(R - r*{_S})*(7*{_C}**2 + 2*{_S}**2))"
+            for sign in "-+"
+        ],
+    },
     # one string: m_2 g moves both masses and half of each wheel, a disk whose I/r^2 is M/2
     "cable_round_a_corner": {
         "freedom": "1",

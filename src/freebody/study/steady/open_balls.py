@@ -1,7 +1,11 @@
 """In steady motion nobody looks at how a ball is turned: a sphere that circles in a bowl spins evenly for all that.
 
 Its angular velocity by components along the axes of the ground takes the place of the rates of three angles (see
+<<<<<<< HEAD
 `symbolic.spatial.balls`). About an upright axis that is a constant of steady motion, where rates of angles are none.
+=======
+`symbolic.spatial.balls`). About an upright axis it is constant in steady motion, where the rates of angles are not.
+>>>>>>> hA
 """
 
 from __future__ import annotations
@@ -21,5 +25,5 @@ def with_open_balls(system: System, questions: Sequence[Question]) -> System:
         return system
     if all(q.quantity.scope != "steady motion" for q in questions):
         return system
-    open_ones = frozenset(b for b in balls(system) if not any(looks_at_axes(q, b) for q in questions))
+    open_ones = frozenset(b for b in balls(system, curved=True) if not any(looks_at_axes(q, b) for q in questions))
     return replace(system, unfollowed=open_ones) if open_ones else system

@@ -36,12 +36,13 @@ _TURNED = (
 
 
 @lru_cache(maxsize=16)
-def balls(system: System) -> frozenset[str]:
-    """The bodies of a system in space whose orientation nothing looks at."""
+def balls(system: System, *, curved: bool = False) -> frozenset[str]:
+    """The bodies of a system in space whose orientation nothing looks at. curved: also those of which more than
+    displacements is stated, and that roll on what has coordinates of its own, as the foot on a surface has."""
     if not system.space:
         return frozenset()
     found = [body for body in system.moving if _is_ball(system, body)]
-    return frozenset(body.name for body in found if _looks_alike(system, body.name))
+    return frozenset(body.name for body in found if _looks_alike(system, body.name, curved=curved))
 
 
 def _is_ball(system: System, body: RigidBody) -> bool:
@@ -64,11 +65,13 @@ def _stated(system: System) -> Iterable[Measure | NonholonomicForm]:
     yield from system.all_measures.values()
 
 
-def _looks_alike(system: System, name: str) -> bool:
+def _looks_alike(system: System, name: str, *, curved: bool) -> bool:
     """Whether nothing that is stated of a body depends on its orientation."""
     stated = [m for m in dict.fromkeys(_stated(system)) if name in set(m.bodies())]
-    forms = [m for m in stated if not _is_of_places(m, name)]
-    unturned = {body.name for body in system.bodies.values() if body.fixed or not body.turns}
+    if any(looks_at_axes(m, name) for m in stated if isinstance(m, Displacement)):
+        return False
+    forms = [m for m in stated if not (_is_of_places(m, name) if curved else isinstance(m, Displacement))]
+    unturned = {body.name for body in system.bodies.values() if body.fixed or (curved and not body.turns)}
     if any(not isinstance(m, NonholonomicForm) or not set(m.bodies()) <= unturned | {name} for m in forms):
         return False
     geometries = [_turned(system, name, columns) for columns in (None, _TURNED)]
