@@ -294,6 +294,12 @@ class Ends:
             if reserve is None:
                 return extra, False
             extra.append(reserve)
+        for name in slips:  # what slips under a force that may press either way presses as it does here
+            rub = eq.dry_friction.get(name)
+            if rub is not None and len(rub.load) == 1 and not eq.rows[rub.load[0]].unilateral:
+                pressing, _constant = eq.load(rub, failure)
+                what = Message("{contact} slips this way", contact=self._label(rub.row))
+                lines.append((self._put(pressing, at_end, at), what))
         for name, rub in eq.dry_friction.items():
             if name in eq.sized or name in slips or (rub.load and set(rub.load) <= failure.opens):
                 continue
