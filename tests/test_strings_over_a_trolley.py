@@ -18,13 +18,8 @@ import freebody as fb
 from posed import is_derived, is_formula, posed
 
 HOIST = """
-<<<<<<< HEAD
-parameters: {m: 800 kg, M: 200 kg, I: 5 kg m^2, R: 0.3 m, r: 0.2 m, b: 6 m, c: 12 m, F: 300 N, T: 2600 N m,
-  g: 9.81 m/s^2}
-=======
 parameters:
   {m: 800 kg, M: 200 kg, I: 5 kg m^2, R: 0.3 m, r: 0.2 m, b: 6 m, c: 12 m, F: 300 N, T: 2600 N m, g: 9.81 m/s^2}
->>>>>>> hA
 ground: {points: {mast: [WHERE, r - R]}}
 bodies:
   drum: {body: {inertia: I, radius: R}}

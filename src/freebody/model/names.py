@@ -218,13 +218,7 @@ class Names(Formulas):
         self.fields: set[tuple[Direction, Expr]] = set()  # of gravity: along which direction, and how strong
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
-<<<<<<< HEAD
         self.standing: dict[tuple[object, ...], Expr | None] | None = None  # where points stand on a way
-=======
-        self.standing: dict[tuple[object, ...], Expr | None] | None = (
-            None  # where points stand, as a way is being found
-        )
->>>>>>> hA
         self.up: Components = (ZERO, ONE)
         self.usual_questions: tuple[str, ...] = ()  # what the file asks, in the words of the grammar
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there

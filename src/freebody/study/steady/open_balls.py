@@ -1,11 +1,7 @@
 """In steady motion nobody looks at how a ball is turned: a sphere that circles in a bowl spins evenly for all that.
 
 Its angular velocity by components along the axes of the ground takes the place of the rates of three angles (see
-<<<<<<< HEAD
-`symbolic.spatial.balls`). About an upright axis that is a constant of steady motion, where rates of angles are none.
-=======
 `symbolic.spatial.balls`). About an upright axis it is constant in steady motion, where the rates of angles are not.
->>>>>>> hA
 """
 
 from __future__ import annotations
