@@ -413,6 +413,10 @@ def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"work of {joint}" for joint in joining.rough(names, next(iter(of), ""))]
 
 
+_MOTORS = {"motor", "engine", "drive"}
+_DRIVES = ("driving torque", "driving force")
+
+
 @said_of("power", "work")
 def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
@@ -422,10 +426,24 @@ def _work(names: Names, quantity: str, rest: Clause) -> Groups:
     if len(of) == 1 == len(bodies):  # what drives the body that is named
         own = {p.load for p in names.applied_loads if bodies[0] in p.measure.bodies()}
         of = [name for name in lookup.driving(names) if name in own] or of
-    if not of and len(driving := lookup.driving(names)) == 1:
-        of = driving
-    if rest.only("name", *SILENT) and len(of) == 1:
-        yield [f"{quantity} of {of[0]}"]
+    drives = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction in _DRIVES)
+    of = of or [*drives, *lookup.driving(names)]
+    if rest.only("name", *SILENT) and (len(of) == 1 or not rest.names):
+        yield [f"{quantity} of {one}" for one in of]
+
+
+@said_of("driving power")
+def _of_drive(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The power of what drives: a drive, or a load that is called one, or the only one that is no weight."""
+    if rest.names:
+        yield from _work(names, "power", rest)
+        return
+    drives = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction in _DRIVES)
+    loads = lookup.driving(names)
+    called = [load for load in loads if _MOTORS & {load, *(word.split()[-1] for word in names.called.get(load, ()))}]
+    of = [*drives] or called or loads
+    if rest.only(*SILENT):
+        yield [f"power of {one}" for one in of]
 
 
 def _tightened(names: Names, rest: Clause) -> list[str]:
