@@ -10,7 +10,7 @@ from __future__ import annotations
 import pytest
 
 import freebody as fb
-from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.parser import parse
 
 BLOCK = """
@@ -43,15 +43,16 @@ def test_each_half_swing_loses_twice_the_shift_of_the_middle() -> None:
     found = fb.System.from_text(f"{BLOCK}questions:\n{questions}").solve().answers
     for answer, formula in zip(found, HAND.values(), strict=True):
         assert answer.evidence is not None
-        assert answer.expression is not None
+        assert isinstance(answer.expression, Expr)
         here, by_hand = (evaluate(e, VALUES, FLOAT_FUNCTIONS) for e in (answer.expression, parse(formula)))
         assert here == pytest.approx(by_hand, rel=1e-12)
     number = found[4]
     # the n-th half swing is the last one where a < x0/(2 n - 1) and a >= x0/(2 n + 1), a = mu m g/k
-    told = sorted(
-        (float(evaluate(case.expression, {}, FLOAT_FUNCTIONS)), len(case.conditions)) for case in number.cases
-    )
-    assert told == [(n, 2) for n in (1, 2, 3, 4)]
+    told: list[tuple[float, int]] = []
+    for case in number.cases:
+        assert isinstance(case.expression, Expr)
+        told.append((float(evaluate(case.expression, {}, FLOAT_FUNCTIONS)), len(case.conditions)))
+    assert sorted(told) == [(n, 2) for n in (1, 2, 3, 4)]
 
 
 def test_more_half_swings_than_are_counted_are_refused() -> None:
