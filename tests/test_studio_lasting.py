@@ -318,8 +318,8 @@ connections:
   D: {pin: [rocker.end, ground.D]}
 """
     type_all(page, four_bar)
-    # 0.3 m + 0.2 m + 0.3 m are 0.2 m less than the ground: the gap at one pin where the others hold
-    page.wait_for_selector(".view .message:has-text('cannot be assembled: at best A.x is off by 0.2 m')", timeout=WAIT)
+    # 0.3 m + 0.2 m + 0.3 m are 0.2 m less than the ground: the inequality that no pose can fulfil is told
+    page.wait_for_selector(".view .message:has-text('cannot be assembled: no pose closes the loop')", timeout=WAIT)
     assert "NaN" not in page.inner_text("body")
     type_all(page, four_bar.replace("length: 0.2 m", "length: 0.8 m"))
     page.wait_for_selector(".badge.dof:has-text('1 degree'):not(.stale)", timeout=WAIT)
