@@ -20,11 +20,11 @@ once.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, cast
 
 from freebody.api import System
 from freebody.connections.base import Connection
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Symbol, symbol
 from freebody.language.written import Written, as_text
 from freebody.loads.base import Load

@@ -18,8 +18,8 @@ BrokenInstallation        freebody itself is not whole here (exit code 1); no ca
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.messages import Message, lines
 
 

@@ -7,8 +7,7 @@ on it. `announced` is for what a user should know even where no one looks on, su
 from __future__ import annotations
 
 from collections.abc import Callable
-
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
 
 
 @dataclass

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import wraps
 from importlib import import_module
 from inspect import Parameter, Signature, signature
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
-from freebody.dataclass import dataclass
 from freebody.narrative.words import languages
 
 P = ParamSpec("P")

@@ -8,6 +8,7 @@ Roots may have changed sign on the way to a limit, so numbers close to the case 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from typing import Any, Literal
@@ -15,7 +16,6 @@ from typing import Any, Literal
 from freebody.assess.comparing import ComponentPair
 from freebody.assess.points import EvaluationPoint, is_free, real
 from freebody.assess.words import is_readable
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text

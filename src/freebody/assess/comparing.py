@@ -8,13 +8,13 @@ are known to the precision of floats.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from freebody.assess.points import BALL_FUNCTIONS, EvaluationPoint, real
 from freebody.assess.reading import OptionComponent
 from freebody.assess.setting import Setting
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
 from freebody.language.notation import to_text

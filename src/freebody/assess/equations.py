@@ -9,12 +9,12 @@ differences, whatever the order, the factors and the multipliers are.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
 from freebody.assess.names import named_in
 from freebody.assess.setting import Setting
 from freebody.assess.words import is_readable
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, UnitError
 from freebody.language.expression import (
     Call,

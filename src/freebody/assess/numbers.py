@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError, UnitError
 from freebody.language.sentences import Message
 from freebody.language.typed import TypedNumber

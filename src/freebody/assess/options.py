@@ -15,6 +15,7 @@ The reasons are tried in this order, and the first that applies is given:
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from freebody.assess.comparing import ComponentPair, Equality, how_equal
 from freebody.assess.points import working_precision
@@ -24,7 +25,6 @@ from freebody.assess.setting import Setting
 from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Judgement, Settled, Verdict, wrong_key
 from freebody.assess.words import of_component, places
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message, listed
 from freebody.questions.reading import Question

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from freebody.assess.names import named_in
 from freebody.assess.points import EvaluationPoint, real
 from freebody.assess.setting import Setting
 from freebody.assess.verdict import Settled
 from freebody.assess.words import of_component, places
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import (
     ZERO,

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from freebody.assess.setting import Answer, Setting
-from freebody.dataclass import dataclass
 from freebody.language.units import Dimension
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel

@@ -12,12 +12,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Literal
 
 from freebody.assess.names import NameTable, named_in
 from freebody.assess.verdict import Judgement, Verdict, judgement_of
 from freebody.assess.words import is_readable
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import to_text

@@ -8,7 +8,7 @@ at once more: whether something is counted the other way (`conventions`), whethe
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, cast
 
@@ -28,7 +28,6 @@ from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Settled
 from freebody.assess.wanted import Policy, Wanted
 from freebody.assess.words import of_component
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_text

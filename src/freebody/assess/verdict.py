@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Literal
 
 from freebody.assess.solved import SolvedAnswer
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message, listed
 

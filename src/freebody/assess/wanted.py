@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 from freebody.assess.numbers import ONE_PERCENT, Tolerance
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 
 Form = Literal["any", "formula", "number"]

@@ -7,10 +7,10 @@ accelerations are the columns of a linear system. What follows from a wrong line
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 from freebody.assess.equations import Equation, EquationJudge
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, UnitError
 from freebody.language.expression import Expr, Sum
 from freebody.language.sentences import Message

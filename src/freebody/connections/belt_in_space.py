@@ -12,13 +12,13 @@ which pulls at the centres with F (R_1 - s_2 R_2)/d across their line.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import is_zero, moves_out_of_plane, number_of
 from freebody.connections.standing_in_space import StandingInSpace
 from freebody.connections.string.in_space import wheel_plane
 from freebody.connections.string.node import WheelPlane
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Call, Expr, divide, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH

@@ -11,10 +11,10 @@ Source: Shigley, Mechanical Engineering Design, sec. 17-1.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import number_of, stands_at
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, PI, ZERO, Call, Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.measures.geometry import RIGHT, UP

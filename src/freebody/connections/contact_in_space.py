@@ -11,6 +11,7 @@ Non-Smooth Mechanical Systems, 2004, sec. 5.3; Johnson, Contact Mechanics, 1985,
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
@@ -19,7 +20,6 @@ from freebody.connections.places_of_polyhedra import places_of_polyhedra
 from freebody.connections.places_of_rims import places_of_rims
 from freebody.connections.places_on_bodies import places_on_body
 from freebody.connections.places_on_planes import places_on_plane
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH

@@ -7,9 +7,9 @@ velocity of the one against the other is w . e_k = - sum_i (e_k+2 . a_i) d(e_k+1
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr, Symbol, free_symbols
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.combination import Composed

@@ -11,10 +11,10 @@ the second, the rows
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure

@@ -6,9 +6,9 @@ of a polygon) and hollow ones (the inside of a ring). Straight parts are solid o
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Call, Expr, negate
 from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from freebody.connections.outlines import Outline
 from freebody.connections.sites import ContactSite, sites
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr
 from freebody.measures.angle import Angle
 from freebody.model.elements import ROLLING, ConstraintRow, DryFriction, UnilateralConstraint

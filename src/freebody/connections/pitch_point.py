@@ -13,11 +13,11 @@ feels nothing of the teeth but through the bearings. Source: Norton, Design of M
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.joints import AXES
 from freebody.connections.shared_by_copies import gathered
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, ZERO, Expr, negate
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH

@@ -21,6 +21,7 @@ Real-Time Collision Detection, 2005, sec. 5.1.8; Kosenko & Alexandrov, Multibody
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import COS, HEIGHT, SIN, ContactPlace, PivotPlace, settings_of
@@ -42,7 +43,6 @@ from freebody.connections.places_of_polyhedra import (
 )
 from freebody.connections.places_on_planes import FLAT, along_plane, bounded
 from freebody.connections.polyhedra import Corner, Face, Polyhedron, PolyhedronEdge, polyhedron_of
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH

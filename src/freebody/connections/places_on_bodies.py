@@ -27,13 +27,13 @@ Real-Time Collision Detection, 2005, sec. 5.1; Duff et al., J. Computer Graphics
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import ContactPlace
 from freebody.connections.frames_of_contact import ContactFrame
 from freebody.connections.polyhedra import Polyhedron, polyhedron_of
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, divide, number
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH

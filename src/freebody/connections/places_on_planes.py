@@ -14,14 +14,13 @@ the plane are rates of no measure; a point that is always the same one slips by 
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from freebody.connections.contact_places import COS, HEIGHT, SIN, ContactPlace, PivotPlace, settings_of
 from freebody.connections.joints import across_names
 from freebody.connections.polyhedra import corners_of
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Call, Expr, Symbol, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH

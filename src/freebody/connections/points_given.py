@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.model.tables import read_table

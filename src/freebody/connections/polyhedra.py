@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr, divide, number
 from freebody.measures.geometry import Components, Direction, Point
 from freebody.model.elements import RigidBody

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -15,7 +16,6 @@ from freebody.connections.standing import number_of, stands_at
 from freebody.connections.standing_in_space import StandingInSpace
 from freebody.connections.string.in_space import wheel_plane
 from freebody.connections.string.node import WheelPlane
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, PI, ZERO, Expr, Number, add, divide, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle

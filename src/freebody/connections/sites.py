@@ -13,10 +13,10 @@ Source: Glocker, Set-Valued Force Laws, 2001, ch. 4 (contact kinematics).
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from freebody.connections.circles import touching
 from freebody.connections.outlines import Hollow, Outline, RoundPart, Straight
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.standing import along_of, arm_on_ground, is_parallel, stands_at
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, add, multiply
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH

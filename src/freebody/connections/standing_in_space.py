@@ -10,12 +10,12 @@ asked of its own directions: there the ground is a body as others are.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import is_zero, number_of
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, add, multiply, negate, substitute
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure

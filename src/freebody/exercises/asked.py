@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.exercises.bank import Bank, Item, ItemVariant, ShownOption
 from freebody.exercises.making import as_text
 from freebody.exercises.selftests import SelfTest, What

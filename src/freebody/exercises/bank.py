@@ -5,10 +5,10 @@ Texts and blocks are those of reports, so that each platform writes them in its 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 from freebody.assess.numbers import Tolerance
-from freebody.dataclass import dataclass
 from freebody.exercises.sampling import Sampling
 from freebody.language.expression import Expr, free_symbols
 from freebody.model.elements import Sign

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError, SelfTestFailed
 from freebody.exercises import selftests
 from freebody.exercises.bank import Bank

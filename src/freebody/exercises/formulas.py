@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.exercises.bank import Item, SymbolUsed
 from freebody.exercises.selftests import SelfTest

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from html import escape
 
-from freebody.dataclass import dataclass
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,

@@ -6,9 +6,9 @@ import os
 import shutil
 from collections.abc import Generator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.exercises.selftests import SelfTest
 from freebody.language.sentences import Message

@@ -6,9 +6,9 @@ Source: IMS Question and Test Interoperability, Assessment Test, Section, and It
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.exercises.selftests import Marked
 from freebody.exercises.xml import parsed, words

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.exercises.asked import ChoiceAsked, NumberAsked, is_moving, left_out, number_of
 from freebody.exercises.bank import Bank, Item, ItemVariant

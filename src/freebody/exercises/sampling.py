@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from dataclasses import dataclass
 
 from freebody.assess.points import EvaluationPoint, working_precision
 from freebody.assess.setting import Setting
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.units import TIME, Dimension
 from freebody.study.answering.answer import Answer

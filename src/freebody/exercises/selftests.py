@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from typing import Any, Literal, Protocol, cast
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.plain_text import plain, shortened
 from freebody.language.sentences import Message

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from freebody.assess.names import named_in
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.expression import ELLIPTIC, FRESNEL, LAMBERT, Call, Expr, Number, Symbol, replace_rates
 from freebody.language.notation.one_line import OneLineWriter

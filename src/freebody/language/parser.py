@@ -12,11 +12,11 @@ Nothing is ever executed. Every limit is checked before the work it bounds.
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from difflib import get_close_matches
 from fractions import Fraction
 from functools import lru_cache
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.descent import Descent
 from freebody.language.expression import (

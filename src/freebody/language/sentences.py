@@ -7,9 +7,8 @@ once and remembers of what; errors are made of them as well, so they stand below
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.messages import Message, as_found, further, in_turn, lines, listed, turns
 

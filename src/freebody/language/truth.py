@@ -11,10 +11,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import lru_cache, reduce
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.expression import Expr, evaluate, substitute
 from freebody.language.parser import parse

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import to_python
 

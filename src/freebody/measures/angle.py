@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure

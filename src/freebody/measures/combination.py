@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import ClassVar, TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure

@@ -11,9 +11,9 @@ right-handed. A pose is that of the body's mass centre.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any, Generic, Protocol, Self, TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Number, number
 
 GROUND = "ground"

@@ -16,9 +16,9 @@ the components of C_2 - C_1 are those along them.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import ClassVar, TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.units import LENGTH, Dimension
 from freebody.measures.base import Measure

@@ -13,9 +13,9 @@ Geometry of Curves and Surfaces, sec. 1-5; Glocker, Set-Valued Force Laws, 2001,
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Symbol, differentiate, divide, negate
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.base import Measure

@@ -8,10 +8,9 @@ normal force) is `sign * lambda`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import Generic, Literal, TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol, free_symbols, replace_rates, substitute
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension

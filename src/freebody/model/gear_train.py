@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND, Point

@@ -15,10 +15,9 @@ over places and headings in numbers (`in_numbers`), in the plane and in space al
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any, Generic, Literal, TypeVar, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.measures.geometry import Direction, Point
 

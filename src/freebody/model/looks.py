@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.geometry import Point
 

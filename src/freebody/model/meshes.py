@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache, partial
 from importlib import import_module
@@ -18,7 +19,6 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 from warnings import catch_warnings, simplefilter
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.model.hulls import MOST_POINTS, faces_of_hull, outline_of_hull
 from freebody.model.silhouettes import is_hole, silhouette

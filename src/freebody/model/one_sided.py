@@ -3,7 +3,8 @@ that is touched from some place on."""
 
 from __future__ import annotations
 
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
+
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols, number
 from freebody.language.parser import parse

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import (
     ZERO,
     Call,

@@ -3,7 +3,8 @@ along the centres, which parts gears and pulls the shafts of a chain, keeps its 
 
 from __future__ import annotations
 
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
+
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 

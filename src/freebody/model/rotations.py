@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import MINUS_ONE, Call, Expr, Number, ProductOf, Symbol, free_symbols, number
 from freebody.measures.geometry import ONE, ZERO, Components
 from freebody.model.elements import Rotation

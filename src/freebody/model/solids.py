@@ -6,7 +6,7 @@ is built (`present.space.bodies`). A solid is added to the vocabulary together w
 
 from __future__ import annotations
 
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ Powell & Emami-Naeini, Feedback Control of Dynamic Systems, ch. 4 and 7 (integra
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, Call, Expr, Symbol, free_symbols, replace_rates, substitute
 from freebody.language.units import TIME, Dimension
 from freebody.measures.base import Measure

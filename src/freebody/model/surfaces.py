@@ -13,9 +13,9 @@ Surfaces, sec. 2-4, 3-3 and 3-5.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, ZERO, Call, Expr, Symbol, differentiate, divide
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
+
 from freebody.narrative.context import Method
 from freebody.narrative.lines.script import DerivationStage
 from freebody.questions.reading import Question

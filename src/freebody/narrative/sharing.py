@@ -11,9 +11,8 @@ What stays is put into the order of a lecturer: constraints, free-body diagrams,
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Number, Symbol
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import (

@@ -11,9 +11,10 @@ Source: Pfeiffer & Glocker, Multibody Dynamics with Unilateral Contacts, 1996, c
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow

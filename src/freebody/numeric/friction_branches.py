@@ -17,9 +17,8 @@ import heapq
 import itertools
 import math
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from freebody.dataclass import dataclass
 from freebody.numeric import friction_limits as limits
 from freebody.numeric.friction_limits import Optimum, Ray
 from freebody.numeric.rest_problem import FrictionCone, RestProblem

@@ -18,11 +18,10 @@ friction, plasticity, and limit loads, J. Appl. Mech. 21, 1954, 71-74.
 
 from __future__ import annotations
 
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.circular_programs import CircularCone, program_of, with_slack
 from freebody.numeric.jets import Array
 from freebody.numeric.rest_problem import FrictionCone, RestProblem

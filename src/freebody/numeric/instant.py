@@ -14,10 +14,10 @@ Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 7 an
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, Sum, Symbol, domain, evaluate, free_symbols, substitute
 from freebody.language.notation import to_text

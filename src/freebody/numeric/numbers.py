@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.numeric.rotation import Array, matrix

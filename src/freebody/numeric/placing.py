@@ -13,11 +13,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension

@@ -24,11 +24,11 @@ Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 8.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH

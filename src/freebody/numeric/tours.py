@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.numeric.small_motion import SmallCoordinate, coordinates
 from freebody.numeric.split import stack

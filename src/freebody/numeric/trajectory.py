@@ -12,11 +12,11 @@ Hairer & Wanner, II, 2nd ed. 1996, sec. VII.2 (projection).
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure

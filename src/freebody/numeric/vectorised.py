@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_symbols
 from freebody.language.truth import Comparison, Statement, comparisons, truth
 from freebody.numeric.jets import Array

@@ -22,13 +22,12 @@ Source: Meirovitch, Methods of Analytical Dynamics, 1970, ch. 5 and 6; Chetaev, 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.numeric.small_motion import SmallMotion
 from freebody.tolerances import ROUND_OFF, ROUNDED

@@ -13,11 +13,10 @@ import threading
 import time
 from collections.abc import Generator
 from contextlib import contextmanager, suppress
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import TextIO
 
 from freebody import progress
-from freebody.dataclass import dataclass
 
 PATIENCE = 1.0  # [s] before the line appears
 _EVERY = 0.2  # [s]

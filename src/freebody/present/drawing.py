@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array, box_round
 from freebody.present.halts import Halts
 from freebody.present.layout import Layout, bounds, headings

@@ -7,11 +7,10 @@ moved, by the same amount at all times, so that its string runs straight off the
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.model import glyphs
 from freebody.present.figures import (
     GROUND,

@@ -7,12 +7,12 @@ other bodies are, and most of all other names and the edge of the picture.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array
 from freebody.present.picture.placer import points_along
 from freebody.present.picture.shapes import Shape

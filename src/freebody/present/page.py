@@ -12,12 +12,11 @@ import json
 import math
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, field
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.plain_text import plain
 from freebody.messages import Message
 from freebody.present.assets import asset

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Point

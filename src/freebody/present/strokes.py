@@ -6,11 +6,10 @@ A `Path` moves with a body, a `Stretch` runs between two places, a `Strand` is a
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array, Place, Rope, positions, turned, with_ground
 from freebody.present.layout import sweep
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import GROUND, Array, Figure, Pair, Place, Tip, Wall, positions, turned
 from freebody.present.layout import Layout, along_wall
 from freebody.present.scene import Scene

@@ -6,7 +6,7 @@ paper they are lightened. Source: Okabe & Ito, Color Universal Design, 2008.
 
 from __future__ import annotations
 
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
 
 
 @dataclass(frozen=True)

@@ -12,10 +12,10 @@ projective map, under which planes stay planes and what is in front stays in fro
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array
 
 AZIMUTH, ELEVATION = 30.0, 20.0  # degrees

@@ -8,9 +8,9 @@ Source: Meriam & Kraige, Dynamics, 8th ed. 2015, sec. 2/5; Hibbeler, Dynamics, s
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Sentence
 from freebody.language.units import ACCELERATION, LENGTH
 from freebody.measures.geometry import Point

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.noting import did_you_mean

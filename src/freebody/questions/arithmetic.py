@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Protocol
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import FUNCTIONS, Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, free_symbols
 from freebody.language.parser import parse

@@ -5,9 +5,9 @@ driving torque of motor at the dead points        acceleration of x at the dead 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.model.names import did_you_mean

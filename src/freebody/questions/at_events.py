@@ -9,10 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.questions.arithmetic import read_calculated

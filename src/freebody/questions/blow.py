@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
 from freebody.model.elements import ConstraintRow

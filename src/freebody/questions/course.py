@@ -9,10 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, LENGTH, TIME, Dimension

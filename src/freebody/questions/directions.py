@@ -8,9 +8,9 @@ or to the right: atan(|y|/|x|), and with the sign of y above it. A vector that i
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.geometry import Direction

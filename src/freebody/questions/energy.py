@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import free_symbols
 from freebody.language.sentences import Sentence
 from freebody.language.units import ENERGY

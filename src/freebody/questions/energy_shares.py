@@ -7,9 +7,9 @@ Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed., sec. 1.2 and 5.3
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.units import ENERGY
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.expression import (
     ZERO,

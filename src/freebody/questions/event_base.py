@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.questions.clock import SaidEvent

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension

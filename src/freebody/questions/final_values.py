@@ -8,9 +8,9 @@ A share is a half, a number of per cent, or an expression in the parameters.
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS

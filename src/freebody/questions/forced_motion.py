@@ -6,9 +6,9 @@ transmissibility [from QUANTITY] to QUANTITY      magnification factor of QUANTI
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, Dimension
 from freebody.questions.base import Found, Path, Quantity, angular_unit, asked

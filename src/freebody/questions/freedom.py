@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Sentence
 from freebody.questions.base import Described, Found, Path, Quantity, asked
 

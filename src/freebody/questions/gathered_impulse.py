@@ -6,9 +6,9 @@ that is given in the time alone is integrated.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import TIME, Dimension
 from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked

@@ -11,9 +11,9 @@ sec. 9.7-9.11.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.parser import parse
 from freebody.language.sentences import Message, Sentence

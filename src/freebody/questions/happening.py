@@ -9,9 +9,9 @@ Questions turned round ask for the values of a parameter for which it is so.
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure

@@ -11,10 +11,9 @@ sqrt(I/m). Source: Beer & Johnston, Vector Mechanics for Engineers: Statics, sec
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence

@@ -6,9 +6,9 @@ dead points of crank                       least | greatest transmission angle  
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.angle import Angle

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, MOMENTUM
 from freebody.measures.geometry import Direction, Point

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Symbol
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.errors import UnitError
 from freebody.language.expression import FUNCTIONS
 from freebody.language.sentences import Message

@@ -8,9 +8,9 @@ of Machinery, sec. 8.6 and 8.7; Shigley & Uicker, Theory of Machines and Mechani
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, Sentence
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked

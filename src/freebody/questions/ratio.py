@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.expression import Symbol, add, divide, free_symbols, negate
 from freebody.language.parser import parse

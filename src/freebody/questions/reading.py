@@ -10,10 +10,9 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Mapping
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter

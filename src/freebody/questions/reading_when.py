@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.model.names import Names
 from freebody.questions.base import Path, Quantity

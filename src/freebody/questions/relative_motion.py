@@ -6,10 +6,9 @@ turns there are further terms, those of its rotation and of Coriolis; which of b
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.language.units import LENGTH, TIME, Dimension
 from freebody.measures.geometry import GROUND, Direction, Point

@@ -7,9 +7,9 @@ does it tip or slide as F grows         does it hold        range of normal forc
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import GROUND, ZERO

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO
 from freebody.language.sentences import Message, Sentence, listed
 from freebody.language.units import FORCE

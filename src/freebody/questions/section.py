@@ -16,9 +16,9 @@ Johnston, Vector Mechanics for Engineers: Dynamics, sec. 16.1 (d'Alembert).
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import (
     FLOAT_FUNCTIONS,

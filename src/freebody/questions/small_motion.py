@@ -8,9 +8,9 @@ critical damping of PARAMETER      QUANTITY in equilibrium
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol, free_symbols, number
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension

@@ -8,9 +8,9 @@ frequency | frequencies | period of small oscillations [of MEASURE] about steady
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeGuard
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension

@@ -8,9 +8,9 @@ sec. 8-2 and 13-17.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, Expr, divide
 from freebody.language.sentences import Message, Sentence
 from freebody.model.noting import did_you_mean

@@ -7,10 +7,9 @@ range of v0 for which tension of rope >= 0 when theta = 180 deg        least v0 
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import Dimension

@@ -7,14 +7,13 @@ what a slider can be set to. What comes and goes between two of these values is 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 
 from freebody.budgets import allowed
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.units import parse_quantity
 from freebody.messages import Message

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import locale
 import re
+from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.examples_folder import write_beside
 from freebody.language.document.file import text_of

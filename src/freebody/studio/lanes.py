@@ -12,11 +12,10 @@ import json
 import socket
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import field
+from dataclasses import dataclass, field
 from multiprocessing.process import BaseProcess
 from pathlib import Path
 
-from freebody.dataclass import dataclass
 from freebody.studio import nursery
 from freebody.studio.wire.around import Call, Reply
 from freebody.studio.work import MOVING, PASSING, READING, WORK, Lane

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from itertools import count
 
-from freebody.dataclass import dataclass
 from freebody.studio.wire.around import Call, Reply
 
 AT_ONCE = 0.5  # [s]

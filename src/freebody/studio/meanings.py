@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_mathml
 from freebody.measures.geometry import GROUND

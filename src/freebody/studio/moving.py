@@ -4,13 +4,12 @@ picture waits."""
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Symbol
 from freebody.language.notation import to_mathml
 from freebody.numeric.jets import Array

@@ -5,12 +5,12 @@ studied, from the start of the processes on."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel, ValidationError
 
-from freebody.dataclass import dataclass
 from freebody.errors import BrokenInstallation, FreebodyError
 from freebody.studio.telling import told
 from freebody.studio.wire.around import Reply

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number
 from freebody.language.notation import to_latex, to_python
 from freebody.language.sentences import Message

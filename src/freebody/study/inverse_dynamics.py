@@ -14,13 +14,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from freebody.connections.driver import Driver
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS

@@ -12,14 +12,13 @@ from __future__ import annotations
 import csv as tables
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from freebody.connections.driver import Driver
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, differentiate, number, substitute
 from freebody.language.sentences import Message

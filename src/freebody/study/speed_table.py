@@ -15,11 +15,10 @@ Norton, Design of Machinery, 5th ed. 2012, sec. 9.7-9.11; Mueller, Die Umlaufget
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations, permutations
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import ZERO, Expr, Symbol, add, evaluate, multiply
 from freebody.language.notation import to_text

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import (
     ZERO,

@@ -9,8 +9,8 @@ coordinate, coordinates that do not move, and angles that the branch keeps equal
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure

@@ -12,8 +12,8 @@ Source: Gantmacher, Applications of the Theory of Matrices, 1959, ch. I; Landau 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Field, Ratio

@@ -10,10 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from dataclasses import dataclass, replace
 from dataclasses import field as initial
-from dataclasses import replace
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.measures.geometry import Vector
 from freebody.symbolic.field import Field, Ratio

@@ -28,8 +28,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import atan2, cos_sin, functions
 from freebody.symbolic.model import SymbolicModel

@@ -15,10 +15,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from itertools import islice, product
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text

@@ -15,9 +15,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, NotReached
 from freebody.language.sentences import Message
 from freebody.symbolic.closure import Closure

@@ -20,11 +20,11 @@ import math
 from collections import abc
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from typing import Any, Literal
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Number, Symbol, add, divide, multiply, number, power
 from freebody.language.notation import to_text

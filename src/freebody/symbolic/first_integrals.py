@@ -26,9 +26,9 @@ coordinates, Routh's procedure).
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, NonholonomicForm

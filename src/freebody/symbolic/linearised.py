@@ -19,9 +19,9 @@ t = 0. Source: Meirovitch, Elements of Vibration Analysis, 2nd ed. 1986, sec. 4.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio

@@ -12,9 +12,9 @@ Source: Freudenstein, Trans. ASME 77 (1955), p. 853.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import combinations
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate

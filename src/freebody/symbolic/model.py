@@ -22,8 +22,8 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.measures.geometry import AXES

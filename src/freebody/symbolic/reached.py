@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 
-from freebody.dataclass import dataclass
 from freebody.errors import NeverHappens
 from freebody.language.sentences import Message
 from freebody.symbolic.algebraic_time import AlgebraicTime

@@ -8,9 +8,9 @@ zero at an eigenvalue is decided exactly, whether the eigenvalue has a closed fo
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import zip_longest
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 
 Coefficients = list[Ratio]

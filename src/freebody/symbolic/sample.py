@@ -7,9 +7,7 @@ which of two solutions is the one that is assembled. They never enter a result.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
-
-from freebody.dataclass import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True)

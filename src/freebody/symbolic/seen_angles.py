@@ -9,7 +9,8 @@ which are linear in coordinates in which x and y are: what is seen under a given
 
 from __future__ import annotations
 
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
+
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.signs import Sign, sign_of

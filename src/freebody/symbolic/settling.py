@@ -10,8 +10,8 @@ Source: Franklin, Powell & Emami-Naeini, Feedback Control of Dynamic Systems, ch
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import determinant

@@ -24,9 +24,9 @@ Mechanics 27, 1960; Merkin, Introduction to the Theory of Stability, 1997, ch. 3
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded

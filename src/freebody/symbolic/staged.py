@@ -10,10 +10,10 @@ every quantity is a short formula in angles, speeds and accelerations, each of w
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Symbol
 from freebody.symbolic.field import Generator, Kind, Ratio
 from freebody.symbolic.linear import RHS, Row, solve

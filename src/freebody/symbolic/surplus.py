@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import RHS, Row, determinant, reduced
 

@@ -5,8 +5,8 @@ Products of sines are sums of waves."""
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.waves import fourier
 

@@ -6,8 +6,8 @@ Every root that solves the equation but not the problem is reported with the rea
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.expression import Symbol
 from freebody.language.notation import Stated, compared, to_python, to_text

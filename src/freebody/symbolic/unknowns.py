@@ -8,10 +8,10 @@ is chosen later, in the order of their ranks.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Symbol, differentiate
 from freebody.measures.base import Measure
 from freebody.model.states import shown_rate

@@ -12,8 +12,8 @@ says is put in before the next coefficient is looked at, so that no case contain
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Call, Symbol
 from freebody.language.notation import Stated, compared, joined, to_python, to_text

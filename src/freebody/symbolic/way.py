@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.sentences import Message
 from freebody.symbolic.algebraic_time import AlgebraicTime, algebraic_time

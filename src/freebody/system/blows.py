@@ -7,8 +7,8 @@ holds, and the impulse has acted. The velocities change at the event as at a sta
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import AppliedLoad, ConstraintRow
 from freebody.questions.reading import AskedEvent

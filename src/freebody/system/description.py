@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Self, TypeVar
 
 from freebody.connections.base import Connection
 from freebody.connections.pairs import OutlinePair
-from freebody.dataclass import dataclass
 from freebody.language.document import Document
 from freebody.language.expression import Expr, Symbol, replace_rates
 from freebody.language.units import Dimension

@@ -23,11 +23,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from freebody.connections.base import Connection
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension

@@ -12,9 +12,8 @@ N is a multiplier of the system itself; it enters as a symbol of its own, which 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, free_symbols, number, substitute
 from freebody.language.sentences import Message

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache
 
-from freebody.dataclass import dataclass
 from freebody.language.parser import GREEK
 from freebody.model.elements import ConstraintRow
 from freebody.system.system import System

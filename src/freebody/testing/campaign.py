@@ -16,10 +16,10 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import IO, Any
 
 from freebody.api import System
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.testing.models import maker
 from freebody.testing.outcomes import End, Outcome, OutOfWork, limited, run, untyped

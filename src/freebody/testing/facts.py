@@ -4,9 +4,9 @@ and words in which no name stands."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from freebody.api import System
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 

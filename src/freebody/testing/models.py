@@ -11,11 +11,11 @@ import copy
 import random
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any, cast
 
 from freebody.api import System
 from freebody.connections.base import Connection
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.units import (
     DIMENSIONLESS,

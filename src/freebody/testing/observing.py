@@ -10,11 +10,10 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from freebody.api import System
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.language.notation import to_python

@@ -12,6 +12,7 @@ import threading
 import traceback
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from enum import Enum
 from functools import cache
 from pathlib import Path
@@ -19,7 +20,6 @@ from tempfile import TemporaryDirectory
 from types import FrameType
 
 from freebody.api import System
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError, RoutesDisagree, RoutesUntold
 from freebody.present.report.result import Result
 from freebody.study.answering.answer import Answer

@@ -11,10 +11,10 @@ from __future__ import annotations
 import random
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cache
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.document import Document
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension, parse_quantity

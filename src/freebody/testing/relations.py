@@ -14,11 +14,11 @@ import copy
 import random
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, cast
 
 from freebody.api import System
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.shapes.base import Shape

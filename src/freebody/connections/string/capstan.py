@@ -17,10 +17,10 @@ Source: Beer & Johnston, Vector Mechanics for Engineers: Statics, sec. 8.10.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 from freebody.connections.string.node import StringNode
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Symbol, evaluate, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH

@@ -12,11 +12,11 @@ That is how far a body hangs aside of the pulley that carries it: R to its left 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import apart_at_start, is_parallel, is_zero, same_way, stands_at
 from freebody.connections.string.node import StringNode
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, add, multiply, negate
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, ZERO, Direction, Point

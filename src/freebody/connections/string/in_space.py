@@ -22,7 +22,7 @@ off the wheel. A body that nothing else holds hangs straight down from it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.standing import is_zero, number_of, vanishes
@@ -31,7 +31,6 @@ from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode, WheelPlane
 from freebody.connections.string.swivel import SwivelLeads
 from freebody.connections.string.way_in_space import dot_product
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure

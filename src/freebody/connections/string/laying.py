@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import (
@@ -20,7 +20,6 @@ from freebody.connections.standing import (
 )
 from freebody.connections.string.hanging import Hook, hooks_of
 from freebody.connections.string.node import StringNode
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import is_zero, number_of, starts_at
@@ -18,7 +18,6 @@ from freebody.connections.string.in_space import SpatialRun
 from freebody.connections.string.laying import StringRun, where_at_start
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.way_in_space import WaySeen
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Symbol, add, divide, multiply, negate, number
 from freebody.measures.geometry import DOWN, GROUND, LEFT, RIGHT, UP, ZERO, Direction
 from freebody.model.phrases import direction_angle

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Container
+from dataclasses import dataclass
 
 from freebody.connections.string.capstan import DrumPassage, drum_name, slip_of
 from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, add, multiply, negate
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure

@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.exercises.asked import Asked, ChoiceAsked, NumberAsked, asked_of, digits, number_tests
 from freebody.exercises.bank import Bank

@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from base64 import b64decode, b64encode
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.exercises.asked import (
     Asked,

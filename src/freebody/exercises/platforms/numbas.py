@@ -9,12 +9,12 @@ import json
 import re
 from base64 import b64encode
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from decimal import Decimal
 from html import escape
 from pathlib import Path
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError, InputError
 from freebody.exercises import numbas as shape
 from freebody.exercises.asked import ChoiceAsked, NumberAsked, number_tests

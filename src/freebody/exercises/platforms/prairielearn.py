@@ -9,12 +9,12 @@ import json
 import math
 import uuid
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from hashlib import sha256
 from html import escape
 from pathlib import Path
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError, InputError
 from freebody.exercises.asked import ChoiceAsked, NumberAsked, number_tests
 from freebody.exercises.bank import Bank, ItemVariant

@@ -10,9 +10,9 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.exercises.asked import (
     Asked,

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.exercises.sampling import Sampling, State
 from freebody.exercises.stack.maxima import MaximaNames

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.assess.names import named_in
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.exercises.bank import Item, SymbolUsed
 from freebody.exercises.markup import Markup

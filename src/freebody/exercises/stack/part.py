@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
+
 from freebody.exercises.stack.question import Expected, Input, QuestionTest, Tree
 
 

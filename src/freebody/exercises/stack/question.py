@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Literal
-
-from freebody.dataclass import dataclass
 
 InputKind = Literal["algebraic", "units", "numerical", "radio"]
 

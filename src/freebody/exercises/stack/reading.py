@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
 from freebody.assess.names import named_in
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError, FreebodyError, InputError
 from freebody.exercises.selftests import Marked
 from freebody.exercises.stack.castext import VARIANT

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NoReturn
 
@@ -23,7 +23,6 @@ from ruamel.yaml.events import (
     SequenceStartEvent,
 )
 
-from freebody.dataclass import dataclass
 from freebody.errors import ModelError, Problem
 from freebody.language.document.scalars import resolved
 from freebody.language.document.syntax_errors import squeezed_colon, syntax_problem

@@ -5,9 +5,9 @@ The limits bound the work a text can cause; a model is far below all of them.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from freebody.dataclass import dataclass
 from freebody.messages import Message
 
 MAX_BYTES = 1_000_000

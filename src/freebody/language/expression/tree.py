@@ -13,11 +13,10 @@ import keyword
 import math
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TypeAlias, cast
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.decimals import written_number
 from freebody.messages import Message

@@ -13,11 +13,11 @@ import re
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import wraps
 from typing import Concatenate, ParamSpec, TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import (
     ONE,
     Expr,

@@ -7,8 +7,8 @@ mathematics is one of boxes: beside, over, raised, in brackets, under a root.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum
 from freebody.language.notation.one_line import TEXT, TEXT_CALLS
 from freebody.language.notation.parts import (

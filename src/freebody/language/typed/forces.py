@@ -13,10 +13,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.sentences import Message
 from freebody.language.typed.characters import normalized

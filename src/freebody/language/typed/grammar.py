@@ -15,9 +15,9 @@ Every limit is checked before the work that it bounds.
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.descent import Descent
 from freebody.language.expression import (

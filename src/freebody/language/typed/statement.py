@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.language.sentences import Message

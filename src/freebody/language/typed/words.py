@@ -7,9 +7,9 @@ into the fewest names and functions. M and m, T and t are different letters, and
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.expression import LAMBERT
 from freebody.language.parser import GREEK

@@ -7,9 +7,8 @@ They multiply by adding exponents, and print as the SI unit one usually writes.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
-
-from freebody.dataclass import dataclass
 
 
 @dataclass(frozen=True, slots=True)

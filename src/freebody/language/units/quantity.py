@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Container
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from itertools import count
 
-from freebody.dataclass import dataclass
 from freebody.errors import NoQuantity, UnitError
 from freebody.language.decimals import written_number
 from freebody.language.sentences import Message

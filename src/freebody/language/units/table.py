@@ -7,9 +7,9 @@ Sources: the SI brochure, 9th ed. 2019; NIST Special Publication 811, 2008, app.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.language.units.dimension import (
     ANGULAR_VELOCITY,
     DIMENSIONLESS,

@@ -6,10 +6,9 @@ massless link or pulley.
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import PI, Call, Expr, divide, number, power
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.elements import BodyPart, Edge

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import partial, singledispatchmethod
 from itertools import pairwise
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, add
 from freebody.language.sentences import Message

@@ -10,9 +10,9 @@ plane, e.g. Gross, Hauger, Schröder & Wall, Technische Mechanik 3, sec. 3.3.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
 from freebody.language.sentences import Message

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number, power
 from freebody.language.sentences import Message

@@ -8,12 +8,11 @@ contact); any other reaction may be drawn either way. What never acts may be dra
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, ConstraintRow

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from freebody.assess.points import working_precision
 from freebody.assess.reading import as_option, read
 from freebody.assess.setting import Setting
 from freebody.assess.verdict import Settled
 from freebody.assess.words import is_readable
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FreebodyError
 from freebody.language.expression import Expr
 from freebody.language.notation import to_python

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Literal
@@ -15,7 +15,6 @@ from freebody.assess.solved import SolvedAnswer
 from freebody.assess.typed import AnswerJudge, TypedJudgement
 from freebody.assess.verdict import Verdict
 from freebody.assess.wanted import Form, Policy, Wanted
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError, InputError, UnitError
 from freebody.language.document.file import text_of
 from freebody.language.expression import ZERO, Expr

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
 
 from freebody.assess.equations import EquationJudge
 from freebody.assess.points import working_precision
 from freebody.assess.setting import Setting
 from freebody.assess.typed import TypedJudgement
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.sentences import Message
 from freebody.language.typed import Vocabulary, read_equations

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from freebody.assess.typed import TypedJudgement
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.notation import to_latex, to_python
 from freebody.language.typed import TypedNumber

@@ -7,10 +7,9 @@ when the first one is asked for.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError, InputError
 from freebody.language.sentences import Message
 from freebody.narrative.explain import explain

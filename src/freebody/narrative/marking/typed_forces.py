@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError, FreebodyError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_symbols
 from freebody.language.sentences import Message

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from freebody.assess.equations import Equation
 from freebody.assess.points import working_precision
 from freebody.assess.working import LineFound, WorkingJudge
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError, InputError
 from freebody.language.notation import to_latex, to_python
 from freebody.language.plain_text import plain, shortened

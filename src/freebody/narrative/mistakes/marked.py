@@ -7,11 +7,10 @@ if ...": a factor 0 leaves a part out, -1 gives it the wrong sign.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import singledispatchmethod
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, multiply
 from freebody.language.sentences import Message

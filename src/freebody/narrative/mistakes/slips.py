@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import singledispatch
 from itertools import permutations
 from typing import Any
 
 from freebody.assess.setting import Setting
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.language.units import DIMENSIONLESS, INERTIA, LENGTH, MASS
 from freebody.narrative.lines.script import Sentence

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any
 
 from freebody.assess.names import named_in
 from freebody.assess.reading import as_option
 from freebody.assess.setting import Setting
 from freebody.assess.verdict import Settled
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError, RoutesDisagree, UnitError
 from freebody.language.expression import Expr
 from freebody.language.parser import parse

@@ -8,9 +8,9 @@ has opened transmits nothing. Both are one more equation each, beside the princi
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, NonholonomicForm

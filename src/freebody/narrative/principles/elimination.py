@@ -9,11 +9,10 @@ is put in at once.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from math import gcd
 from types import MappingProxyType
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message

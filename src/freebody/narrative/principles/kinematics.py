@@ -8,9 +8,9 @@ in the coordinates, which the derivation states as a line before it is used.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import RIGHT, UP, Direction

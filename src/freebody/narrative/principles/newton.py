@@ -7,13 +7,12 @@ and the rates of momentum are handed in.
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import RoutesDisagree
 from freebody.language.expression import Call, Expr, add, multiply, negate, power
 from freebody.language.expression import number as number_of

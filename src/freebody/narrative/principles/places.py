@@ -8,11 +8,11 @@ centres and where lines of action meet: pins, contact points, the point above a 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from itertools import combinations
 from operator import attrgetter
 from typing import Protocol
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Pose

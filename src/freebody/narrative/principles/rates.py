@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.kinematics import Term

@@ -15,10 +15,10 @@ Source: Hibbeler, Engineering Mechanics: Dynamics, 14th ed. 2016, sec. 17.2-17.5
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import combinations
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.narrative.principles.acting import Acting, Slot
 from freebody.narrative.principles.places import Aim, MomentAxis, MomentCentre, PlanarPlaces, PrinciplePlaces
 from freebody.narrative.principles.spatial_places import SpatialPlaces

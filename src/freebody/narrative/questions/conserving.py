@@ -7,10 +7,9 @@ coefficient does with which products of these stand in it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import singledispatch, singledispatchmethod
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, n_operations, number
 from freebody.language.sentences import Message

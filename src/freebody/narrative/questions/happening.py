@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FreebodyError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, substitute
 from freebody.language.sentences import Message

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol, add, multiply, number, power, substitute
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context, Method

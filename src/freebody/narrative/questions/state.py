@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import singledispatch
 from typing import Any, Protocol
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol, add, multiply, n_operations, number, power
 from freebody.measures.geometry import ZERO, Point
 from freebody.model.elements import AppliedLoad, BodyPart, RigidBody

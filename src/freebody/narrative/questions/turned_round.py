@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, number, substitute
 from freebody.language.sentences import Message

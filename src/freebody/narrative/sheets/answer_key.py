@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.raising import raised, typeset
 from freebody.narrative.lines.script import Sentence, ready

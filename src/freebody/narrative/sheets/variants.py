@@ -11,10 +11,9 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.units import ACCELERATION
 from freebody.model.elements import Parameter

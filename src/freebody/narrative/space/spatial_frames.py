@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol
 from freebody.measures.geometry import GROUND
 from freebody.model.spins import body_axes

@@ -9,8 +9,8 @@ are, b is parallel to a x e_w and n to e_w - (a . e_w) a, which needs no angle t
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.measures.base import Measure
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import Attitude

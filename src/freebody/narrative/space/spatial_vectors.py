@@ -8,8 +8,8 @@ Source: Ginsberg, Engineering Dynamics, 2008, sec. 3.3.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, Symbol, VectorSymbol, add, multiply, number
 from freebody.measures.geometry import Direction
 from freebody.model.rotations import applied

@@ -27,12 +27,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import zip_longest
 from string import Formatter
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.language.notation import Stated
 from freebody.language.parser import GREEK

@@ -7,9 +7,8 @@ only place where they are told in another language.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from freebody.dataclass import dataclass
 from freebody.language.notation import Stated
 from freebody.language.sentences import Message
 from freebody.model.style import HouseStyle

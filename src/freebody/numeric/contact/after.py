@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.numeric.contact.problem import OutcomeCount
 from freebody.numeric.contact.rows import ModeOf

@@ -7,12 +7,12 @@ Source: Cottle, Pang & Stone, The Linear Complementarity Problem (1992), sec. 4.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.tolerances import LEAST, ROUNDED
 
 Array = NDArray[np.float64]

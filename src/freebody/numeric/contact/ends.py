@@ -16,9 +16,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
-from freebody.dataclass import dataclass
 from freebody.model.elements import RimPivot
 
 if TYPE_CHECKING:

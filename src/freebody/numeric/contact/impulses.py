@@ -6,11 +6,10 @@ of finite force (brakes) carry no impulse.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow, Mode, OutcomeCount
 
 _GREW = 1e-11  # of the terms of the work of impulses: energy that grows by less is round-off

@@ -14,11 +14,10 @@ Sources: Darboux 1880; J. B. Keller, J. Appl. Mech. 53 (1986) 1-4.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.contact.impulses import ImpactOutcome, impulsive, judged
 from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow, OutcomeCount, RowState
 from freebody.numeric.contact.reduction import reduced

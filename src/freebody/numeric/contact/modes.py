@@ -11,12 +11,12 @@ Equations are singular where rows are redundant; then the forces are the least t
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.contact.least import least_within
 from freebody.numeric.contact.problem import SLIPPING, Array, Choice, Mode, RowState
 from freebody.numeric.contact.reduction import ReducedFriction, ReducedProblem, direction, magnitude_slope

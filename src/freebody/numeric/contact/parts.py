@@ -6,12 +6,11 @@ subproblem are searched alone, so that their numbers add up where those of the w
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.numeric.contact.problem import ContactProblem
 
 

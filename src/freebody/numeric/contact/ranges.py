@@ -8,13 +8,13 @@ be determined, otherwise it is bounded by |l_i| + |l_j| and the range may be too
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from enum import Enum
 from itertools import product
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.contact.problem import SLIPPING, Array, ContactProblem, FrictionProblemRow, Mode, RowState
 from freebody.numeric.solvers import optimize
 from freebody.tolerances import ROUND_OFF

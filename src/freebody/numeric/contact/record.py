@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
-from dataclasses import fields, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.units import LENGTH
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.rows import FrictionRow, ModeOf

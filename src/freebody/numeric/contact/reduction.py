@@ -9,13 +9,12 @@ D = diag(A)^(-1/2) of what is left the problem D A D, D b in l/D has a unit diag
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow
 from freebody.tolerances import LEAST, ROUND_OFF, ROUNDED
 

@@ -6,10 +6,10 @@ That answers afterwards to what it is left to do (`transition`): by an impact, b
 from __future__ import annotations
 
 from collections.abc import Set
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm

@@ -9,12 +9,12 @@ space are packed by components along these axes; of a fixed body, along those of
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import RigidBody

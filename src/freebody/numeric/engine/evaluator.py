@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import copy
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, Self
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
+from dataclasses import dataclass
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.numeric.kernels.arrays import Floats, Ints, floats, ints
 from freebody.numeric.kernels.operations import (

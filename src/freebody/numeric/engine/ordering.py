@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
 from itertools import accumulate
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.kernels.arrays import Ints
 
 

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.engine.operations import Program
 from freebody.numeric.kernels import enclosures, stepped_run, zeros
 from freebody.numeric.kernels.arrays import Floats

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.kernels import stepped_run
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.kernels.stepped_run import SteppedRun

@@ -7,11 +7,11 @@ All rows are written once; which of them are held, and along which of them frict
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure

@@ -9,8 +9,8 @@ p alone are done once for a copy.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.numeric.engine.operations import OperationGraph, ProgramNode
 from freebody.numeric.kernels.operations import INPUT, TIME
 

@@ -11,6 +11,7 @@ import math
 import warnings
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from functools import lru_cache
 from importlib import import_module
 from typing import Any
@@ -18,7 +19,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array

@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody, Rotation

@@ -17,10 +17,9 @@ from __future__ import annotations
 import heapq
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.numeric.mobility.exact import Gradient, is_zero, size_of
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import flint
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import FLOAT_FUNCTIONS, FRESNEL, Expr, evaluate
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure

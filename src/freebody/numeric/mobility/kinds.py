@@ -9,12 +9,12 @@ Source: Oxley, Matroid Theory, 2nd ed. 2011; and those of the modules named.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, listed
 from freebody.model.elements import ConstraintRow

@@ -17,12 +17,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.jet_geometry import JetGeometry

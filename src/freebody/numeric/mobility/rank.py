@@ -16,12 +16,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError, InputError
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, further, listed
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, position

@@ -7,11 +7,11 @@ changed and the others kept, which tells whether a dependence rests on it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed

@@ -12,11 +12,11 @@ Source: Ball, A Treatise on the Theory of Screws, 1900, ch. I; Davidson & Hunt, 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.rank import gradients

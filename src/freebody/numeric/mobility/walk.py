@@ -10,11 +10,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.crossings import ChangePoint, crossing, touching
 from freebody.numeric.mobility.curve import Mechanism, Station, flip, overlap

@@ -15,10 +15,10 @@ where friction slides: its force is a multiple of other multipliers.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm

@@ -12,12 +12,11 @@ Source: Hiskens & Pai, IEEE Trans. Circuits Syst. I 47, 2000, 204-220.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.jets import Array
 from freebody.numeric.tangent.equations import Equations, Matrices, column

@@ -8,12 +8,12 @@ theta along its axes, d/dt d theta = d omega - omega x d theta.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels import linearising
 from freebody.numeric.kernels.arrays import ints

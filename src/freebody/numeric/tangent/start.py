@@ -9,10 +9,10 @@ which it says nothing else. The velocities are those of least kinetic energy amo
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message, in_turn

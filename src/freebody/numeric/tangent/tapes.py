@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.numeric.engine.operations import OperationGraph, ProgramNode
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels import playing

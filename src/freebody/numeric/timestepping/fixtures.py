@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm, UnilateralConstraint

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from freebody.connections.outlines import Hollow, Outline, RoundPart, Straight
 from freebody.connections.pairs import OutlinePair
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.measures.geometry import GROUND, Components, Direction, Point
 from freebody.model.elements import Line

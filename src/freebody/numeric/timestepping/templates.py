@@ -8,14 +8,13 @@ many pairs at once.
 from __future__ import annotations
 
 import math
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from freebody.connections.pairs import ContactSurface, OutlinePair
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ONE, ZERO, Expr, Symbol, differentiate, evaluate, free_symbols, substitute
 from freebody.language.sentences import Message

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.notation.parts import with_sign
 from freebody.present.figures import Array
 from freebody.present.picture.forces import ShownForce

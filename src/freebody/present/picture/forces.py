@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Literal
 
-from freebody.dataclass import dataclass
 from freebody.present.picture.label import Label
 
 Kind = Literal["weight", "load", "reaction"]

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, add, negate
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Components

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import ExpressionError
 from freebody.language.expression import Expr, Symbol
 from freebody.language.notation import to_latex, to_text

@@ -5,11 +5,10 @@ a halo; arrows, dots and pins may not."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array
 from freebody.present.picture.label import Label
 from freebody.present.picture.shapes import INK, Ink, Shape, Word

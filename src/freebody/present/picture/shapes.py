@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array
 from freebody.present.picture.label import Label
 from freebody.present.theme import Theme

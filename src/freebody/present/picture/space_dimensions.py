@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.expression import Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS

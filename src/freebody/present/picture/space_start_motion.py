@@ -4,10 +4,10 @@ velocities as vectors with two heads, along the axes about which they turn, righ
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.model.elements import RigidBody
 from freebody.present.figures import Array, Figure, Heading

@@ -7,9 +7,9 @@ A text is a tuple of pieces: plain words (never markup), formulas, and emphasise
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Literal, Protocol
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 
 

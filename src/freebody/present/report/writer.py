@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar, Generic, Literal, TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.language.notation.parts import in_decimals_of
 from freebody.present.report.blocks import (
     Block,

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.model.glyphs import Belt, Coil, Equation, Face, MomentArrow, Shoe, Surface, Toothed, Track, Wheels
 from freebody.present.corner import round_length
 from freebody.present.figures import Array, Heading, Place, Triple, box_round, places_in

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.model.glyphs import Ball, Cross, Face, Pin, Rail, Weld
 from freebody.present.figures import Array, Heading, Place, Triple
 from freebody.present.scene import Scene

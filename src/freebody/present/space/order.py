@@ -9,11 +9,11 @@ of two as deep the place in the list.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array, Pair, hull
 
 _SLIVER = 1e-6  # overlaps with less than this share of the smaller piece are none

@@ -7,13 +7,12 @@ away are hidden ones, drawn weakly and dashed.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array
 from freebody.present.names import Painted
 from freebody.present.picture.shapes import Shape, area, line

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array, Place
 from freebody.present.space.figures import Poses
 from freebody.present.space.solids import Solid, basis

@@ -7,7 +7,7 @@ whether it is seen, hidden or an outline.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Literal, NamedTuple
@@ -15,7 +15,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.present.figures import Array
 
 Kind = Literal["crease", "smooth", "mark"]

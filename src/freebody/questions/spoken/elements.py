@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import cached_property
-
-from freebody.dataclass import dataclass
 
 _OTHERWISE = {"center": "centre", "centre": "center"}  # words with two spellings
 

@@ -6,9 +6,9 @@ it reach: its speed. A frame is taken from the meanings of words alone; their or
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.units import FORCE
 from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.composing import SILENT

@@ -7,9 +7,9 @@ alone. One table says of each which words name it, how it is known, and whether 
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol, free_symbols, multiply, negate
 from freebody.language.units import ACCELERATION, DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
 from freebody.measures.geometry import GROUND, ZERO

@@ -14,11 +14,11 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 from typing import Any, cast
 
-from freebody.dataclass import dataclass
 from freebody.questions.spoken.inflecting import inflected
 
 ENGLISH = "en"

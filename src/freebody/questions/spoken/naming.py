@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.language.units import TIME
 from freebody.questions.spoken import dimensions, lookup
 from freebody.questions.spoken.lexicon import Word

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.questions.spoken import strings
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements

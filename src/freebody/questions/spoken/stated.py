@@ -6,9 +6,9 @@ only describes it; the equation is what holds.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.questions.spoken import dimensions, given, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import Groups

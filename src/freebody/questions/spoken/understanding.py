@@ -5,10 +5,10 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message

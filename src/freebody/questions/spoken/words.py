@@ -5,10 +5,9 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Container, Iterator, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from itertools import accumulate
 
-from freebody.dataclass import dataclass
 from freebody.errors import UnitError
 from freebody.language.units.reader import parse_unit
 from freebody.questions.spoken.compounds import in_english_nouns

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any
 
 from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Judgement, Verdict
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, in_one_order
 from freebody.language.notation import stated_plain, to_latex, to_python
 from freebody.language.units.conversion import conversion

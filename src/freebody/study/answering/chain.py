@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import (
     Call,

@@ -10,10 +10,9 @@ Schwingungen, 7th ed. 2005, sec. 2.2.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity

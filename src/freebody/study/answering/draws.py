@@ -9,13 +9,12 @@ from __future__ import annotations
 import math
 import random
 from contextlib import suppress
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH

@@ -8,9 +8,8 @@ it: it is the largest one, and no comparison of values is needed.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, reworded

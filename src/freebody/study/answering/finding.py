@@ -7,14 +7,13 @@ numeric route confirms it, options are judged (`find -> conditions -> evidence -
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from freebody.assess.options import judge
 from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Judgement
-from freebody.dataclass import dataclass
 from freebody.errors import BudgetExhausted, CannotAnswer, ExpressionError, NeverHappens, NotReached, RoutesDisagree
 from freebody.language.sentences import Message, further
 from freebody.progress import busy_with

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.study.answering.answer import Evidence, Value
 from freebody.study.answering.finding import Elements
 from freebody.symbolic.conditions import Condition

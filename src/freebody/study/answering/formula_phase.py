@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.measures.base import Measure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState

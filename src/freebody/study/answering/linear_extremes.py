@@ -5,8 +5,8 @@ own: the force in a spring between two bodies that both move.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure

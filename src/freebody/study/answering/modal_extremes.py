@@ -10,10 +10,10 @@ its natural length. The size of such a quantity, as a speed, is at most |m| + sq
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity

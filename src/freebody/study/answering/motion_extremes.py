@@ -13,10 +13,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, NotReached
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, reworded

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, rate_key
 from freebody.language.notation import to_latex, to_python
 from freebody.symbolic.conditions import Condition

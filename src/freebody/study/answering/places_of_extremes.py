@@ -9,10 +9,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import islice
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, evaluate, number
 from freebody.language.notation import compared, reworded, to_python

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate, multiply
 from freebody.language.notation import compared, reworded, to_text

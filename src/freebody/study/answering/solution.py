@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.model.states import state_name
 from freebody.present.lines import system_line

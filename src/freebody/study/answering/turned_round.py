@@ -11,11 +11,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any, TypeVar
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FreebodyError, NeverHappens, NotReached
 from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text

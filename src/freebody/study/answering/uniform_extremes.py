@@ -9,8 +9,8 @@ and then there is no greatest one. Source: Meriam & Kraige, Dynamics, 8th ed. 20
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import Expr, Symbol
 from freebody.language.notation import compared, reworded

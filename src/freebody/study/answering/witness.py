@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from freebody.budgets import allowed
-from freebody.dataclass import dataclass
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure

@@ -15,10 +15,9 @@ Source: Ginsberg, Engineering Dynamics (2008), sec. 5.1; Kane & Levinson, Dynami
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property, singledispatchmethod
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message

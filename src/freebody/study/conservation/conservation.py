@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr, n_operations
 from freebody.language.sentences import Message, in_turn
 from freebody.present.lines import number_text

@@ -10,14 +10,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial, singledispatch
 from itertools import takewhile
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, number, substitute
 from freebody.language.sentences import Message

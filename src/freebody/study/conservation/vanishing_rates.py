@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Symbol, free_symbols
 from freebody.language.sentences import Message, further

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any
 
 from freebody.assess.verdict import Verdict
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded, stated_plain, to_python
 from freebody.language.sentences import Message, in_turn

@@ -14,11 +14,11 @@ import csv
 import math
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.language.units import TIME, parse_quantity, parse_unit

@@ -10,14 +10,13 @@ Source: Branch, Coleman & Li, SIAM J. Sci. Comput. 21, 1999, 1-23 (the trust-reg
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FreebodyError, InputError
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array

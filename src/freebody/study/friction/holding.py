@@ -8,9 +8,8 @@ random parameters are put together until they decide every draw as the linear pr
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, UnitError
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text

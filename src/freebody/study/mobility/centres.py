@@ -9,12 +9,12 @@ Source: Norton, Design of Machinery, 5th ed. 2012, ch. 6 (Kennedy's theorem: sec
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.notation import to_python

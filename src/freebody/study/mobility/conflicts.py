@@ -15,13 +15,12 @@ Source: Chinneck & Dravnieks, ORSA Journal on Computing 3, 1991, 157-168.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from freebody.budgets import allowed
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, in_turn, listed
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from freebody.assess.verdict import Judgement
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, in_turn
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.numeric.mobility.rank import Rank

@@ -27,9 +27,9 @@ Sources: Grashof, Theoretische Maschinenlehre II, 1883; Norton, Design of Machin
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, add
 from freebody.language.notation import compared, joined

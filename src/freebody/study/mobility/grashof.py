@@ -18,12 +18,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.measures.geometry import Point, position, unit
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference

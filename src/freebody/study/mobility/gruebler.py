@@ -10,9 +10,9 @@ Source: Gruebler, Getriebelehre (1917); Kutzbach, Maschinenbau 8 (1929) 710.
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import dataclass
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.system.system import System
 

@@ -10,11 +10,10 @@ Source of the kinds: Norton, Design of Machinery, 5th ed. 2012, sec. 2.12 to 2.1
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from itertools import combinations, permutations
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination

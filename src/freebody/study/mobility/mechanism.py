@@ -6,10 +6,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, InputError, ModelError, RoutesDisagree
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS

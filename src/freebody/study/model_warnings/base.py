@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import Problem
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm

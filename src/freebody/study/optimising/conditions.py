@@ -12,13 +12,12 @@ Source: Nocedal & Wright, Numerical Optimization, 2nd ed. 2006, th. 12.1, 12.6 a
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 from importlib import import_module
 from typing import Any, Literal
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.optimising.slopes import KEPT, Search
 

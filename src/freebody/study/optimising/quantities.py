@@ -12,10 +12,10 @@ import re
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError, InputError, UnitError
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.parser import parse

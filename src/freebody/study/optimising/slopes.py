@@ -13,12 +13,12 @@ Kraft, DFVLR-FB 88-28, 1988 (the method used).
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.optimising.problem import Limit, Problem
 

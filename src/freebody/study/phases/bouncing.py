@@ -16,9 +16,9 @@ in the speeds. Source: Meriam & Kraige, Dynamics, sec. 3/12 (repeated impacts as
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message

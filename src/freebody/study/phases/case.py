@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Expr
 from freebody.language.notation import stated_plain, to_python
 from freebody.symbolic.relations import SolvedRelation

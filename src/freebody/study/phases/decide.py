@@ -9,11 +9,11 @@ Source: Breiman, Friedman, Olshen & Stone, Classification and Regression Trees, 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.phases.numbers import Chosen, Mask
 from freebody.symbolic.field import Ratio

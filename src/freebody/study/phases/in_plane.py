@@ -9,9 +9,9 @@ needed to hold it. Source: Coriolis, Theorie mathematique des effets du jeu de b
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import ONE, ZERO, Expr
 from freebody.model.elements import DryFriction
 from freebody.study.phases.home import Home

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import ZERO, number
 from freebody.language.sentences import Message

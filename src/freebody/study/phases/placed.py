@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import field, replace
+from dataclasses import dataclass, field, replace
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, free_symbols, n_operations
 from freebody.language.sentences import Message

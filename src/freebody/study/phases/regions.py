@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text

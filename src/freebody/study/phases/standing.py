@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import ConstraintRow

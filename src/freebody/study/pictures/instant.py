@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from freebody.budgets import allowed
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, InputError, ModelError, Problem
 from freebody.language.sentences import Message
 from freebody.numeric.contact.start import assembled_touching, start_velocities

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.dataclass import dataclass
 from freebody.errors import FreebodyError
 from freebody.language.expression import (
     FLOAT_FUNCTIONS,

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import to_python

@@ -8,12 +8,12 @@ Sources: Sobol', Math. Comput. Simul. 55, 2001, 271-280; Saltelli et al., Comput
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.sentences import Message
 from freebody.present.lines import number_text

@@ -9,11 +9,11 @@ measures the whole integration.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.model.elements import NonholonomicForm
 from freebody.model.states import state_name
 from freebody.numeric.engine.laws import stored_law

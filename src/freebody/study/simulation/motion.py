@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.contact.record import PhaseRecord
 from freebody.numeric.engine.course import Event, Status, Trajectory

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, ENERGY
 from freebody.measures.base import Measure

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message, in_turn
 from freebody.present.lines import number_text, symbol_text, value_text
 from freebody.study.small_motion.found import plain_number

@@ -10,10 +10,9 @@ Fufaev, Dynamics of Nonholonomic Systems, 1972, ch. VI.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import compared, reworded, to_text

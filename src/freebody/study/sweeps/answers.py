@@ -12,12 +12,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, ExpressionError, FreebodyError
 from freebody.language.expression import Expr
 from freebody.language.notation import Stated, to_python

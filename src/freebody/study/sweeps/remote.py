@@ -13,6 +13,7 @@ import operator
 import pickle
 from collections.abc import Iterator, Sequence
 from concurrent.futures import CancelledError, ThreadPoolExecutor
+from dataclasses import dataclass
 from importlib import import_module
 from importlib.metadata import version
 from itertools import islice
@@ -21,7 +22,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FreebodyError
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array

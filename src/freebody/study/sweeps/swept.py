@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.sweeps.evaluators import Column, Evaluator
 from freebody.study.sweeps.plan import Plan

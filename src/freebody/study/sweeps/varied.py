@@ -8,9 +8,8 @@ driven measure, which follows f(t), then follows f(t) - f(0) + its start value.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.expression import Expr, Symbol, add, negate, number, substitute
 from freebody.language.sentences import Message

@@ -13,11 +13,11 @@ Sources: McCarthy & Soh, Geometric Design of Linkages, 2nd ed. 2011, ch. 5 and 6
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import permutations
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, further
 from freebody.numeric.jets import Array

@@ -10,12 +10,12 @@ complex ones included); Ullah & Kota, J. Mech. Design 119, 1997, 504-510 (Fourie
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.synthesis.guesses import Guess, arc_guesses, closed_guesses
 from freebody.study.synthesis.linkage import Linkage

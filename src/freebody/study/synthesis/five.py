@@ -17,6 +17,7 @@ Sources: McCarthy & Soh, Geometric Design of Linkages, 2nd ed. 2011, sec. 5.5; J
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
@@ -24,7 +25,6 @@ from typing import Any
 import flint
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.study.synthesis.positions import Dyad, Position, bar, size_of, slide

@@ -18,13 +18,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 

@@ -18,12 +18,12 @@ Source: McCarthy & Soh, Geometric Design of Linkages, 2nd ed. 2011, sec. 2.3 and
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 
 Complex = NDArray[np.complex128]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array

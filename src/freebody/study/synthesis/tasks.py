@@ -15,13 +15,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.language.document import Document
 from freebody.language.expression import Expr, Number, evaluate
 from freebody.language.sentences import Message

@@ -16,12 +16,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Protocol
 
 import flint
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.symbolic.decide.cells import TooLarge
 from freebody.symbolic.decide.picture import BallFunctions, CellDecomposition, is_made, sign_at

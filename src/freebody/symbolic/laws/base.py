@@ -7,12 +7,11 @@ long as the time is: sines of arcs are put in where they cancel.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf, isnan
 from typing import ClassVar, Self
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Field, Ratio

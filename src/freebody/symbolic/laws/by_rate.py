@@ -15,9 +15,9 @@ Source: Meriam & Kraige, Dynamics, sec. 2/2; Timoshenko & Young, Advanced Dynami
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio

@@ -9,11 +9,10 @@ resistance; it is told up to where it turns first. Every half of a swing is no w
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio

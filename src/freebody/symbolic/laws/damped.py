@@ -11,9 +11,9 @@ Source: Magnus & Popp, Schwingungen, 7th ed. 2005, sec. 2.2.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.laws.turns import wave_zeros

@@ -11,9 +11,9 @@ Analysis of asymptotic projectile motion with air resistance using the Lambert W
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw
 from freebody.symbolic.signs import Sign, sign_of

@@ -14,10 +14,9 @@ Source: Meirovitch, Elements of Vibration Analysis, 2nd ed. 1986, sec. 2.2; Magn
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.laws.base import Farthest, Freely, MotionLaw

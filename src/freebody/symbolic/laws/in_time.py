@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.antiderivative import antiderivative
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Freely, Instants, LawInstant, Limit, MotionLaw

@@ -12,10 +12,9 @@ Source: Timoshenko & Young, Advanced Dynamics, 1948, sec. 6; Marion & Thornton, 
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit
 from freebody.symbolic.laws.by_rate import ByRate, is_mixed, quotient_of

@@ -8,10 +8,10 @@ their own. Source: Meriam & Kraige, Dynamics, sec. 2/2; Beer & Johnston, Dynamic
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.signs import Sign

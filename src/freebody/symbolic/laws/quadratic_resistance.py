@@ -10,10 +10,9 @@ rest. Source: Timoshenko & Young, Advanced Dynamics, 1948, sec. 6; Gross et al.,
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.laws.there_and_back import at_near, later, limit_behind

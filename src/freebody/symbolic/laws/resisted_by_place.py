@@ -12,9 +12,9 @@ Source: Meriam & Kraige, Dynamics, sec. 2/2 (acceleration given as a function of
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.signs import Sign

@@ -5,9 +5,9 @@ So moves what keeps its momentum while its inertia D is changed from inside (n =
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.antiderivative import antiderivative
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions

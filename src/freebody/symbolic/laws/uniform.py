@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Self
 
-from freebody.dataclass import dataclass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import Farthest, Freely, Instants, LawInstant, Limit, MotionLaw
 

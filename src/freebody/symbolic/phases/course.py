@@ -12,9 +12,9 @@ t is the time since the phase began.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio

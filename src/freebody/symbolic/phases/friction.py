@@ -16,9 +16,8 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from freebody.dataclass import dataclass
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Expr, free_symbols, substitute
 from freebody.language.sentences import Message

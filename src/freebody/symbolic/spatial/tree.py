@@ -8,8 +8,8 @@ rows by which the tree goes hold by construction; all others are equations.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.language.expression import Symbol
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ONE, ZERO, Components

@@ -11,13 +11,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, TypeVar, cast
 
 from freebody.connections.base import Connection
 from freebody.connections.standing import number_of
-from freebody.dataclass import dataclass
 from freebody.language.expression import PI, ZERO, divide, number
 from freebody.language.sentences import Message
 from freebody.loads.base import Load

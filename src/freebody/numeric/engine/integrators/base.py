@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any, Protocol
 
-from freebody.dataclass import dataclass
 from freebody.numeric.kernels.arrays import Floats
 from freebody.numeric.kernels.stepped_run import Tableau
 

@@ -7,8 +7,8 @@ left in turn, so that labels and notes are flush left and relations stand under 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
-from freebody.dataclass import dataclass
 from freebody.present.report.blocks import Emphasis, Equation, Formula, Piece, Reference, Text
 from freebody.present.report.formulas.latex import LatexFormulas
 from freebody.present.report.formulas.rows import rows

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from freebody.dataclass import dataclass
+from dataclasses import dataclass
+
 from freebody.language.expression import Expr, Sum, Symbol
 from freebody.language.notation.parts import signed_terms
 from freebody.language.notation.stacked import stacked

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.numeric.jets import Array
 from freebody.study.given import seconds

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.simulation.observed import observed
 from freebody.study.simulation.recorded import reaction_names

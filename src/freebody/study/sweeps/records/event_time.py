@@ -6,9 +6,9 @@ What happens to contacts has the words in which a simulation tells it.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.sweeps.records.base import Followed, Record, Units
 

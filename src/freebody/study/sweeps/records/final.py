@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.sweeps.records.base import Followed, Record, Seen, Units
 

@@ -6,11 +6,11 @@ Source: McKay, Beckman & Conover, Technometrics 21, 1979, 239-245.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.sweeps.ranges.base import Range
 from freebody.study.sweeps.samplings.base import Drawn, how_many

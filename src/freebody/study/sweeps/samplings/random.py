@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.numeric.jets import Array
 from freebody.study.sweeps.ranges.base import Range
 from freebody.study.sweeps.samplings.base import GROUP, Drawn, groups, how_many

@@ -7,6 +7,7 @@ Source: Saltelli et al., Comput. Phys. Commun. 181, 2010, 259-270.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
 from importlib.util import find_spec
@@ -14,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array

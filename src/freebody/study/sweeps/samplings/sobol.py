@@ -6,11 +6,11 @@ Source: Owen, Scrambling Sobol' and Niederreiter-Xing points, J. Complexity 14, 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from freebody.dataclass import dataclass
 from freebody.errors import InputError
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
