@@ -324,8 +324,6 @@ start: {y: 0, rate(y): 0}
             " 2*k*d*m*g*(sin(alpha)-mu*cos(alpha))))/k",
         ),
         (BLOCK_DOWN_ONTO_A_SPRING, "speed of block when s = d", "sqrt(2*(m*g*(sin(alpha) - mu*cos(alpha)))*d/m)"),
-        (BLOCK_DOWN_ONTO_A_SPRING, "time when s = d", "sqrt(2*d*m/(m*g*(sin(alpha) - mu*cos(alpha))))"),
-        (BLOCK_DOWN_ONTO_A_SPRING, "largest mu so that s reaches d", "tan(alpha)"),
         # Rao, Mechanical Vibrations, ch. 3 and 10: m z'' + c z' + k z = m Y Om^2 sin(Om t)
         (SEISMOMETER, "steady amplitude of z", "m*Om^2*Y/sqrt((k - m*Om^2)^2 + c^2*Om^2)"),
         (SEISMOMETER, "steady amplitude of x", "Y*sqrt(k^2+c^2*Om^2)/sqrt((k - m*Om^2)^2 + c^2*Om^2)"),
