@@ -35,7 +35,7 @@ parameters: {m: 0.2 kg, r: 4 cm, PARAMETERS, R: 40 cm, g: 9.81 m/s^2}
 bodies: {ball: {sphere: {mass: m, radius: r}, near: {at: [R, 0, HEIGHT + r]}}}
 connections: {bowl: {rolling_on_surface: {body: ball, z: SHAPE}}}
 loads: {weight: {gravity: g}}
-measures: {rho: rho of bowl, phi: phi of bowl}
+measures: {rho: axis distance of bowl, phi: azimuth of bowl}
 start: {rho: R, phi: 0}
 """
 
@@ -122,7 +122,7 @@ def test_the_condition_is_derived() -> None:
 
 def test_where_a_ball_touches_has_no_say_in_how_it_is_turned() -> None:
     assert balls(fb.System.from_text(PARABOLOID), curved=True) == {"ball"}
-    watched = PARABOLOID.replace("phi: phi of bowl}", "phi: phi of bowl, turned: angle of ball about z}")
+    watched = PARABOLOID.replace("phi: azimuth of bowl}", "phi: azimuth of bowl, turned: angle of ball about z}")
     assert balls(fb.System.from_text(watched), curved=True) == frozenset()
     with pytest.raises(fb.ModelError, match="no surface"):
-        fb.System.from_text(PARABOLOID.replace("rho: rho of bowl", "rho: rho of weight"))
+        fb.System.from_text(PARABOLOID.replace("rho: axis distance of bowl", "rho: axis distance of weight"))

@@ -198,9 +198,7 @@ def test_an_elliptic_integral_is_written_with_its_modulus_and_read_again() -> No
 
 
 def test_an_answer_says_by_which_convention_its_elliptic_integrals_are_written() -> None:
-    assert any(
-        "modulus k" in note and "parameter m want k^2" in note for note in posed(SIMPLE, "period of theta").notes
-    )
+    assert any("modulus k" in note and "parameter m want k²" in note for note in posed(SIMPLE, "period of theta").notes)
 
 
 def test_options_with_elliptic_integrals_are_judged() -> None:

@@ -15,9 +15,9 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ONE, ZERO, Direction, Point
+from freebody.measures.geometry import GROUND, ONE, ZERO, Components, Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.elements import ConstraintRow, DryFriction, RigidBody, UnilateralConstraint
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph, Turning
 from freebody.model.spec import Formula, Heading
@@ -161,17 +161,18 @@ connections: {it: {slider: {body: block, along: right}}}
         with names.quietly():
             guided, body = names.point(self.body, "body"), names.known(point.body)
             normal = names.direction(self.along, "along", body=self.on).normal()
-            if not is_parallel(names, normal, along):
+            beside = guided.offset != point.offset
+            if not is_parallel(names, normal, along) or (names.space and beside):
                 return None
             if self.through is None and body.start.at is not None:
-                name, place = body.start.at
-                arm = arm_on_ground(body, body.points[name], point.offset)
-                return along_of(tuple(add(p, a) for p, a in zip(place, arm, strict=True)), along)
+                return _at_start(names, body, body.start.at, point, along)
             rail = self._guide(names, guided)
         if not isinstance(rail.across, Displacement):
             return None
         level = stands_at(names, rail.across.origin, along, seen)
-        return None if level is None else add(level, along_of(arm_on_ground(body, guided.offset, point.offset), along))
+        if level is None or not beside:
+            return level
+        return add(level, along_of(arm_on_ground(body, guided.offset, point.offset), along))
 
     def guide_of(self, names: Names, body: str, *, turning: bool) -> Direction | None:
         return ground_guide(names, body, self.body, self.along, self.on)
@@ -193,3 +194,14 @@ connections: {it: {slider: {body: block, along: right}}}
         point = names.point(self.body)
         rail = self._guide(names, point)
         yield rail.glyph(point, "not")
+
+
+def _at_start(names: Names, body: RigidBody, at: tuple[str, Components], point: Point, along: Direction) -> Expr | None:
+    """Where a point of a body that does not turn starts, by where another one does."""
+    name, place = at
+    if body.points[name] == point.offset:
+        return along_of(place, along)
+    if names.space:
+        return None
+    arm = arm_on_ground(body, body.points[name], point.offset)
+    return along_of(tuple(add(p, a) for p, a in zip(place, arm, strict=True)), along)

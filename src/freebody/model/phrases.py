@@ -144,14 +144,14 @@ def _parameter(names: Names, found: Found, path: Path) -> Measure:
 
 
 @_phrase(
-    "rho|phi of CONNECTION",
-    r"(?P<which>rho|phi) of (?P<of>[A-Za-z_]\w*)",
+    "axis distance|azimuth of CONNECTION",
+    r"(?P<which>axis distance|azimuth) of (?P<of>[A-Za-z_]\w*)",
     """
 space: {up: z}
 parameters: {k: 1 1/m, r: 0.1 m}
 bodies: {ball: {sphere: {mass: 1 kg, radius: r}, near: {at: [0.3 m, 0, 0.2 m]}}}
 connections: {bowl: {rolling_on_surface: {body: ball, z: k*rho^2}}}
-measures: {rho: rho of bowl, phi: phi of bowl}
+measures: {rho: axis distance of bowl, phi: azimuth of bowl}
 """,
 )
 def _of_contact(names: Names, found: Found, path: Path) -> Measure:
@@ -164,7 +164,7 @@ def _of_contact(names: Names, found: Found, path: Path) -> Measure:
         told = Message("{name} is no surface z = f(x, y) on which a sphere rolls", name=found["of"])
         names.unknown(cast("str", found["of"]), told, *path)
         return Displacement(names.ground_origin, names.ground_origin, RIGHT)
-    return place.polar[found["which"] == "phi"]
+    return place.polar[found["which"] == "azimuth"]
 
 
 @_phrase(

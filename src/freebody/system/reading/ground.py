@@ -63,8 +63,11 @@ def _without_misspelt_lines(names: Names) -> Mapping[str, tuple[str | int, ...]]
     ground = names.bodies[GROUND]
     lines = [*ground.lines, *ground.planes]
     alike = {name: difflib.get_close_matches(name, lines, n=1, cutoff=_ALIKE) for name in names.free_ground_points}
+    told_of = {
+        value for p in names.problems if isinstance(p.message, Message) for value in p.message.arguments.values()
+    }
     for name, close in alike.items():
-        if close:
+        if close and f"{GROUND}.{name}" not in told_of:
             told = Message(
                 "ground has no point {name}. Did you mean the line ground.{close}? Else declare it: {one}",
                 name=name,
