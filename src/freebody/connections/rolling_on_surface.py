@@ -43,8 +43,8 @@ class RollingOnSurface(Connection, kind="rolling_on_surface"):
     parameters and rho, the distance from the z axis, as of a `point_on_surface`. For an axis that points up write
     `space: {up: z}`. The sphere lies on the side of growing z; `below: true` puts it on the other one. `reach`: how far
     from the axis the surface is drawn. Where it touches, the measures `axis distance of bowl` and `azimuth of bowl`
-    tell: with them as coordinates its steady motion round a bowl has a closed form. A sphere that is too large for it is
-    refused with the radius that would do."""
+    tell: with them as coordinates its steady motion round a bowl has a closed form. A sphere that is too large for it
+    is refused with the radius that would do."""
 
     called: ClassVar[tuple[str, ...]] = ("bowl", "surface")
 
