@@ -151,7 +151,7 @@ space: {up: z}
 parameters: {k: 1 1/m, r: 0.1 m}
 bodies: {ball: {sphere: {mass: 1 kg, radius: r}, near: {at: [0.3 m, 0, 0.2 m]}}}
 connections: {bowl: {rolling_on_surface: {body: ball, z: k*rho^2}}}
-measures: {rho: axis distance of bowl, phi: azimuth of bowl}
+measures: {rho: axis distance of bowl}
 """,
 )
 def _of_contact(names: Names, found: Found, path: Path) -> Measure:
