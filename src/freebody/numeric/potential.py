@@ -34,7 +34,8 @@ def potential(reference: NumericSystem, push: AppliedLoad, value: Callable[[Meas
     if isinstance(push.measure, NonholonomicForm):
         raise CannotAnswer(Message("{load} has no potential: its direction turns with a body", load=push.name))
     if needed - own or _has_rate(law):
-        names = ", ".join(sorted(needed - own - {RATE.name})) or "a rate"
+        told = (name for name in sorted(needed - own - {RATE.name}) if not name.startswith("@"))  # others are its own
+        names = ", ".join(told) or Message("a rate")
         raise CannotAnswer(Message("{load} has no potential: its law depends on {names}", load=push.name, names=names))
     origin = reference.start_value(push.measure)
 
