@@ -52,7 +52,7 @@ def without_units(text: str, named: Container[str]) -> tuple[str, tuple[str, ...
 
 def _unit(said: str, named: Container[str]) -> str:
     """A unit as it is written in a file; nothing where a text is none."""
-    if said in named or said in _NO_SYMBOLS or said.startswith(("/", "a ")):
+    if said in named or said in _NO_SYMBOLS or said.lower().startswith(("/", "a ")):
         return ""
     for language in languages():
         put = _POWER.sub(r"^\g<power>", _as_written(said.translate(_SUPERSCRIPTS), language))

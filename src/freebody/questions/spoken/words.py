@@ -241,7 +241,8 @@ def _describes(found: Sequence[str | Word], k: int, language: str) -> bool:
     after = found[k + 1] if k + 1 < len(found) else ""
     is_thing = isinstance(after, Word) and after.kind == "name"
     is_all = isinstance(after, _Said) and any(word == _SYSTEM for word, _ in phrases_at(after, 0, language))
-    return is_thing or is_all or (k + 1 < len(found) and _describes(found, k + 1, language))
+    is_article = isinstance(after, _Said) and any(word.kind == "filler" for word, _ in phrases_at(after, 0, language))
+    return is_thing or is_all or (k + 1 < len(found) and not is_article and _describes(found, k + 1, language))
 
 
 def _tokens(text: str) -> Iterator[str | Word]:
