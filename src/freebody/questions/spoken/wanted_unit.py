@@ -35,18 +35,23 @@ def without_units(text: str, named: Container[str]) -> tuple[str, tuple[str, ...
     """A question without the units in which its answers are wanted, and these, as they are written in a file. named:
     what is a name of the model, and no unit."""
     units: list[str] = []
-    for pattern in (_IN_BRACKETS, _BEHIND_IN):
-        at = 0
-        while found := pattern.search(text, at):
-            at = found.end() if pattern is _IN_BRACKETS else found.start("unit")
-            words = found["unit"].split()
-            for n in range(len(words), 0, -1):
-                said = " ".join(words[:n]).rstrip(_STOP)
-                if (unit := _unit(said, named)) and (n == len(words) or pattern is not _IN_BRACKETS):
-                    end = found.start("unit") + len(said) if pattern is _BEHIND_IN else found.end()
-                    text, at = f"{text[: found.start()]}{text[end:]}", found.start()
-                    units.append(unit)
-                    break
+
+    def bracketed(found: re.Match[str]) -> str:
+        unit = _unit(found["unit"], named)
+        units.extend([unit] if unit else [])
+        return "" if unit else found[0]
+
+    text, at = _IN_BRACKETS.sub(bracketed, text), 0
+    while found := _BEHIND_IN.search(text, at):
+        at = found.start("unit")
+        words = found["unit"].split()
+        for n in range(len(words), 0, -1):
+            said = " ".join(words[:n]).rstrip(_STOP)
+            is_numbered = words[n:][:1] == words[-1:] and words[-1].isdigit()  # the force in bar 1
+            if not is_numbered and (unit := _unit(said, named)):
+                text, at = f"{text[: found.start()]}{text[at + len(said) :]}", found.start()
+                units.append(unit)
+                break
     return text, tuple(units)
 
 
