@@ -277,8 +277,12 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
         found = [(meant, as_condition(names, words)) for meant, words in understood(names, text, read)]
         return [(_counted_in(names, text, *found[0]), found[0][1])] if len(found) == 1 else found
     with names.quietly():
-        found = _meant_by(names, bare, when) or understood(names, text, read)
-    if not found:
+        found = _meant_by(names, bare, when)
+        if not found or len(names.problems) > n_before:
+            del names.problems[n_before:]
+            found = understood(names, text, read)
+        is_read = bool(found) and len(names.problems) == n_before
+    if not is_read:
         return _meant_by(names, bare, when)
     if len(found) > 1 or not found[0][0].quantity.unit:
         return found

@@ -32,9 +32,8 @@ def only_loses_in_the_blow(names: Names) -> bool:
 
 def runs_down(names: Names) -> list[str]:
     """What turns at the start, or after a push, where nothing drives it and a brake, or dry friction, stops it."""
-    kinds = {"brake", "dry friction"}
-    brakes = [name for name in names.connections if kinds & {*names.called.get(name, ())}]
-    if not brakes or not names.loads.keys() <= names.impulses:
+    rubs = any(row.reaction == "friction torque" for row in names.constraint_rows)
+    if not rubs or not names.loads.keys() <= names.impulses:
         return []
     pushed = {body for p in names.strikes for body in p.measure.bodies() if body != GROUND}
     return lookup.started(names) or [body for body in lookup.massive(names) if body in pushed]

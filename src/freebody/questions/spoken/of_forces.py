@@ -11,6 +11,7 @@ from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.solids import ROD
 from freebody.questions.spoken import given, joining, lookup, strings
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of, without_owners
+from freebody.questions.spoken.lexicon import things_alike
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -413,7 +414,6 @@ def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"work of {joint}" for joint in joining.rough(names, next(iter(of), ""))]
 
 
-_MOTORS = {"motor", "engine", "drive"}
 _DRIVES = ("driving torque", "driving force")
 
 
@@ -440,7 +440,8 @@ def _of_drive(names: Names, quantity: str, rest: Clause) -> Groups:
         return
     drives = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction in _DRIVES)
     loads = lookup.driving(names)
-    called = [load for load in loads if _MOTORS & {load, *(word.split()[-1] for word in names.called.get(load, ()))}]
+    motors = frozenset[str]().union(*(kinds for kinds in things_alike() if "motor" in kinds))
+    called = [load for load in loads if load in motors]
     of = [*drives] or called or loads
     if rest.only(*SILENT):
         yield [f"power of {one}" for one in of]
