@@ -241,6 +241,7 @@ class Field(PolynomialRing):
         self.doubled_pairs: dict[Any, tuple[Ratio, Ratio]] = {}  # cosine and sine of twice an angle, by its key
         self.positive_roots: dict[int, bool] = {}  # what `signs` found out about roots
         self.known_signs: dict[str, Any] = {}  # the same about polynomials, by their texts
+        self.shown_roots: dict[int, Any] = {}  # as `tidy` writes them
         self.decided: dict[Any, Any] = {}  # what `decide` found out about signs under premises
         super().__init__(capacity)
 

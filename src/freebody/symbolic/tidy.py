@@ -234,7 +234,9 @@ def shown(field: Field, index: int) -> Expr:
     """A generator as it is displayed; roots and arcs with a tidy argument."""
     generator = field.generators[index]
     if generator.kind == "root" and generator.made_of:
-        return root_shown(tidy(field.radicand(index)))
+        if index not in field.shown_roots:  # it stands in most of the terms
+            field.shown_roots[index] = root_shown(tidy(field.radicand(index)))
+        return field.shown_roots[index]
     if generator.kind in ("cos", "sin"):
         angle = field.angles.get(index if generator.kind == "cos" else index - 1)
         if angle is not None and any(field.generators[g].kind == "root" for g in angle.generators()):
