@@ -164,3 +164,31 @@ start: {x: 0.7 m, rate(x): 0}
 """)
     a = 9.81 / 2.0 * (0.7 - 0.2 * 1.3)
     assert system.solve("acceleration of x at start")["q1"].value == pytest.approx(a, rel=1e-12)
+
+
+def test_a_rope_from_a_drum_over_a_wheel_has_a_lead_more_than_wheels() -> None:
+    """The drum is balanced by its motor: M/R lifts the load and what hangs beyond the wheel, less what rises to it."""
+    system = fb.System.from_text(
+        """
+parameters:
+  {m: 100 kg, mu: 2 kg/m, L: 40 m, R: 0.2 m, I: 3 kg m^2, r: 0.15 m, M: 300 N m, h: 10 m, x_0: 3 m, g: 9.81 m/s^2}
+ground: {points: {A: [R + r, h], D: [0, 0]}}
+bodies:
+  drum: {body: {inertia: I, radius: R}}
+  wheel: {body: {inertia: 0 kg m^2, radius: r}}
+  rope: {rope: {mass_per_length: mu, length: L}}
+  load: {particle: {mass: m}}
+connections:
+  axle: {pin: {first: drum, second: ground.D}}
+  top: {pin: {first: wheel, second: ground.A}}
+  winding: {heavy_rope: {rope: rope, wound_on: drum, over: [wheel], leads: [up, down], to: load}}
+loads: {weight: {gravity: g}, motor: {torque: {on: drum, magnitude: -M}}}
+measures: {x: drop of load below ground.A}
+start: {x: x_0, rate(x): 0}
+questions: {it: acceleration of x at start}
+"""
+    )
+    m, mu, length, radius, inertia, moment, h, x, g = 100, 2, 40, 0.2, 3, 300, 10, 3, 9.81
+    expected = (m * g + mu * g * (x - h) - moment / radius) / (m + mu * length + inertia / radius**2)
+    (answer,) = system.solve().answers
+    assert answer.value == pytest.approx(expected, rel=1e-12)

@@ -524,3 +524,19 @@ def test_the_command_reports_in_words() -> None:
     assert result.exit_code == 0
     for words in ("DOF = n L - K = 3*3 - 8 = 1", "crank-rocker", "turns fully", "open", "crossed"):
         assert words in result.stdout
+
+
+@pytest.mark.parametrize("more", ["", ", leaves: false"])
+def test_a_pin_on_a_curve_leaves_nothing_for_its_rail_to_hold(more: str) -> None:
+    """Wherever the pin is on the curve: the foot follows the point, and holds nothing."""
+    system = fb.System.from_text(
+        f"""
+parameters: {{A: 2 m}}
+bodies: {{p: {{disk: {{mass: 2 kg, radius: 0.5 m}}}}}}
+connections:
+  c: {{pin: {{first: p.center, second: ground.O}}}}
+  track: {{clothoid: {{point: p, scale: A{more}}}}}
+"""
+    )
+    (found,) = system.mobility().dependences
+    assert found.kind == "generic"

@@ -269,10 +269,9 @@ start: {x: 0.4 m, rate(x): 0}
                 return found
             place = place_on_way(names, self.wound_on, ("wound_on",), None, headings[0], sense, still)
             found += [] if place is None else [place]
-        start = 0 if self.wound_on is not None else -1
         usual = 1 if self.counterclockwise else -1
-        for k, text in enumerate(self.over, start + 1):
-            place = place_on_way(names, text, ("over", k - start - 1), headings[k], headings[k + 1], usual, still)
+        for k, text in enumerate(self.over):
+            place = place_on_way(names, text, ("over", k), headings[k], headings[k + 1], usual, still)
             found += [] if place is None else [place]
         return found
 

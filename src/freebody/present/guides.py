@@ -97,6 +97,8 @@ class Guides:
 
     def _track(self, track: Track) -> Iterator[Stroke]:
         """The line on which a circle rolls, unless it is a surface for others too."""
+        if track.radius == 0.0:  # it lies on its line, which has no side
+            return
         side = math.copysign(1.0, track.radius)
         sharing = [other for other in self.scene.tracks if self._share_line(track, other)]
         runs = [self._rolled(other) for other in sharing]

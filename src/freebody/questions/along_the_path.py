@@ -2,7 +2,7 @@
 
     a_t = v.a/|v|,      a_n = |v x a|/|v| = v^2/rho,      rho = |v|^3/|v x a|
 
-Where the point stands still it has no direction and none of them has a value; a_t is positive where it grows faster.
+Where the point stands still its path has no direction and none of them has a value; a_t is positive where it grows faster.
 Source: Meriam & Kraige, Dynamics, 8th ed. 2015, sec. 2/5; Hibbeler, Dynamics, sec. 12.7.
 """
 
@@ -11,7 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from freebody.language.sentences import Sentence
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ACCELERATION, LENGTH
 from freebody.measures.geometry import Point
 from freebody.model.state import State
@@ -47,7 +48,7 @@ questions: {it: tangential acceleration of ball at start}
 """
 
     def value(self, system: Described, state: State[Any]) -> Any:
-        v, a = (place(system, state, self.point, order) for order in (1, 2))
+        v, a = _motion(system, state, self.point)
         return _dot(v, a) / state.sqrt(_dot(v, v))
 
     def sentence(self, system: Described) -> Sentence:
@@ -77,7 +78,7 @@ questions: {it: normal acceleration of ball at start}
 """
 
     def value(self, system: Described, state: State[Any]) -> Any:
-        v, a = (place(system, state, self.point, order) for order in (1, 2))
+        v, a = _motion(system, state, self.point)
         return _cross(v, a, state) / state.sqrt(_dot(v, v))
 
     def sentence(self, system: Described) -> Sentence:
@@ -107,12 +108,23 @@ questions: {it: radius of curvature of the path of ball at start}
 """
 
     def value(self, system: Described, state: State[Any]) -> Any:
-        v, a = (place(system, state, self.point, order) for order in (1, 2))
+        v, a = _motion(system, state, self.point)
         squared = _dot(v, v)
         return squared * state.sqrt(squared) / _cross(v, a, state)
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.radius_of_curvature", {"point": str(self.point)})
+
+
+def _motion(system: Described, state: State[Any], point: Point) -> tuple[Vector, Vector]:
+    """Velocity and acceleration. Raises CannotAnswer where the point stands still."""
+    v, a = (place(system, state, point, order) for order in (1, 2))
+    if all(part == 0 for part in v):
+        told = Message(
+            "{point} stands still there, and its path has no direction: ask for the magnitude of acceleration of {point}",
+            point=str(point))  # fmt: skip
+        raise CannotAnswer(told)
+    return v, a
 
 
 def _dot(a: Vector, b: Vector) -> Any:

@@ -31,9 +31,11 @@ from freebody.errors import InputError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.geometry import GROUND, Components, Direction, Point
+from freebody.model.curves import CurvePlace
 from freebody.model.elements import BodyPlane, ConstraintRow, Line, NonholonomicForm, Parameter, RigidBody
 from freebody.model.names import Names
 from freebody.model.rotations import dot
+from freebody.model.surfaces import SurfacePlace
 from freebody.system.modes import sticking_rows
 from freebody.system.reading.bodies import BodySections
 from freebody.system.reading.connections import CLOSES, read_bounds
@@ -44,6 +46,7 @@ from freebody.system.reading.source import Source
 from freebody.system.system import System
 
 Kind = Literal["point", "radius", "direction", "length", "target", "parameter"]
+Foot = CurvePlace | SurfacePlace
 TIME = "t"
 
 
@@ -219,7 +222,8 @@ class _GenericReader:
         _GenericBodies(self.source, names).read()
         names.connections = connections = self.source.specs("connections", Connection.kinds, beside=(CLOSES,))
         measures = self._measures()
-        rows = [*self._rows(connections), *self._bounded_rows(connections)]
+        rows, feet = self._rows(connections)
+        rows += [*(row for foot in feet for row in foot.rows()), *self._bounded_rows(connections)]
         self.source.refuse_problems()
         wanted = {row.name for row in self.like.constraint_rows}
         held = tuple(row for row in rows if row.name in wanted)
@@ -231,7 +235,7 @@ class _GenericReader:
         system = replace(
             self.like,
             parameters=names.parameters,
-            bodies=names.bodies,
+            bodies=names.bodies | {foot.carrier: foot.body() for foot in feet},
             constraint_rows=held,
             applied_loads=(),
             impulses=(),
@@ -266,8 +270,10 @@ class _GenericReader:
         finally:
             self.names.owner = ""
 
-    def _rows(self, connections: Mapping[str, Connection]) -> list[ConstraintRow]:
+    def _rows(self, connections: Mapping[str, Connection]) -> tuple[list[ConstraintRow], list[Foot]]:
+        """Those of connections, and where these keep points beside curves and surfaces."""
         rows: list[ConstraintRow] = []
+        feet: list[Foot] = []
         for name, connection in connections.items():
             self.names.owner = name
             with self.names.at("connections", name, connection.kind):
@@ -275,8 +281,10 @@ class _GenericReader:
                 guided = self._guided(name, connection)
                 made = [self._aimed(replace(row, connection=name)) for row in guided.rows(self.names)]
                 rows += self._as_called(name, made) if self.names.space else made
+                if (foot := guided.foot(self.names)) is not None:
+                    feet.append(foot)
         self.names.owner, self.names.has_axis = "", False
-        return rows
+        return rows, feet
 
     def _as_called(self, name: str, made: list[ConstraintRow]) -> list[ConstraintRow]:
         """Rows with the names that the model has for them: those across an axis are called by where it points."""

@@ -120,8 +120,11 @@ class _Study:
     # about the dependence is special. If they do so less often there, the redundant row, after all rows of these
     # connections that stand before it, tells whether this is one of the dependences that are left.
     def _rows_of(self, last: str, connections: Sequence[str]) -> tuple[list[str], list[str]]:
-        """All rows of some connections, and those up to a row."""
-        together = [name for name in self.rows if self.by_name[name].connection in connections]
+        """All rows of some connections, and those up to a row. What says where feet on curves are comes first:
+        it holds nothing of the bodies."""
+        feet = {foot.carrier for name, foot in self.reference.system.feet.items() if name in connections}
+        placed, held = ([n for n in self.rows if self.by_name[n].connection in of] for of in (feet, set(connections)))
+        together = placed + held
         return together, together[: together.index(last) + 1]
 
     def _is_generic(self, last: str, connections: Sequence[str]) -> bool:

@@ -118,7 +118,7 @@ def of_places(names: Names) -> list[str]:
     mass centre, but each one of a point of a body that turns."""
     found = [name for name in measured(names) if name not in angles(names, "")]
     of = [m.of if isinstance(m := names.measures.get(name), Displacement) else None for name in found]
-    ends = [p for p in of if p is not None and p.offset != names.bodies[p.body].points["mass_center"]]
+    ends = [p for p in of if p is not None and p.offset != names.bodies[p.body].points.get("mass_center")]
     turned = {body for angle in angles(names, "") for body in names.measures[angle].bodies()}
     return measured(names) if found and len(ends) == len(found) and {p.body for p in ends} & turned else found
 

@@ -98,6 +98,11 @@ class Home:
             if beyond.is_zero():
                 continue
             numbers = self.numbers(beyond)
+            if not np.isfinite(numbers[self.indices]).any():
+                told = Message(
+                    "whether {load} acts at the start cannot be told: the model leaves open where its ends are then",
+                    load=name.partition(".")[0])  # fmt: skip
+                raise CannotAnswer(told)
             acts = bool(np.sum(numbers[self.indices[:1]] > 0))
             side = 1 if acts else -1
             condition, _possible = require(side * beyond, ">", at_start(row, acts=acts))

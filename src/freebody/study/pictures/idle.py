@@ -48,7 +48,7 @@ def _is_alone(
 ) -> bool:
     """Whether a row pushes the mass centre along one direction, and nothing else has a component along it."""
     first = _push(seen[0], own, body)
-    if abs(first[2]) > _NOTHING or isinstance(own, NonholonomicForm):
+    if abs(first[2]) > _NOTHING or not np.any(np.abs(first[:2]) > _NOTHING) or isinstance(own, NonholonomicForm):
         return False
     for snapshot in [seen[0], *(_held(pose, own, body, first[:2], seen[0]) for pose in seen[1:])]:
         mine = _push(snapshot, own, body)
