@@ -178,7 +178,8 @@ def test_the_json_document_has_the_documented_shape(name: str) -> None:
 def test_a_condition_says_the_same_in_words_and_to_machines(name: str) -> None:
     """The words of a comparison are read by the parser of model files, which knows no Python."""
     for condition in (c for a in solved(name).to_plain()["answers"] for c in a["conditions"]):
-        words = re.sub(r"^at every .* with |^from the start to the event | \([^+*·]*\)$", "", condition["text"])
+        words = re.sub(r"^at every .* with |^from the start to the event | \([^()+*/·]*\)$", "", condition["text"])
+        words = re.sub(r" \((?=the corner )[^+*·]*\)$", "", words)  # a place is told by its coordinates
         words = re.sub(r"\|(.*)\|", r"abs(\1)", words)
         found = re.fullmatch("([^<>≤≥≠=]+) ([<>≤≥≠=]) ([^<>≤≥≠=]+)", words)
         if "'(" in words:  # the derivative of what is given by points, of which there is no formula to be read

@@ -2,7 +2,8 @@
 
     a_t = v.a/|v|,      a_n = |v x a|/|v| = v^2/rho,      rho = |v|^3/|v x a|
 
-Where the point stands still its path has no direction and none of them has a value; a_t is positive where it grows faster.
+Where the point stands still its path has no direction and none of them has a value; a_t is positive where it grows
+faster.
 Source: Meriam & Kraige, Dynamics, 8th ed. 2015, sec. 2/5; Hibbeler, Dynamics, sec. 12.7.
 """
 
@@ -121,7 +122,8 @@ def _motion(system: Described, state: State[Any], point: Point) -> tuple[Vector,
     v, a = (place(system, state, point, order) for order in (1, 2))
     if all(part == 0 for part in v):
         told = Message(
-            "{point} stands still there, and its path has no direction: ask for the magnitude of acceleration of {point}",
+            "{point} stands still there, and its path has no direction: ask for the "
+            "magnitude of acceleration of {point}",
             point=str(point))  # fmt: skip
         raise CannotAnswer(told)
     return v, a
