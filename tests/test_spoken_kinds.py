@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from freebody.connections.pin import Pin
+from freebody.connections.revolute import Revolute
 from freebody.errors import ModelError
 from freebody.language.units import DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, POWER, TIME
 from freebody.system.system import System
@@ -73,6 +75,14 @@ def moving(system: System) -> list[str]:
     return [body.name for body in system.moving]
 
 
+def turns_about_its_centre(system: System, body: str) -> bool:
+    """On an axle in its mass centre: its acceleration is an angular one."""
+    axles = [c for c in system.connections.values() if isinstance(c, (Pin, Revolute))]
+    points = [system.names.point(text) for axle in axles for text in (axle.first, axle.second)]
+    own = system.bodies[body]
+    return any(point.body == body and point.offset == own.points["mass_center"] for point in points)
+
+
 def understood(system: System, said: str) -> list[str] | None:
     try:
         return [*map(meaning, system.asked(said))]
@@ -86,7 +96,9 @@ def test_an_answer_is_measured_in_what_the_words_ask_for(name: str) -> None:
     angles = {own for own, measure in system.measures.items() if measure.dimension == DIMENSIONLESS}
     is_all_angles = bool(angles) and len(angles) == len(system.measures)
     asked = [(said.format(body), of) for body in moving(system)[:2] for said, of in OF_BODIES.items()]
-    for said, dimensions in (*asked, *OF_ALL.items()):
+    on_axles = {f"acceleration of the {body}" for body in moving(system) if turns_about_its_centre(system, body)}
+    for said, of in (*asked, *OF_ALL.items()):
+        dimensions = {OMEGA / TIME} if said in on_axles else of
         try:
             found = system.asked(said)
         except ModelError:
