@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any
 
 from freebody.errors import CannotAnswer, RoutesDisagree
-from freebody.language.expression import Expr, Symbol, add
+from freebody.language.expression import Call, Expr, Symbol, add
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.narrative.contact.phase_motion import energy_parts, mechanical_energy, tell_energies
@@ -35,6 +35,7 @@ from freebody.study.phases.over_time import over_time
 from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
 from freebody.study.phases.witness import PhaseSnapshot
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.energy_motion import EnergyMotion
 from freebody.symbolic.relations import readable
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
@@ -197,13 +198,24 @@ class _Tell:
 
 
 def _time(script: Script, way: PhaseSequence, left: Any, answer: Answer, ends: list[dict[str, int]]) -> None:
-    times = tuple(end["time"] for end in ends if "time" in end)
-    if len(times) < len(way.legs):
-        assert answer.expression is not None
-        raise CannotAnswer(Message("the time of the event has a closed form, which this derivation does not work out"))
+    assert answer.expression is not None
+    times = tuple(end.get("time") or _duration(script, leg, end) for leg, end in zip(way.legs, ends, strict=True))
     total = add(*(leg.end for leg in way.legs))
     sides = (left, total, answer.expression) if len(way.legs) > 1 else (left, answer.expression)
     script.line(*sides, why="answer.time", args={"lines": times}, uses=times, when="event")  # pyrefly: ignore[bad-argument-type]
+
+
+def _duration(script: Script, leg: PhaseSegment, end: dict[str, int]) -> int:
+    """How long a phase lasts of which the speed is known at every place."""
+    course = leg.phase.course
+    if leg.time is None or not isinstance(course, EnergyMotion):
+        raise CannotAnswer(Message("the time of the event has a closed form, which this derivation does not work out"))
+    uses, symbol = tuple(end.values()), Symbol(course.coordinate.name)
+    with on_the_way(script, leg.course):
+        meaning = leg.glossary.meanings[str(getattr(leg.end, "name", ""))]
+        script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
+        said: dict[str, Argument] = {"name": symbol, "rate": Call("rate", symbol), "lines": uses}
+        return script.line(leg.end, readable(leg.time), why="event.on_way", args=said, uses=uses, when="event")
 
 
 def _energies(script: Script, way: PhaseSequence, ends: list[dict[str, int]]) -> tuple[int, ...]:
