@@ -12,11 +12,19 @@ import freebody as fb
 from examples_told import explained
 from freebody import System
 from freebody.errors import InputError, RoutesDisagree
-from freebody.language.expression import Call, Symbol, number
+from freebody.language.expression import Call, Expr, Symbol, number
 from freebody.language.parser import parse
 from freebody.narrative.context import Context
 from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence, names_in
+from freebody.narrative.lines.script import (
+    DerivationStage,
+    Legend,
+    Listing,
+    NumberedFormula,
+    Script,
+    Sentence,
+    names_in,
+)
 from freebody.narrative.telling.catalogue import Catalogue
 from goldens import assert_golden, digest
 
@@ -50,6 +58,11 @@ def reread(explanation: Explanation) -> None:
                 for item in stage.items:
                     if isinstance(item, Legend):
                         known |= set().union(*(names_in(symbol) for symbol, _what, _unit in item.entries))
+                    if (
+                        isinstance(item, Listing) and stage.title.key == "stage.touching"
+                    ):  # N >= 0, a contact cannot pull
+                        told = (arg for entry in item.items for arg in entry.args.values() if isinstance(arg, Expr))
+                        known |= set().union(*map(names_in, told))
                     if isinstance(item, NumberedFormula):
                         used = set().union(*(names_in(side) for side in item.sides))
                         defined = names_in(item.sides[0]) if stage.title.key == "stage.result" else set()
@@ -63,10 +76,9 @@ def reread(explanation: Explanation) -> None:
 def before_the_result(derivation: Derivation) -> tuple[DerivationStage, ...]:
     """The stages that lead to the result, which is not written again where only conditions and checks follow it."""
     keys = [stage.title.key for stage in derivation.stages]
-    if "stage.result" in keys:
-        return derivation.stages[: keys.index("stage.result")]
+    end = keys.index("stage.result") if "stage.result" in keys else len(keys)
     behind = ("stage.conditions", "stage.checks", "stage.options")
-    n = next((k + 1 for k in reversed(range(len(keys))) if keys[k] not in behind), 0)
+    n = next((k + 1 for k in reversed(range(end)) if keys[k] not in behind), 0)
     return derivation.stages[:n]
 
 

@@ -130,6 +130,9 @@ class _RestTelling:
                 if limit.first is None or limit.first.edge.value > ends.low:
                     self.script.say("rest.no_limit")
                 continue
+            if told and limit.main.failure == Failure() and limit.main.element == told[0][1].element:
+                told.append((sign, *told[0][1:]))  # both ends are what equilibrium alone decides
+                continue
             line, glossary = self._case(ends, limit, limit.main, symbol, name, row)
             told.append((sign, limit.main, line, glossary))
         if not told:
@@ -171,7 +174,8 @@ class _RestTelling:
         newton = RestNewton(acting, glossary, equations.inertia)
         with script.stage("stage.failure", "hint.failure"):
             end = "upper" if limit.sign > 0 else "lower"
-            script.say(f"rest.{'extreme' if row else 'fails'}_{end}", words=ready(case.words), name=symbol)
+            key = "alone" if row and case.failure == Failure() else f"{'extreme' if row else 'fails'}_{end}"
+            script.say(f"rest.{key}", words=ready(case.words), name=symbol)
         if not row and (rub := turning(equations, case.failure)) is not None:
             names = (*(r.name for r in rub.rows), *rub.load)
             symbols: dict[str, Expr] = {name: Symbol(self.symbols[name].name) for name in names}
