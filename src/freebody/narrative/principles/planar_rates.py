@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freebody.language.expression import Expr, Symbol, add, negate
-from freebody.measures.geometry import RIGHT, UP
+from freebody.language.expression import Expr, Symbol, add
+from freebody.measures.geometry import GROUND, RIGHT, UP
 from freebody.narrative.lines.glossary import Glossary, Meaning
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.narrative.principles.acting import Acting
@@ -17,7 +17,7 @@ from freebody.narrative.principles.loops import bound_speeds, closed_loops, howe
 from freebody.narrative.principles.places import place_in_plane
 from freebody.narrative.principles.planner import Plan
 from freebody.narrative.principles.rates import MomentumRate
-from freebody.narrative.principles.sides import balanced, positive_first, scaled
+from freebody.narrative.principles.sides import balanced, positive_first, scaled, without_common_factor
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import WritablePrinciple
 from freebody.questions.motion import OfPoint
@@ -136,7 +136,7 @@ class PlanarRates:
                 continue
             self._introduce(script, term)
             if self._is_linear(term):
-                uses = self.constraints_of(script, term.body)
+                uses = self.leading_to(script, term.body)
                 key = "kinematics.differentiated" if uses else "kinematics.seen"
             else:
                 uses = self._positions_of(script, term)
@@ -204,6 +204,19 @@ class PlanarRates:
                         waiting.append(t.body)
         return tuple(dict.fromkeys(found))
 
+    def leading_to(self, script: Script, body: str) -> tuple[int, ...]:
+        """The constraints that lead from a body to the coordinates, and what they leave open: how its mass centre and
+        those beside it move in the coordinates."""
+        lines = self.constraints_of(script, body)
+        terms = [t for row, line in self.constraint_lines.items() if line in lines for t in self._constraint_terms[row]]
+        unknown = {t.symbol: t for t in terms if not t.is_plain}
+        open_ = [t for t in unknown.values() if not t.is_turning and self._is_linear(t, order=1)]
+        more = open_[: max(0, len(unknown) - len(lines))]
+        for t in more:
+            if t.symbol not in self.told:
+                self.told[t.symbol] = script.line(t.symbol, tidy(t.explicit), why="kinematics.seen")
+        return (*lines, *(self.told[t.symbol] for t in more))
+
     def _enough(self, lines: Sequence[int], wanted: Term) -> tuple[int, ...]:
         """Of lines of constraints those that lead from the speeds of the coordinates to a symbol, one unknown a line;
         all of them where the unknowns are not found one by one."""
@@ -229,13 +242,19 @@ class PlanarRates:
             self._introduce(script, term)
         held = self.acting.rows[row]
         rest = self.model.in_independent_speeds(total(terms, self.field.zero))  # what drives it
-        shown = [term.expression for term in terms] + (
-            [] if self.model.samples.vanishes(rest) else [negate(tidy(rest))]
-        )
+        own = [term.coefficient for term in terms] + ([] if self.model.samples.vanishes(rest) else [-rest])
+        own = without_common_factor(own)
+        shown = [scaled(x, term.symbol) for x, term in zip(own, terms, strict=False)]
+        shown += [tidy(x) for x in own[len(terms) :]]
         alike = {row.connection for row in self.acting.rows.values() if row.reaction == held.reaction}
         # the only one of its kind needs no name
         args: dict[str, Argument] = {"connection": held.connection, "component": held.component, "n": len(alike)}
         key = f"constraint.{held.reaction.replace(' ', '_')}"
+        bodies = tuple(dict.fromkeys(body for body in held.measure.bodies() if body != GROUND))
+        if len(bodies) == 2:
+            args["bodies"] = bodies
+        elif key == "constraint.tooth_force":
+            key = "constraint.tooth_force_at"
         return script.line(*balanced(add(*shown)), why=key, args=args)
 
     def _positions_of(self, script: Script, term: Term) -> tuple[int, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, ProductOf, Sum, Symbol, negate, number
 from freebody.language.sentences import Message
+from freebody.model.states import state_name
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
@@ -130,9 +131,18 @@ def _coordinate(context: Context, name: str) -> Argument:
     return name if words.key == "symbol.coordinate" else words
 
 
+def _chosen(context: Context, found: Mobility) -> tuple[str, ...]:
+    """Independent coordinates: those of the formulas, which the opening names, where there are as many."""
+    try:
+        own = tuple(c.name for c in context.setup.model.coordinates if not state_name(c.name))
+    except CannotAnswer:
+        own = ()
+    return own if len(own) == len(found.independent_coordinates) else found.independent_coordinates
+
+
 def _what_moves(context: Context, script: Script, found: Mobility) -> None:
     if found.independent_coordinates:
-        names = tuple(_coordinate(context, name) for name in found.independent_coordinates)
+        names = tuple(_coordinate(context, name) for name in _chosen(context, found))
         script.say("mobility.coordinates", names=names)
     for body, what in found.idle.items():
         script.say("mobility.idle", body=body, what=ready(what))

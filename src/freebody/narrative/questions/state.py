@@ -88,9 +88,20 @@ class PlanarTelling:
 def _told(q: Quantity, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
     """Lines, and the symbols of the parts whose sum it is: by default the constraints of the bodies that it reads."""
     bodies = [b for b in q.bodies_in_motion if b in context.setup.model.kinematics.velocities]
+    lines: list[int] = []
+    alike: dict[str, str] = {}
     with script.stage("stage.kinematics", "hint.velocities"):
-        return [line for b in bodies for line in context.rates.constraints_of(script, b)], []
-    return [], []
+        for b in bodies:
+            first = context.rates.symmetry.stand_in(b)
+            if first == b:
+                lines += context.rates.constraints_of(script, b)
+            else:  # where it is differs, so how its place changes is told as well
+                lines += context.rates.leading_to(script, first)
+                alike[b] = first
+    with script.stage("stage.value", "hint.value"):
+        for b, first in alike.items():
+            script.say("symmetry.alike", first=first, other=b)
+    return lines, []
 
 
 # -- velocities -------------------------------------------------------------------------------
