@@ -9,7 +9,7 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr, Number, Symbol
-from freebody.language.notation import compared
+from freebody.language.notation import Stated, compared
 from freebody.language.raising import raised
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.contact.settings import has_phases
@@ -22,7 +22,7 @@ from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
-from freebody.study.answering.answer import ITS_RATE, Answer
+from freebody.study.answering.answer import ITS_RATE, MOVING_POINT, Answer
 from freebody.study.answering.named_formulas import Chain
 from freebody.symbolic.tidy import tidy
 
@@ -76,9 +76,15 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
             parts = wanted if isinstance(wanted, tuple) else (wanted,)
             unit += f" = {', '.join(f'{v:.5g}' for v in parts)} {raised(answer.in_unit)}"
         script.say("result.value", value=f"@{shown}{unit}")
-    notes = [note for note in answer.notes if note != ITS_RATE]  # that is what was derived
+    notes = [note for note in answer.notes if not _is_derived(note)]
     if notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in notes)))
+
+
+def _is_derived(note: str) -> bool:
+    """Whether a note says what the derivation has said: that a rate is one, and what a moving point adds to it."""
+    words = note.words if isinstance(note, Stated) else note
+    return words == ITS_RATE or getattr(words, "template", "") == MOVING_POINT
 
 
 def _is_whole(answer: Answer) -> bool:

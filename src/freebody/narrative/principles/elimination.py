@@ -131,10 +131,6 @@ class Solver:
             return row
         return replace(row, entries={unknown: self.field.one}, rest=self.field.lowest_terms(row.rest / entry))
 
-    def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
-        """A row with an unknown replaced, as a line."""
-        return self._written(self._with(row, unknown, given))
-
     def _with(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
         """A row with an unknown replaced."""
         f = self.field

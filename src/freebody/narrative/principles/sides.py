@@ -77,7 +77,7 @@ def common_factor(parts: Sequence[Ratio]) -> Ratio:
 
 
 def without_common_factor(parts: Sequence[Ratio]) -> list[Ratio]:
-    """The parts of an equation without what all of them share above the bar, or below it: m z/2 and m w/2 as z and w."""
+    """The parts of an equation without what all share above the bar, or below it: m z/2 and m w/2 as z and w."""
     f = parts[0].field
     above = common_factor([f.quotient(x.num, None) for x in parts])
     below = common_factor([x.denominator() for x in parts])

@@ -132,7 +132,9 @@ def _coordinate(context: Context, name: str) -> Argument:
 
 
 def _chosen(context: Context, found: Mobility) -> tuple[str, ...]:
-    """Independent coordinates: those of the formulas, which the opening names, where there are as many."""
+    """Independent coordinates: in the plane those of the formulas, which the opening names, where there are as many."""
+    if context.system.space:
+        return found.independent_coordinates
     try:
         own = tuple(c.name for c in context.setup.model.coordinates if not state_name(c.name))
     except CannotAnswer:

@@ -39,10 +39,12 @@ class SpatialKinematics(Frames):
         self.angles = Angles(self, introduced)
         self.told: dict[tuple[str, ...], tuple[tuple[Expr, ...], int]] = {}  # components and line
         self.velocity_lines: tuple[int, ...] | None = None  # what binds velocities alone
+        self._axes_told: set[tuple[str, str]] = set()  # of angles, and along the axes of which body
 
     def begin(self) -> None:
         """A derivation begins: nothing has been told in it yet."""
         self.told.clear()
+        self._axes_told.clear()
         self.angles.lines.clear()
         self.angles.tangents.clear()
         self.velocity_lines = None
@@ -119,13 +121,16 @@ class SpatialKinematics(Frames):
     def _say_axes(self, angles: Sequence[tuple[str, Vector]], axes: Axes) -> None:
         """Which angle turns about which axis."""
         self.angles.introduce(name for name, _axis in angles)
-        for name, axis in angles:
-            shown = Sentence("space.vector", {"x": tidy(axis[0]), "y": tidy(axis[1]), "z": tidy(axis[2])})
-            args: dict[str, Argument] = {"name": Symbol(name), "axis": shown, "axes": axes.words}
-            if len(angles) > 1:
-                args["e"] = self.angles.vectors.unit_vector(name)
+        new = [(name, axis) for name, axis in angles if (name, axes.body) not in self._axes_told]
+        self._axes_told |= {(name, axes.body) for name, _axis in new}
+        shown = [Sentence("space.vector", dict(zip("xyz", map(tidy, axis), strict=True))) for _name, axis in new]
+        if len(angles) > 1 and new:
+            unit = [self.angles.vectors.unit_vector(name) for name, _axis in new]
+            each = (Sentence("space.vector_is", {"e": e, "axis": axis}) for e, axis in zip(unit, shown, strict=True))
+            self.script.say("space.unit_vectors_are", axes=axes.words, vectors=tuple(each))
+        elif new:
             alone = "space.turns_about" if axes.body == GROUND else "space.turns_about_own"
-            self.script.say(alone if len(angles) == 1 else "space.unit_vector_is", **args)
+            self.script.say(alone, name=Symbol(new[0][0]), axis=shown[0], axes=axes.words)
 
     def component(self, body: str, along: Direction) -> Expr:
         """The angular velocity of a body along one direction, as a sum over its angles."""
