@@ -182,13 +182,18 @@ def count_freedoms(context: Context, script: Script) -> int:
     return _by_rank(context, script, found.count)
 
 
+def times(n: int, k: int) -> Expr:
+    """n for each of k, as it is counted: 3 times 5, not 15."""
+    return ProductOf((number(n), number(k))) if k > 1 else number(n * k)
+
+
 def count_line(script: Script, found: Gruebler) -> int:
     """Freedoms of the bodies, minus what the rows take away, as a line."""
     terms: list[Expr] = []
     if found.bodies or not found.particles:
-        terms.append(ProductOf((number(found.n), number(len(found.bodies)))))
+        terms.append(times(found.n, len(found.bodies)))
     if found.particles:
-        terms.append(ProductOf((number(found.n_point), number(len(found.particles)))))
+        terms.append(times(found.n_point, len(found.particles)))
     terms += [number(-found.n_constraints)] if found.n_constraints else []
     if len(terms) == 1:
         return script.line(number(found.count), label=Sentence("label.freedoms"), when="never")

@@ -10,7 +10,7 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence, ready
-from freebody.narrative.opening import coordinate_words
+from freebody.narrative.opening import coordinate_words, times
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -64,9 +64,9 @@ def _count(script: Script, count: Gruebler) -> int:
         script.add(FormulaTable(header, rows))
     terms: list[Expr] = []
     if count.bodies or not count.particles:
-        terms.append(ProductOf((number(count.n), number(len(count.bodies)))))
+        terms.append(times(count.n, len(count.bodies)))
     if count.particles:
-        terms.append(ProductOf((number(count.n_point), number(len(count.particles)))))
+        terms.append(times(count.n_point, len(count.particles)))
     for (_kind, n), names in alike.items():
         terms.append(ProductOf((number(-len(names)), number(n))) if len(names) > 1 else negate(number(n)))
     counted = terms[0] if len(terms) == 1 else Sum(tuple(terms))
