@@ -527,3 +527,18 @@ measures: {y: y of ball}
     assert any(
         np.hypot(*way) > 60.0 and abs(way[1] / way[0]) == pytest.approx(np.tan(np.pi / 9)) for way in ways if way[0]
     )
+
+
+def test_a_weight_does_not_come_from_the_side_on_which_a_string_pulls() -> None:
+    """Of two weights at one place the second goes on where the first ends; from above it would lie on the tension."""
+    from freebody.present.picture.arrows import Arrows
+    from freebody.present.picture.label import name
+    from freebody.present.picture.sketch import Sketch
+
+    arrows = Arrows(Sketch(100.0, np.zeros(2)), lambda _force: (np.zeros(2), np.zeros(2)))
+    down, up = (0.0, -1.0), (0.0, 1.0)
+    pulls = (("W_1", down, "weight"), ("W_2", down, "weight"), ("T", up, "reaction"))
+    arrows.draw([ShownForce(n, name(n), "b", (0.0, 0.0), way, (0.0,), kind=kind) for n, way, kind in pulls])
+    ends = {drawn.force.name: float((drawn.end - drawn.start) @ np.array(up)) for drawn in arrows.drawn}
+    assert all(drawn.start == pytest.approx((0.0, 0.0)) for drawn in arrows.drawn)
+    assert ends["W_2"] < ends["W_1"] < 0 < ends["T"]

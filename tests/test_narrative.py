@@ -337,3 +337,47 @@ def test_what_is_supposed_of_a_sticking_contact_is_said_and_its_limit_is_solved(
     supposed = text.index("Suppose that contact does not slip.")
     solved = text.index("2⋅tan(θ) μ ≥ ──────── 7")
     assert supposed < text.index("Rolling without slip, hence") < solved
+
+
+def test_gears_roll_on_each_other_by_their_radii_alone() -> None:
+    """m z_1/2 omega_1 + m z_2/2 omega_2 = 0 has the factor m/2 in both terms."""
+    _found, derivation = the("compound_gear_train", "ratio")
+    lines = [line for line in lines_of(derivation.stages) if line.why and line.why.key == "constraint.tooth_force"]
+    assert [line.sides for line in lines] == [
+        (parse("z_1*omega_input + z_2*rate(theta_shaft)"), number(0)),
+        (parse("z_3*rate(theta_shaft) + z_4*omega_output"), number(0)),
+    ]
+
+
+def test_how_a_planet_moves_is_told_before_its_constraints_are_differentiated() -> None:
+    """Two meshes bind three unknowns: the turning of sun and planet, and how the centre of the planet moves."""
+    _found, derivation = the("planetary_gear", "acceleration")
+    lines = lines_of(derivation.stages)
+    (place,) = [line for line in lines if line.why and line.why.key == "kinematics.seen"]
+    assert place.sides[1] == parse("-rate(phi_1)*(r_S + r_P)")
+    assert all(place.number in line.uses for line in lines if line.why and line.why.key == "kinematics.differentiated")
+
+
+def test_a_planet_that_another_speaks_for_is_named_where_it_is_asked_about() -> None:
+    _found, derivation = the("planetary_gear", "place_2")
+    assert Sentence("symmetry.alike", {"first": "P1", "other": "P2"}) in sentences_of(derivation.stages)
+
+
+def test_the_force_of_an_axle_is_found_along_its_two_components() -> None:
+    """Not along a string, in which both components stand."""
+    found = explain(load("incline_with_pulley"), "axle")
+    (derivation,) = found.derivations
+    directions = [s.args["direction"] for s in sentences_of(derivation.stages) if s.key == "principle.linear"]
+    assert {"direction.right", "direction.up"} <= {d.key for d in directions if isinstance(d, Sentence)}
+
+
+def test_energy_lost_in_a_blow_is_what_was_before_less_what_is_after() -> None:
+    found, derivation = the("ballistic_pendulum", "lost")
+    (line,) = lines_of(derivation.stages)
+    assert line.sides[1] == parse("m*v^2/2 - L^2*rate(theta)^2*(m + M)/2")
+    assert line.uses == (lines_of(found.opening)[-1].number,)
+
+
+def test_a_count_is_not_said_again_as_a_value() -> None:
+    _found, derivation = the("multi_bar_platform", "degrees of freedom")
+    assert not [s for s in sentences_of(derivation.stages) if s.key == "result.value"]

@@ -167,3 +167,16 @@ def test_moments_are_told_about_the_corner_where_what_drops_out_acts() -> None:
     (moments,) = [line for line in lines_of(derivation.stages) if line.label is not None and "b·N_bl" in shown(line)]
     assert "N_br" not in shown(moments)  # whose line of action goes through the bottom right corner
     assert "bottom_right" in str(moments.label)
+
+
+def test_what_contacts_say_at_the_limit_is_put_in_at_once() -> None:
+    _found, derivation = of("ladder_against_wall", "friction")
+    put_in = [line for line in lines_of(derivation.stages) if line.why and line.why.key == "solve.put_in"]
+    assert len(put_in) == 1
+    assert len(put_in[0].uses) == 3  # friction at its limit and the normal force into the moments
+
+
+def test_that_sums_vanish_at_rest_is_said_once() -> None:
+    _found, derivation = of("block_tips_or_slides", "first")
+    keys = [item.key for stage in derivation.stages for item in stage.items if isinstance(item, Sentence)]
+    assert keys.count("rest.no_acceleration") == 1

@@ -15,6 +15,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.explain import Derivation, Explanation, explain
 from freebody.narrative.lines.script import FormulaTable, Legend, Listing, NumberedFormula, Sentence, names_in
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
+from freebody.narrative.telling.catalogue import Catalogue
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 UPRIGHT = """
@@ -394,3 +395,29 @@ def test_a_disk_on_a_hinge_is_braked_by_friction_until_it_stands() -> None:
     assert lost.answer.value == pytest.approx(0.09 * 9 / 2)
     keys = [line.why.key for line in lines(lost) if line.why is not None]
     assert keys.index("space.kinetic_is") < keys.index("answer.energy_start") < keys.index("answer.lost")
+
+
+def test_components_along_different_axes_have_different_symbols() -> None:
+    """A coin's angular velocity is told along its own axes, for H = I omega, and along fixed ones, for rolling."""
+    derivation = the("rolling_coin", "leaning")
+    added = [line for line in lines(derivation) if line.why is not None and line.why.key == "space.added"]
+    first, second = ({to_text(x) for x in line.sides[0]} for line in added if isinstance(line.sides[0], tuple))
+    assert not first & second
+
+
+def test_motion_is_told_before_bodies_are_cut_free() -> None:
+    titles = [stage.title.key for stage in the("rolling_coin", "leaning").stages]
+    assert titles.index("space.motion") < titles.index("stage.bodies") < titles.index("stage.principles")
+
+
+def test_a_unit_vector_is_told_once_along_the_same_axes() -> None:
+    derivation = the("disk_on_angled_shaft", "omega")
+    assert keys(derivation).count("space.unit_vectors_are") == 1
+    assert "space.turns_about_own" not in keys(derivation)
+
+
+def test_a_deviation_is_not_called_as_its_coordinate() -> None:
+    derivation = the("bead_on_a_parabola", "period")
+    said = " ".join(Catalogue().plain(s) for stage in derivation.stages for s in stage.items if isinstance(s, Sentence))
+    assert "by ξ" in said
+    assert "by x" not in said

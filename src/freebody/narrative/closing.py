@@ -8,8 +8,8 @@ from contextlib import suppress
 from typing import Literal
 
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
-from freebody.language.expression import Expr, Symbol
-from freebody.language.notation import compared
+from freebody.language.expression import Expr, Number, Symbol
+from freebody.language.notation import Stated, compared
 from freebody.language.raising import raised
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.contact.settings import has_phases
@@ -22,7 +22,7 @@ from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
-from freebody.study.answering.answer import Answer
+from freebody.study.answering.answer import ITS_RATE, MOVING_POINT, Answer
 from freebody.study.answering.named_formulas import Chain
 from freebody.symbolic.tidy import tidy
 
@@ -62,10 +62,11 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         key = question.quantity.verdict if question.quantity.is_verdict else "result.holds"
         script.say(key, conditions=tuple(ready(c) for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
-    if answer.unit not in ("", "1") and not answer.verdict:
+    says_number = _is_whole(answer)  # its unit and value stand there already
+    if answer.unit not in ("", "1") and not answer.verdict and not says_number:
         key = "result.dimensions" if _dimensions_fit(context, question, answer) else "result.unit"
         script.say(key, unit=f"@{raised(answer.unit)}")
-    if answer.value is not None and not answer.verdict:
+    if answer.value is not None and not answer.verdict and not says_number:
         values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
         shown = ", ".join(f"{v:.5g}" for v in values)
         unit = "" if answer.unit in ("", "1") else f" {raised(answer.unit)}"
@@ -75,8 +76,22 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
             parts = wanted if isinstance(wanted, tuple) else (wanted,)
             unit += f" = {', '.join(f'{v:.5g}' for v in parts)} {raised(answer.in_unit)}"
         script.say("result.value", value=f"@{shown}{unit}")
-    if answer.notes:
-        script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in answer.notes)))
+    notes = [note for note in answer.notes if not _is_derived(note)]
+    if notes:
+        script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in notes)))
+
+
+def _is_derived(note: str) -> bool:
+    """Whether a note says what the derivation has said: that a rate is one, and what a moving point adds to it."""
+    words = note.words if isinstance(note, Stated) else note
+    return words == ITS_RATE or getattr(words, "template", "") == MOVING_POINT
+
+
+def _is_whole(answer: Answer) -> bool:
+    """Whether the answer is a whole number, or a count."""
+    if answer.expression is None:
+        return answer.unit in ("", "1") and isinstance(answer.value, (int, float)) and float(answer.value).is_integer()
+    return isinstance(answer.expression, Number) and answer.expression.value.denominator == 1
 
 
 def _chain(script: Script, chain: Chain) -> None:

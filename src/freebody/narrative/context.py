@@ -40,6 +40,7 @@ class Context:
     introduced: set[str] = field(default_factory=set[str])  # by the opening: parameters, measures
     found: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by derivations so far
     new: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by the one that is being written
+    after_blow: tuple[int, ...] = ()  # lines of the opening: the speeds just after the blow at the start
     drawn: System | None = None  # the system of the pictures, where `system` is one mode of it
 
     @cached_property

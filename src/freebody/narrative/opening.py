@@ -44,7 +44,7 @@ def opening(context: Context) -> list[DerivationStage]:
             count_freedoms(context, script)
     if context.setup.system.is_struck:
         with suppress(CannotAnswer):
-            tell_blow(context, script)
+            context.after_blow = tell_blow(context, script)
     context.next_number = script.next_number
     return script.stages
 
@@ -182,13 +182,18 @@ def count_freedoms(context: Context, script: Script) -> int:
     return _by_rank(context, script, found.count)
 
 
+def times(n: int, k: int) -> Expr:
+    """n for each of k, as it is counted: 3 times 5, not 15."""
+    return ProductOf((number(n), number(k))) if k > 1 else number(n * k)
+
+
 def count_line(script: Script, found: Gruebler) -> int:
     """Freedoms of the bodies, minus what the rows take away, as a line."""
     terms: list[Expr] = []
     if found.bodies or not found.particles:
-        terms.append(ProductOf((number(found.n), number(len(found.bodies)))))
+        terms.append(times(found.n, len(found.bodies)))
     if found.particles:
-        terms.append(ProductOf((number(found.n_point), number(len(found.particles)))))
+        terms.append(times(found.n_point, len(found.particles)))
     terms += [number(-found.n_constraints)] if found.n_constraints else []
     if len(terms) == 1:
         return script.line(number(found.count), label=Sentence("label.freedoms"), when="never")
@@ -224,10 +229,11 @@ def _by_connection(rows: Sequence[str], connections: Sequence[str]) -> tuple[Sen
 def _by_rank(context: Context, script: Script, count: int) -> int:
     """What the rank of the constraint Jacobian leaves; raises RoutesDisagree where the coordinates are not as many."""
     n = rank_freedom(context.setup) - len(context.system.states)
+    left = Sentence("freedom.left", {"n": n})
     try:
         model = context.setup.model
     except CannotAnswer:
-        script.say("freedom.rank_only", n=n)
+        script.say("freedom.rank_only", left=left)
         return n
     n_free = model.degrees_of_freedom - len(context.system.states)
     if n > n_free and _binds_more_beside(context):
@@ -244,9 +250,10 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
     if n == count:
         script.say("freedom.confirmed")
     elif model.redundant:
-        script.say("freedom.redundant", sets=_by_connection(model.redundant, tuple(context.system.connections)), n=n)
+        sets = _by_connection(model.redundant, tuple(context.system.connections))
+        script.say("freedom.redundant", sets=sets, left=left)
     else:
-        script.say("freedom.rank_only", n=n)
+        script.say("freedom.rank_only", left=left)
     names = tuple(Symbol(c.name) for c in model.coordinates if not state_name(c.name))
     alone = "freedom.coordinates_driven" if gruebler(context.setup.system).drivers else "freedom.coordinates_none"
     script.say("freedom.coordinates" if names else alone, names=names)

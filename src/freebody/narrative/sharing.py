@@ -29,7 +29,8 @@ from freebody.narrative.lines.script import (
     names_in,
 )
 
-CONSTRAINTS, DIAGRAMS, CONDITIONS = "stage.kinematics", "stage.bodies", "stage.conditions"
+DIAGRAMS, CONDITIONS = "stage.bodies", "stage.conditions"
+_MOTION = ("stage.kinematics", "space.motion")
 _BETWEEN = (DIAGRAMS, "stage.principles", "stage.friction")  # stages before which constraints are told
 
 
@@ -391,11 +392,11 @@ def _with_count(stage: DerivationStage, items: Iterable[Item]) -> DerivationStag
 
 
 def _in_order(stages: Sequence[DerivationStage]) -> list[DerivationStage]:
-    """Constraints before the free-body diagrams to which they belong."""
+    """Constraints and how bodies move before the free-body diagrams to which they belong."""
     ordered: list[DerivationStage] = []
     for stage in stages:
         place = len(ordered)
-        if stage.title.key == CONSTRAINTS:
+        if stage.title.key in _MOTION:
             own = {item.number for item in stage.items if isinstance(item, NumberedFormula)}
             uses = {n for item in stage.items if isinstance(item, NumberedFormula) for n in item.uses} - own
             while place and ordered[place - 1].title.key in _BETWEEN and not uses & _numbers_of(ordered[place - 1]):

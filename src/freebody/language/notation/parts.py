@@ -9,6 +9,7 @@ Numbers are exact throughout.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
@@ -59,6 +60,9 @@ class Quotient:
 
 
 def quotient(factors: tuple[Expr, ...]) -> Quotient:
+    whole = [f.value for f in factors if isinstance(f, Number) and f.value.denominator == 1]
+    if 1 < len(whole) == len(factors):  # a product of numbers that is left as it is: 3 times 5 bodies
+        return Quotient(math.prod(whole) < 0, tuple(Number(abs(value)) for value in whole), ())
     above: list[Expr] = []
     below: list[Expr] = []
     coefficient = _gather(factors, above, below)

@@ -252,11 +252,14 @@ class _RestTelling:
             raise CannotAnswer(Message("it is not unique"))
         again = RestNewton(newton.acting, newton.limit_glossary, eq.inertia)
         trial = Script(newton.limit_glossary, self.script.next_number)
+        trial.stages = [*self.script.stages]  # what has been said there is not said again
+        n_told = len(trial.stages)
         rows, said = again.tell(trial, asked)
         solver = again.eliminator(trial)
         with trial.stage("stage.solution", "hint.solution", n=len(rows) + len(said)):
             indices = [newton.acting.generator(n) for n in asked]
             found = solver.solve(solver.with_said(rows, said), indices)
+        trial.stages = trial.stages[n_told:]
         self.script.take(trial)
         return tuple(line for _value, line in found.values())
 

@@ -81,12 +81,12 @@ class Eliminator(Solver):
             self._step(work)
 
     def with_said(self, rows: Sequence[EliminationRow], said: Sequence[EliminationRow]) -> list[EliminationRow]:
-        """The equations with what the contacts say put in, one after the other."""
+        """The equations with what the contacts say put in; written when they are used."""
         work = [self._without_zeros(row) for row in rows]
         for given in said:
             unknown = next(iter(given.entries))
-            work = [self._put_in(row, unknown, given) if unknown in row.entries else row for row in work]
-        return work
+            work = [self._with(row, unknown, given) if unknown in row.entries else row for row in work]
+        return [self._decided(row) for row in work]
 
     def _step(self, work: list[EliminationRow]) -> None:
         """Solves one equation for the force that stands in the fewest, and puts it into the others."""
@@ -100,14 +100,15 @@ class Eliminator(Solver):
         work.remove(pivot)
         if len(having) == 1:
             return
+        written = self._written(pivot)
         if len(having) == 2 and self._are_alike(*having):
-            other = next(row for row in having if row is not pivot)
-            work[work.index(other)] = self._combined(other, pivot, unknown)
+            k = next(k for k, row in enumerate(work) if unknown in row.entries)
+            work[k] = self._combined(self._written(work[k]), written, unknown)
             return
-        given = self._isolated(pivot, unknown)
+        given = self._isolated(written, unknown)
         for k, row in enumerate(work):
             if unknown in row.entries:
-                work[k] = self._put_in(row, unknown, given)
+                work[k] = self._decided(self._with(row, unknown, given))
 
     def _are_alike(self, a: EliminationRow, b: EliminationRow) -> bool:
         """Whether two equations contain the same combination of forces."""
@@ -125,14 +126,16 @@ class Eliminator(Solver):
             {}, rest, self._condition(rest, (other.number, row.number), Sentence("solve.same_forces", args))
         )
 
-    def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
-        made = super()._put_in(row, unknown, given)
-        if made.entries or made.rest.is_zero():
-            return made
-        why = Sentence("solve.put_in", {"parts": (self.taken(unknown, given),), "line": row.number})
-        return EliminationRow({}, made.rest, self._condition(made.rest, (given.number, row.number), why))
+    def _decided(self, row: EliminationRow) -> EliminationRow:
+        """A row from which all forces have gone says what must hold, as a line."""
+        if not row.put_in or row.entries or row.rest.is_zero():
+            return row
+        parts = tuple(self.taken(unknown, given) for unknown, given in row.put_in)
+        why = Sentence("solve.put_in", {"parts": parts, "line": row.number})
+        uses = (*dict.fromkeys(given.number for _unknown, given in row.put_in), row.number)
+        return EliminationRow({}, row.rest, self._condition(row.rest, uses, why))
 
-    def _condition(self, rest: Ratio, uses: tuple[int, int], why: Sentence) -> int:
+    def _condition(self, rest: Ratio, uses: Sequence[int], why: Sentence) -> int:
         """0 = rest, with its terms on the sides on which they are positive."""
         left, right = balanced(vanishing(self.glossary, tidy(self.field.lowest_terms(rest).numerator())))
         whole = right if left == ZERO else left

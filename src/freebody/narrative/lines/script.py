@@ -148,6 +148,11 @@ class Script:
     def say(self, key: str, **args: Argument) -> None:
         self._items.append(Sentence(key, args))
 
+    def has_said(self, key: str) -> bool:
+        """Whether a sentence with this key stands in an earlier stage."""
+        items = (item for stage in self.stages for item in stage.items)
+        return any(isinstance(item, Sentence) and item.key == key for item in items)
+
     def add(self, item: Item) -> None:
         self._items.append(item)
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import gcd
 from types import MappingProxyType
 
 from freebody.errors import CannotAnswer
@@ -18,10 +17,10 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import Script, Sentence
-from freebody.narrative.principles.sides import positive_first, scaled
+from freebody.narrative.principles.sides import common_factor, positive_first, scaled
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.signs import sign_is_negative, sign_is_positive
+from freebody.symbolic.signs import sign_is_negative
 from freebody.symbolic.tidy import tidy
 
 
@@ -132,10 +131,6 @@ class Solver:
             return row
         return replace(row, entries={unknown: self.field.one}, rest=self.field.lowest_terms(row.rest / entry))
 
-    def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
-        """A row with an unknown replaced, as a line."""
-        return self._written(self._with(row, unknown, given))
-
     def _with(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
         """A row with an unknown replaced."""
         f = self.field
@@ -181,22 +176,9 @@ class Solver:
         leading = [u for u in row.entries if u not in self.unknowns.reactions] or list(row.entries)
         if leading and sign_is_negative(f.lowest_terms(row.entries[min(leading)] * factor)):
             factor = -factor
-        factor = factor / self._common([f.lowest_terms(x * factor) for x in (*row.entries.values(), row.rest)])
+        factor = factor / common_factor([f.lowest_terms(x * factor) for x in (*row.entries.values(), row.rest)])
         entries = {u: f.lowest_terms(x * factor) for u, x in row.entries.items()}
         return replace(row, entries=entries, rest=f.lowest_terms(row.rest * factor))
-
-    def _common(self, parts: Sequence[Ratio]) -> Ratio:
-        """The factors, positive for all parameters, that all parts share."""
-        f, found = self.field, self.field.one
-        present = [x for x in parts if not x.is_zero()]
-        if not present or any(not x.denominator().is_one() for x in present):
-            return found
-        split = [f.factor(x.num, is_quick=True) for x in present]
-        for base, exponent in split[0][1]:
-            shared = min(next((e for b, e in factors if b == base), 0) for _unit, factors in split)
-            if shared and base.is_constant() and sign_is_positive(base):
-                found = found * base ** min(shared, exponent)
-        return found * gcd(*(abs(unit) for unit, _factors in split))
 
     def _back(
         self,

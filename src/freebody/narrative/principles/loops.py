@@ -30,7 +30,8 @@ def closed_loops(setup: Setup, script: Script, *, in_rates: bool = False, limit:
         model.field.lowest_terms(model.dependent_speed(c)).is_zero() for c in model.dependent
     )
     for loop in setup.model.loops:
-        args: dict[str, Argument] = {"row": f"@{loop.name}"}
+        connection, _dot, component = loop.name.partition(".")
+        args: dict[str, Argument] = {"connection": connection, "component": f"@{component}"}
         line = script.line(*balanced(tidy(limit(primitive_part(loop.value)))), why="loops.equation", args=args)
         if in_rates:
             rate = limit(primitive_part(setup.model.field.rate(loop.value)))

@@ -210,7 +210,7 @@ class Newton:
             self._cut_free(script, plan)
         self.rates.prepare(script, plan)
         with script.stage(f"stage.{words.stage}", f"hint.{words.stage}", n=len(plan.principles)):
-            if words.intro:
+            if words.intro and not script.has_said(words.intro):
                 script.say(words.intro)
             written = [
                 self._principle(script, p, avoided) for p, avoided in zip(plan.principles, plan.avoided, strict=True)

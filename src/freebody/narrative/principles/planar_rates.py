@@ -5,10 +5,10 @@ P' = sum of m a,        H' = I w' about a mass centre, (I + m r^2) w' about a fi
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from freebody.language.expression import Expr, Symbol, add, negate
-from freebody.measures.geometry import RIGHT, UP
+from freebody.language.expression import Expr, Symbol, add, n_operations
+from freebody.measures.geometry import GROUND, RIGHT, UP
 from freebody.narrative.lines.glossary import Glossary, Meaning
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.narrative.principles.acting import Acting
@@ -17,7 +17,7 @@ from freebody.narrative.principles.loops import bound_speeds, closed_loops, howe
 from freebody.narrative.principles.places import place_in_plane
 from freebody.narrative.principles.planner import Plan
 from freebody.narrative.principles.rates import MomentumRate
-from freebody.narrative.principles.sides import balanced, positive_first, scaled
+from freebody.narrative.principles.sides import balanced, positive_first, scaled, without_common_factor
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import WritablePrinciple
 from freebody.questions.motion import OfPoint
@@ -136,14 +136,31 @@ class PlanarRates:
                 continue
             self._introduce(script, term)
             if self._is_linear(term):
-                uses = self.constraints_of(script, term.body)
+                uses = self.leading_to(script, term.body)
                 key = "kinematics.differentiated" if uses else "kinematics.seen"
             else:
                 uses = self._positions_of(script, term)
-                key = "kinematics.twice" if uses else "kinematics.loops"
+                key = "kinematics.twice" if uses else "kinematics.loops" if self.model.loops else "kinematics.seen"
             self.told[term.symbol] = script.line(
-                term.symbol, tidy(term.explicit), why=key, args={"lines": uses, "body": term.body}, uses=uses
+                term.symbol,
+                self._by_acceleration(term.explicit),
+                why=key,
+                args={"lines": uses, "body": term.body},
+                uses=uses,
             )
+
+    def _by_acceleration(self, x: Ratio) -> Expr:
+        """What is linear in accelerations, each with its coefficient, where that is no longer than the whole."""
+        whole, f = tidy(x), self.field
+        parts, rest = list[Expr](), x
+        for a in self.model.accelerations:
+            slope = f.lowest_terms(f.partial(x, a))
+            if not slope.is_zero():
+                rest = rest - slope * f.variable(a)
+                parts.append(scaled(slope, tidy(f.variable(a))))
+        rest = f.lowest_terms(rest)
+        split = positive_first([*parts, *([] if rest.is_zero() else [tidy(rest)])]) if parts else whole
+        return split if n_operations(split) < n_operations(whole) else whole
 
     def explain_velocities(self, script: Script, terms: Sequence[Term]) -> list[int]:
         """Says what symbols of velocities are in the coordinates."""
@@ -184,25 +201,46 @@ class PlanarRates:
     def constraints_of(self, script: Script, body: str) -> tuple[int, ...]:
         """The velocity forms of the constraints that lead from a body to the coordinates, each written once."""
         found: list[int] = []
+        for row, terms in self._rows_from(body):
+            if row not in self.constraint_lines:
+                self.constraint_lines[row] = self._constraint_line(script, row, terms)
+                self._constraint_terms[row] = terms
+            found.append(self.constraint_lines[row])
+        return tuple(dict.fromkeys(found))
+
+    def is_led(self, body: str) -> bool:
+        """Whether constraints with constant coefficients lead from a body to the speed of a coordinate."""
+        return any(t.is_plain for _row, terms in self._rows_from(body) for t in terms)
+
+    def _rows_from(self, body: str) -> Iterator[tuple[str, tuple[Term, ...]]]:
+        """The constraints with constant coefficients that lead from a body to others, in turn."""
         reached, waiting = {body}, [body]
         while waiting:
-            here = waiting.pop(0)
-            for row in self.acting.acting_on(here):
-                if row in self.symmetry.merged:
+            for row in self.acting.acting_on(waiting.pop(0)):
+                terms = () if row in self.symmetry.merged else self._terms_of(row)
+                if len(terms) < 2 or not all(t.coefficient.is_constant() for t in terms):
                     continue
-                if row not in self.constraint_lines:
-                    slopes = self.model.gradient(self.acting.rows[row].measure)
-                    terms = self.kinematics.velocity_form(dict(slopes))
-                    if len(terms) < 2 or not all(t.coefficient.is_constant() for t in terms):
-                        continue
-                    self.constraint_lines[row] = self._constraint_line(script, row, terms)
-                    self._constraint_terms[row] = tuple(terms)
-                found.append(self.constraint_lines[row])
-                for t in self._constraint_terms[row]:
-                    if t.body not in reached:
-                        reached.add(t.body)
-                        waiting.append(t.body)
-        return tuple(dict.fromkeys(found))
+                yield row, terms
+                new = dict.fromkeys(t.body for t in terms if t.body not in reached)
+                reached |= new.keys()
+                waiting += new
+
+    def _terms_of(self, row: str) -> tuple[Term, ...]:
+        slopes = self.model.gradient(self.acting.rows[row].measure)
+        return self._constraint_terms.get(row) or tuple(self.kinematics.velocity_form(dict(slopes)))
+
+    def leading_to(self, script: Script, body: str) -> tuple[int, ...]:
+        """The constraints that lead from a body to the coordinates, and what they leave open: how its mass centre and
+        those beside it move in the coordinates."""
+        lines = self.constraints_of(script, body)
+        terms = [t for row, line in self.constraint_lines.items() if line in lines for t in self._constraint_terms[row]]
+        unknown = {t.symbol: t for t in terms if not t.is_plain}
+        open_ = [t for t in unknown.values() if not t.is_turning and self._is_linear(t, order=1)]
+        more = open_[: max(0, len(unknown) - len(lines))]
+        for t in more:
+            if t.symbol not in self.told:
+                self.told[t.symbol] = script.line(t.symbol, tidy(t.explicit), why="kinematics.seen")
+        return (*lines, *(self.told[t.symbol] for t in more))
 
     def _enough(self, lines: Sequence[int], wanted: Term) -> tuple[int, ...]:
         """Of lines of constraints those that lead from the speeds of the coordinates to a symbol, one unknown a line;
@@ -229,13 +267,19 @@ class PlanarRates:
             self._introduce(script, term)
         held = self.acting.rows[row]
         rest = self.model.in_independent_speeds(total(terms, self.field.zero))  # what drives it
-        shown = [term.expression for term in terms] + (
-            [] if self.model.samples.vanishes(rest) else [negate(tidy(rest))]
-        )
+        own = [term.coefficient for term in terms] + ([] if self.model.samples.vanishes(rest) else [-rest])
+        own = without_common_factor(own)
+        shown = [scaled(x, term.symbol) for x, term in zip(own, terms, strict=False)]
+        shown += [tidy(x) for x in own[len(terms) :]]
         alike = {row.connection for row in self.acting.rows.values() if row.reaction == held.reaction}
         # the only one of its kind needs no name
         args: dict[str, Argument] = {"connection": held.connection, "component": held.component, "n": len(alike)}
         key = f"constraint.{held.reaction.replace(' ', '_')}"
+        bodies = tuple(dict.fromkeys(body for body in held.measure.bodies() if body != GROUND))
+        if len(bodies) == 2:
+            args["bodies"] = bodies
+        elif key == "constraint.tooth_force":
+            key = "constraint.tooth_force_at"
         return script.line(*balanced(add(*shown)), why=key, args=args)
 
     def _positions_of(self, script: Script, term: Term) -> tuple[int, ...]:
@@ -250,6 +294,8 @@ class PlanarRates:
         """One coordinate of a mass centre, as a line."""
         place = place_in_plane(self.model, body)["xy".index(axis)]
         symbol = Symbol(f"{axis}_{body}")
+        if tidy(place) in [Symbol(name) for name in self.system.measures]:  # it is a coordinate by itself
+            return ()
         if symbol.name in self.system.measures or symbol in self.told:
             return (self.told[symbol],) if symbol in self.told else ()
         center = self.system.bodies[body].mass_center

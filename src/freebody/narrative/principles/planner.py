@@ -269,8 +269,8 @@ class Planner:
         return self._everything(entries, target)
 
     def _useful(self, support: Mask, chosen: tuple[int, ...], wanted: Mask) -> Places:
-        """Entries that contain the unknown in the way which the fewest entries contain; in a wide search all that
-        contain one of those that stand there already."""
+        """Entries that contain the unknown in the way which the fewest entries contain: one that stands alone, else one
+        that is asked for and stands nowhere yet; in a wide search all that contain one of those that stand there."""
         free = support.copy()
         free[list(chosen)] = False
         if not chosen:
@@ -279,8 +279,8 @@ class Planner:
             times = support[list(chosen)].sum(axis=0)
             if self.preferences.is_wide:
                 return np.flatnonzero(free[:, (times > 0) | wanted].any(axis=1))
-            lonely = (times == 1) & ~wanted
-            in_the_way = lonely if lonely.any() else (times > 0) | wanted
+            lonely, missing = (times == 1) & ~wanted, (times == 0) & wanted
+            in_the_way = next((some for some in (lonely, missing) if some.any()), (times > 0) | wanted)
         how_many = np.where(in_the_way, free.sum(axis=0), 0)
         if not how_many.any():
             return np.array([], dtype=int)

@@ -15,7 +15,7 @@ from freebody.narrative.principles.acting import Acting
 def name_reactions(script: Script, glossary: Glossary, acting: Acting, rows: Iterable[str], known: set[str]) -> None:
     """A legend of the reactions of some rows, without those whose symbols are in `known`, which grows."""
     entries: list[tuple[Expr, Sentence, str]] = []
-    for name in dict.fromkeys(rows):
+    for name in _components_in_order(acting, dict.fromkeys(rows)):
         symbol = acting.symbol(name)
         if symbol.name not in known:
             known.add(symbol.name)
@@ -26,13 +26,25 @@ def name_reactions(script: Script, glossary: Glossary, acting: Acting, rows: Ite
         script.add(Legend(tuple(entries)))
 
 
+def _components_in_order(acting: Acting, rows: Iterable[str]) -> list[str]:
+    """The same rows; the components of a force or moment along x, y, z, where the first of them stands."""
+    groups: dict[tuple[str, ...], list[str]] = {}
+    for name in rows:
+        row = acting.rows[name]
+        groups.setdefault((row.connection, _without_axis(row)) if row.axis else (name,), []).append(name)
+    return [name for own in groups.values() for name in sorted(own, key=lambda name: acting.rows[name].axis)]
+
+
+def _without_axis(row: ConstraintRow) -> str:
+    """What a reaction is, or the force of which it is a component."""
+    return row.reaction.removesuffix(f" {row.axis}") if row.axis else row.reaction
+
+
 def words_of(acting: Acting, name: str) -> Sentence:
     """What a reaction is, in words."""
     row = acting.rows[name]
     axis = row.axis
-    kind = (
-        row.reaction.removesuffix(f" {axis}") if axis else row.reaction
-    )  # of two components the force that they are of
+    kind = _without_axis(row)
     args: dict[str, Argument] = {"reaction": f"@reaction.{kind}", "connection": row.connection}
     alike = [r for r in acting.rows.values() if (r.connection, r.reaction) == (row.connection, row.reaction)]
     has_contact_point = acting.system.connections[row.connection].has_contact_point

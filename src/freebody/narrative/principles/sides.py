@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import gcd
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, add, multiply, negate, number
 from freebody.language.notation.parts import signed_terms
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.signs import sign_is_positive
 from freebody.symbolic.tidy import tidy
 
 ZERO = number(0)
@@ -56,6 +58,30 @@ def readable(x: Ratio) -> Ratio:
             Message("its equations of motion are longer than anybody reads; freebody eom writes them out")
         )
     return x
+
+
+def common_factor(parts: Sequence[Ratio]) -> Ratio:
+    """The factors, positive for all parameters, that all parts share; those of parts with denominators are left."""
+    present = [x for x in parts if not x.is_zero()]
+    if not present:
+        raise ValueError("nothing that could share a factor")
+    f, found = present[0].field, present[0].field.one
+    if any(not x.denominator().is_one() for x in present):
+        return found
+    split = [f.factor(x.num, is_quick=True) for x in present]
+    for base, exponent in split[0][1]:
+        shared = min(next((e for b, e in factors if b == base), 0) for _unit, factors in split)
+        if shared and base.is_constant() and sign_is_positive(base):
+            found = found * base ** min(shared, exponent)
+    return found * gcd(*(abs(unit) for unit, _factors in split))
+
+
+def without_common_factor(parts: Sequence[Ratio]) -> list[Ratio]:
+    """The parts of an equation without what all share above the bar, or below it: m z/2 and m w/2 as z and w."""
+    f = parts[0].field
+    above = common_factor([f.quotient(x.num, None) for x in parts])
+    below = common_factor([x.denominator() for x in parts])
+    return [f.lowest_terms(x * below / above) for x in parts]
 
 
 def taking_out_roots(terms: Sequence[Ratio]) -> Ratio | None:

@@ -46,6 +46,10 @@ class Symmetry:
         """Rows whose reaction is that of another one by symmetry."""
         return {row: same for group in self.copies for row, same in group.rows.items()}
 
+    def stand_in(self, body: str) -> str:
+        """The body that speaks for this one, which may be itself."""
+        return next((group.bodies[0] for group in self.copies if body in group.bodies), body)
+
     @property
     def speaking(self) -> list[str]:
         """Bodies that are not spoken for by another one."""

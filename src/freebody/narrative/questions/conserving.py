@@ -17,7 +17,7 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.rates import rate_of
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence, ready
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence, ready
 from freebody.narrative.principles.formal import FormalState
 from freebody.narrative.principles.loops import all_bound
 from freebody.narrative.principles.motion_equations import motion_equations
@@ -189,12 +189,15 @@ class _ConservingTelling:
         rows = [row for row in acting.rows if acting.generator(row) in used]
         name_reactions(self.script, self.context.glossary, acting, rows, self.known)
         terms: list[Expr] = []
+        said: list[Sentence] = []
         for name, x in principle.parts:
             x = f.lowest_terms(self.model.in_independent_speeds(f.element(x)))
             if not x.is_zero() or "de/dt" in name:
-                self.script.say("conserved.part", part=_said(name), value=tidy(x))
+                said.append(Sentence("conserved.part", {"part": _said(name), "value": tidy(x)}))
             if not x.is_zero():
                 terms.append(tidy(x))
+        if said:
+            self.script.add(Listing(tuple(said)))
         sides = [part.rate, add(*terms) if terms else number(0)]
         total = f.lowest_terms(part.finding.balance.rate) if part.finding.is_conserved is not True else f.zero
         if not rows and tidy(total) != sides[-1]:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, ProductOf, Sum, Symbol, negate, number
 from freebody.language.sentences import Message
+from freebody.model.states import state_name
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence, ready
-from freebody.narrative.opening import coordinate_words
+from freebody.narrative.opening import coordinate_words, times
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -63,9 +64,9 @@ def _count(script: Script, count: Gruebler) -> int:
         script.add(FormulaTable(header, rows))
     terms: list[Expr] = []
     if count.bodies or not count.particles:
-        terms.append(ProductOf((number(count.n), number(len(count.bodies)))))
+        terms.append(times(count.n, len(count.bodies)))
     if count.particles:
-        terms.append(ProductOf((number(count.n_point), number(len(count.particles)))))
+        terms.append(times(count.n_point, len(count.particles)))
     for (_kind, n), names in alike.items():
         terms.append(ProductOf((number(-len(names)), number(n))) if len(names) > 1 else negate(number(n)))
     counted = terms[0] if len(terms) == 1 else Sum(tuple(terms))
@@ -130,9 +131,20 @@ def _coordinate(context: Context, name: str) -> Argument:
     return name if words.key == "symbol.coordinate" else words
 
 
+def _chosen(context: Context, found: Mobility) -> tuple[str, ...]:
+    """Independent coordinates: in the plane those of the formulas, which the opening names, where there are as many."""
+    if context.system.space:
+        return found.independent_coordinates
+    try:
+        own = tuple(c.name for c in context.setup.model.coordinates if not state_name(c.name))
+    except CannotAnswer:
+        own = ()
+    return own if len(own) == len(found.independent_coordinates) else found.independent_coordinates
+
+
 def _what_moves(context: Context, script: Script, found: Mobility) -> None:
     if found.independent_coordinates:
-        names = tuple(_coordinate(context, name) for name in found.independent_coordinates)
+        names = tuple(_coordinate(context, name) for name in _chosen(context, found))
         script.say("mobility.coordinates", names=names)
     for body, what in found.idle.items():
         script.say("mobility.idle", body=body, what=ready(what))

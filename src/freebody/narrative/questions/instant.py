@@ -124,7 +124,10 @@ def finish(
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
             shown = written(wanted)
             left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
-            last = script.line(left, shown, why="value.start", args={"lines": (last,)}, uses=(last,), when="start")
+            after = context.after_blow if setup.system.is_struck else ()
+            args = {"lines": (last,), "given": after}
+            why = "value.after_blow" if after else "value.start"
+            last = script.line(left, shown, why=why, args=args, uses=(last, *after), when="start")
     left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
     tell_loops(context, script, wanted, left, last, "start" if question.at_start else "always")
     _ends_in_answer(context, question, wanted)

@@ -22,6 +22,7 @@ from freebody.questions.centres import InstantCentre, motion_at_origin
 from freebody.questions.energy import Energy, is_lossy
 from freebody.questions.inertia import MomentOfInertia, squared_distance
 from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, point_about
+from freebody.questions.motion import OfPoint
 from freebody.questions.reading import Question
 from freebody.questions.vectors import ORIGIN, is_among, place
 from freebody.symbolic.tidy import tidy
@@ -88,12 +89,36 @@ class PlanarTelling:
 def _told(q: Quantity, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
     """Lines, and the symbols of the parts whose sum it is: by default the constraints of the bodies that it reads."""
     bodies = [b for b in q.bodies_in_motion if b in context.setup.model.kinematics.velocities]
+    lines: list[int] = []
+    alike: dict[str, str] = {}
     with script.stage("stage.kinematics", "hint.velocities"):
-        return [line for b in bodies for line in context.rates.constraints_of(script, b)], []
-    return [], []
+        for b in bodies:
+            first = context.rates.symmetry.stand_in(b)
+            if first == b:
+                lines += context.rates.constraints_of(script, b)
+            else:  # where it is differs, so how its place changes is told as well
+                lines += context.rates.leading_to(script, first)
+                alike[b] = first
+    with script.stage("stage.value", "hint.value"):
+        for b, first in alike.items():
+            script.say("symmetry.alike", first=first, other=b)
+    return lines, []
 
 
 # -- velocities -------------------------------------------------------------------------------
+@_told.register(OfPoint)
+def _of_point(q: OfPoint, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
+    """The constraints where these tell the velocity of a mass centre, else its place differentiated."""
+    body = context.system.bodies[q.point.body]
+    is_carried = body.fixed or context.rates.is_led(body.name) or context.setup.model.dependent
+    if q.order != 1 or q.point != body.mass_center or is_carried:
+        return _told.dispatch(Quantity)(q, context, script)
+    with script.stage("stage.kinematics", "hint.velocities"):
+        x, y = _velocity(context, body.name)
+        return context.rates.explain_velocities(script, [*x, *y]), []
+    return [], []
+
+
 def _velocity(context: Context, body: str) -> tuple[list[Term], list[Term]]:
     """The velocity of a mass centre as terms to be squared and added: one along its path, else two components."""
     kin, f = context.rates.kinematics, context.setup.model.field

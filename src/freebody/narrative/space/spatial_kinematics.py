@@ -39,10 +39,12 @@ class SpatialKinematics(Frames):
         self.angles = Angles(self, introduced)
         self.told: dict[tuple[str, ...], tuple[tuple[Expr, ...], int]] = {}  # components and line
         self.velocity_lines: tuple[int, ...] | None = None  # what binds velocities alone
+        self._axes_told: set[tuple[str, str]] = set()  # of angles, and along the axes of which body
 
     def begin(self) -> None:
         """A derivation begins: nothing has been told in it yet."""
         self.told.clear()
+        self._axes_told.clear()
         self.angles.lines.clear()
         self.angles.tangents.clear()
         self.velocity_lines = None
@@ -70,11 +72,8 @@ class SpatialKinematics(Frames):
             if not self._is_ball(body):
                 self._say_axes(angles, axes)
             terms = [(rates_of(name, 1), axis) for name, axis in angles]
-            if axes.body == body:
-                name = f"omega_{body}"
-            else:
-                name = f"omega_{body}" if axes.body == GROUND else f"omega_{body}_{axes.body}"
-            symbols = self.introduce(name, "omega", body, axes, _turning(self.system, body), "rad/s")
+            named = self._name_of_omega(body, axes)
+            symbols = self.introduce(named, "omega", body, axes, _turning(self.system, body), "rad/s")
             sides = tuple(
                 _sum([scaled(axis[k], rate) for rate, axis in terms if not axis[k].is_zero()]) for k in range(3)
             )
@@ -82,6 +81,14 @@ class SpatialKinematics(Frames):
             why = "space.added" if added else "space.of_ball" if self._is_ball(body) else "space.one_axis"
             self.told[key] = symbols, self.script.line(symbols, sides, why=why, args=args, uses=added)
         return self.told[key]
+
+    def _name_of_omega(self, body: str, axes: Axes) -> str:
+        """omega_body along its own axes or the fixed ones, whichever are told first; else with the axes as an index."""
+        if axes.body in (body, GROUND):
+            other = GROUND if axes.body == body else body
+            if ("omega", body, other) not in self.told:
+                return f"omega_{body}"
+        return f"omega_{body}_{'0' if axes.body == GROUND else axes.body}"
 
     def omega_rates(self, body: str, axes: Axes) -> tuple[Expr, ...]:
         """The angular acceleration along axes: rates of the components, and what the turning of the axes adds."""
@@ -114,13 +121,16 @@ class SpatialKinematics(Frames):
     def _say_axes(self, angles: Sequence[tuple[str, Vector]], axes: Axes) -> None:
         """Which angle turns about which axis."""
         self.angles.introduce(name for name, _axis in angles)
-        for name, axis in angles:
-            shown = Sentence("space.vector", {"x": tidy(axis[0]), "y": tidy(axis[1]), "z": tidy(axis[2])})
-            args: dict[str, Argument] = {"name": Symbol(name), "axis": shown, "axes": axes.words}
-            if len(angles) > 1:
-                args["e"] = self.angles.vectors.unit_vector(name)
+        new = [(name, axis) for name, axis in angles if (name, axes.body) not in self._axes_told]
+        self._axes_told |= {(name, axes.body) for name, _axis in new}
+        shown = [Sentence("space.vector", dict(zip("xyz", map(tidy, axis), strict=True))) for _name, axis in new]
+        if len(angles) > 1 and new:
+            unit = [self.angles.vectors.unit_vector(name) for name, _axis in new]
+            each = (Sentence("space.vector_is", {"e": e, "axis": axis}) for e, axis in zip(unit, shown, strict=True))
+            self.script.say("space.unit_vectors_are", axes=axes.words, vectors=tuple(each))
+        elif new:
             alone = "space.turns_about" if axes.body == GROUND else "space.turns_about_own"
-            self.script.say(alone if len(angles) == 1 else "space.unit_vector_is", **args)
+            self.script.say(alone, name=Symbol(new[0][0]), axis=shown[0], axes=axes.words)
 
     def component(self, body: str, along: Direction) -> Expr:
         """The angular velocity of a body along one direction, as a sum over its angles."""
@@ -163,9 +173,9 @@ class SpatialKinematics(Frames):
             return velocity_constraints(self.setup, self.script, [connection])
         body, plane = found
         axes = axes_of(None) if self.model.coordinates else self._handy_axes(body)
-        r_symbols, r_line = self.arm_to_contact(body, plane, axes)
-        v_symbols, v_line = self.velocity(body, axes)
-        w_symbols, w_line = self.omega(body.name, axes)
+        _r, r_line = self.arm_to_contact(body, plane, axes)
+        _v, v_line = self.velocity(body, axes)
+        _w, w_line = self.omega(body.name, axes)
         omega = [self.field.zero] * 3
         for name, axis in self.turning(body.name):
             rate = self.rate_element(name)
@@ -177,8 +187,7 @@ class SpatialKinematics(Frames):
         zero = number(0)
         uses = (r_line, v_line, w_line)
         args: dict[str, Argument] = {"connection": connection, "lines": uses}
-        formal = tuple(add(v, *_cross_terms(w_symbols, r_symbols, k)) for k, v in enumerate(v_symbols))
-        return [self.script.line((zero, zero, zero), formal, shown, why="space.no_slip", args=args, uses=uses)]
+        return [self.script.line((zero, zero, zero), shown, why="space.no_slip", args=args, uses=uses)]
 
     def _handy_axes(self, body: RigidBody) -> Axes:
         """The axes of what carries a body: there its velocities are short."""
@@ -249,12 +258,11 @@ class SpatialKinematics(Frames):
         said: dict[str, Argument] = {"body": body.name, "point": name, "carrier": axes.body, "axes": axes.words}
         r = self.introduce(f"r_{name}_{body.name}", "arm_from", body.name, axes, reads, "m", point=name)
         r_line = self.script.line(r, self.shown(arm), why="space.arm_from_is", args=said)
-        w, w_line = self.omega(axes.body, axes)
+        _w, w_line = self.omega(axes.body, axes)
         v = self.introduce(f"v_{body.name}", "velocity", body.name, axes, moves, "m/s")
-        formal = tuple(add(*_cross_terms(w, r, k)) for k in range(3))
         shown = self.shown(self.along(self._raw_velocity(body), axes))
         uses = (w_line, r_line, *self.bound(axes.body))
-        return v, self.script.line(v, formal, shown, why="space.transfer", args={"lines": uses}, uses=uses)
+        return v, self.script.line(v, shown, why="space.transfer", args={"lines": uses}, uses=uses)
 
     def place(self, point: Point, name: str) -> int:
         """Where a point is, by ground components."""

@@ -7,8 +7,10 @@ sum over bodies of e . (dH/dt + r x m a)          about any point O, along e
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import zip_longest
 
-from freebody.language.expression import n_operations
+from freebody.language.expression import n_operations, number
+from freebody.measures.geometry import Point
 from freebody.model.elements import RigidBody
 from freebody.narrative.lines.rates import rates_of_vector
 from freebody.narrative.lines.script import Argument, Script
@@ -62,7 +64,8 @@ class SpatialRates:
             lines += self._turning(script, b)
         moves = slots & {"x", "y", "z"} and not inertia[0].is_zero()
         if moves and not all(self.model.samples.vanishes(v) for v in self.model.kinematics.velocities[b.name][:3]):
-            lines.append(self.kinematics.place(b.mass_center, f"{b.name}.G" if b.center != b.mass_center else b.name))
+            name = b.name if _coincide(b.center, b.mass_center) else f"{b.name}.G"
+            lines.append(self.kinematics.place(b.mass_center, name))
         return tuple(lines)
 
     def _turning(self, script: Script, b: RigidBody) -> list[int]:
@@ -131,3 +134,8 @@ class SpatialRates:
     def replaced(self, rate: MomentumRate) -> tuple[int, ...] | None:
         """It stands in the coordinates."""
         return None
+
+
+def _coincide(a: Point, b: Point) -> bool:
+    """Whether two points of a body are one; an offset in the plane has no third component."""
+    return all(x == y for x, y in zip_longest(a.offset, b.offset, fillvalue=number(0)))

@@ -47,14 +47,19 @@ class Arrows:
         self.sketch, self.where = sketch, where
         self.lengths = lengths or _usual_length
         self.taken: list[tuple[Array, Array]] = []  # points and ways of arrows
+        self.wanted: list[tuple[Array, Array]] = []  # the same of those that are still to be drawn
         self.couples: list[Array] = []
         self.drawn: list[Drawn] = []
 
     def draw(self, forces: Sequence[ShownForce]) -> None:
         ordered = sorted(forces, key=lambda force: force.kind != "weight")
-        for force in ordered:
-            vector = np.array(force.moment if force.is_couple else force.force)
-            seen = self.sketch.vector(vector / float(np.linalg.norm(vector)))
+        ways = [self._seen(force) for force in ordered]
+        self.wanted = [
+            (self.where(force)[0], -way[:2] if self._is_into(force, way[:2]) else way[:2])
+            for force, way in zip(ordered, ways, strict=True)
+        ]
+        for force, seen in zip(ordered, ways, strict=True):
+            self.wanted.pop(0)
             with self.sketch.about(f"force {force.name}"):
                 if float(np.hypot(*seen[:2])) > _HEAD_ON:
                     self._arrow(force, seen[:2])
@@ -63,15 +68,25 @@ class Arrows:
                 else:
                     self._head_on(force, float(seen[2]))
 
+    def _seen(self, force: ShownForce) -> Array:
+        """(3,) of a unit vector on paper, and towards the reader."""
+        vector = np.array(force.moment if force.is_couple else force.force)
+        return self.sketch.vector(vector / float(np.linalg.norm(vector)))
+
+    def _is_into(self, force: ShownForce, way: Array) -> bool:
+        """Whether a force points into its body from where it acts. way: (2,) on paper, of any length."""
+        at, middle = self.where(force)
+        inwards, size = middle - at, float(np.hypot(*way))
+        depth = float(np.hypot(*inwards))
+        return depth > 1.0 and float(way @ inwards) > _INTO * depth * size and not force.is_couple
+
     # -- forces -------------------------------------------------------------------------------
     def _arrow(self, force: ShownForce, seen: Array) -> None:
         """seen: (2,) of a unit vector."""
-        at, middle = self.where(force)
+        at, _middle = self.where(force)
         share = float(np.hypot(*seen))
         way = seen / share
-        inwards = middle - at
-        depth = float(np.hypot(*inwards))
-        is_into = depth > 1.0 and float(way @ inwards) > _INTO * depth and not force.is_couple
+        is_into = self._is_into(force, way)
         length = self.lengths(force) * max(share, _SHORTEST)
         from_outside, is_free = self._side(at, way, is_into)
         length *= 1.0 if is_free else _LONGER
@@ -107,10 +122,12 @@ class Arrows:
         self.sketch.wish(Wish(labelled(force), tuple((at + 5.0 * w, w) for _a, w in around(at)), 11.0, ink, weight=5.0))
 
     def _side(self, at: Array, way: Array, is_into: bool) -> tuple[bool, bool]:
-        """Whether an arrow comes from outside, and whether that side is free."""
+        """Whether an arrow comes from outside, and whether that side is free. The other side than its own is left to
+        those that are drawn later and whose own it is."""
         for from_outside in (is_into, not is_into):
             own = -way if from_outside else way
-            if not any(np.hypot(*(at - other)) < 3.0 and own @ taken > 0.96 for other, taken in self.taken):
+            others = self.taken if from_outside is is_into else [*self.taken, *self.wanted]
+            if not any(np.hypot(*(at - o)) < 3.0 and own @ w > 0.96 * np.hypot(*w) > 0 for o, w in others):
                 return from_outside, True
         return is_into, False
 

@@ -39,6 +39,7 @@ _N_ARC = 24
 _SHARE = 0.8  # of the way to where a joint is drawn, of the arc about its axis
 _CROWD = 12  # how much may be near a dimension line in space
 _TRIED = 0.3, 0.7  # [rad] at which an angle is compared with its parameter
+_ROOM, _LEADER = 20.0, 12.0  # [points] that a radius is long for a label on it; how far its line goes on else
 _RADII = (-0.6, 0.6, -2.2, 2.5, -1.2, 1.2, 0.0, 3.1)  # [rad]
 
 
@@ -130,20 +131,31 @@ class SpaceDimensions(Dimensioned):
         ends = [(self.sketch.seen(middle), self.sketch.seen(middle + tip)) for tip in tips]
         ends = [(start, end) for start, end in ends if not np.array_equal(start, end)]  # none of a disk without radius
         lines = [self._radius(start, end) for start, end in ends]
-        k = self.sketch.least_crowded([shapes[:1] for shapes in lines], 30) if lines else None
+        # where the label stands beyond the end of a line, that place is to be free as well
+        near = [
+            [*shapes[:1], *(_beyond(*end) if _is_short(*end) else ())] for shapes, end in zip(lines, ends, strict=True)
+        ]
+        k = self.sketch.least_crowded(near, 30) if lines else None
         if k is None:
             return
         self.show(label)
         self.sketch.add(lines[k])
         start, end = ends[k]
-        side = across((end - start) / float(np.hypot(*(end - start))))
+        way = (end - start) / float(np.hypot(*(end - start)))
+        side = across(way)
         spots = [start + share * (end - start) for share in (0.55, 0.7, 0.4)]
         places = tuple((spot, sign * side) for spot in spots for sign in (1.0, -1.0))
-        self.sketch.wish(Wish(label, places, SIZE, INK, weight=3.0))
+        if _is_short(start, end):
+            far = end + _LEADER * way
+            places = tuple((far, towards) for towards in (way, way + side, way - side))
+        # a name may stand elsewhere, the letter at the end of a line may not
+        self.sketch.wish(Wish(label, places, SIZE, INK, weight=8.0 if _is_short(start, end) else 3.0))
 
     def _radius(self, start: Array, end: Array) -> list[Shape]:
+        """Where there is no room for its label the line goes on beyond the rim, and the label stands at its end."""
         way = (end - start) / float(np.hypot(*(end - start)))
-        return [Shape(np.array((start, end - 4.0 * way)), INK, 0.7), head(end, way, INK, 5.0)]
+        last = end + _LEADER * way if _is_short(start, end) else end - 4.0 * way
+        return [Shape(np.array((start, last)), INK, 0.7), head(end, way, INK, 5.0)]
 
     # -- angles -------------------------------------------------------------------------------
     def _angle(self, bent: _Bent) -> None:
@@ -222,6 +234,18 @@ class SpaceDimensions(Dimensioned):
         numbers = {n: self.places.number(Symbol(n)) for part in parts for n in free_symbols(part)} | {name: value}
         found = np.array([float(evaluate(part, numbers)) for part in parts])
         return found / float(np.linalg.norm(found))
+
+
+def _beyond(start: Array, end: Array) -> list[Shape]:
+    """The place of a label behind the end of a line that goes on beyond a rim."""
+    way = (end - start) / float(np.hypot(*(end - start)))
+    far, aside = end + (_LEADER + 7.0) * way, 6.0 * across(way)
+    return [Shape(np.array((far - aside, far + aside, far - aside + 6.0 * way, far + aside + 6.0 * way)))]
+
+
+def _is_short(start: Array, end: Array) -> bool:
+    """Whether a radius has no room for its label."""
+    return float(np.hypot(*(end - start))) < _ROOM
 
 
 def _axis_of(sign: Glyph) -> tuple[Point, Direction] | None:

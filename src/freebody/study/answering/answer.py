@@ -10,6 +10,7 @@ from freebody.assess.solved import SolvedAnswer
 from freebody.assess.verdict import Judgement, Verdict
 from freebody.language.expression import Expr, in_one_order
 from freebody.language.notation import stated_plain, to_latex, to_python
+from freebody.language.sentences import Message
 from freebody.language.units.conversion import conversion
 from freebody.present.report.blocks import Report
 from freebody.present.report.result import Result
@@ -18,6 +19,8 @@ from freebody.questions.reading import Question
 from freebody.study.answering.named_formulas import Chain
 from freebody.study.answering.told import answer_blocks
 
+ITS_RATE = Message("this is its rate")  # a note on the answer to whether something is conserved
+MOVING_POINT = "the point moves, so dH/dt = M - v × P, here with -v × P = {term}"  # another one
 Value = float | tuple[float, ...] | None
 NOT_VALID = "Not valid for the given numbers"  # how a note begins that names a condition which they break
 

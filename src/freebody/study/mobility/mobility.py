@@ -261,13 +261,9 @@ def _mistakes(found: Mobility) -> dict[int, str]:
     n, count = found.finite_freedom, found.gruebler
     told: dict[int, str] = {}
     for k in range(1, len(count.loads) + 1):
-        told[n - k] = Message(
-            "would be so if {k} of the loads ({loads}) were constraints; a load holds nothing",
-            k=k,
-            loads=", ".join(count.loads),
-        )
+        told[n - k] = Message("loads ({loads}) remove no degree of freedom", loads=", ".join(count.loads))
     if len(count.loads) == 1:
-        told[n - 1] = Message("would be so if {load} were a constraint; a load holds nothing", load=count.loads[0])
+        told[n - 1] = Message("{load} is a load and removes no degree of freedom", load=count.loads[0])
     pins = [c for c in count.connections if c.n == 2]
     slots = [c.connection for c in count.connections if c.n == 1 and not c.is_driver]
     if slots and not count.space:

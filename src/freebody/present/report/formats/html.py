@@ -30,7 +30,7 @@ from freebody.present.report.blocks import (
     Unbroken,
 )
 from freebody.present.report.formulas.mathml import MathMLFormulas
-from freebody.present.report.formulas.rows import formula_width, rows
+from freebody.present.report.formulas.rows import by_relation, formula_width, rows
 from freebody.present.report.words import capital
 from freebody.present.report.writer import BlockWriter, ReportFormat, in_its_decimals
 
@@ -232,7 +232,9 @@ class _Writer(BlockWriter[str]):
         broken = rows(equation.formula, _ROW_WIDTH)
         for k, row in enumerate(broken):
             cells += f'<span class="left">{_math(_FORMULAS.left(row))}</span>'
-            cells += f'<span class="rest">{_math(_FORMULAS.right(row))}</span>'
+            parts = [_math(_FORMULAS.right(part)) for part in by_relation(row)]
+            inner = parts[0] if len(parts) == 1 else "".join(f'<span class="part">{part}</span>' for part in parts)
+            cells += f'<span class="rest">{inner}</span>'
             if k == 0 and number is not None:
                 where = f"#{self.prefix}eq-{number}"
                 label = f"{self.word('equation')} {number}"

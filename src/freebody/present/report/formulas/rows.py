@@ -47,6 +47,12 @@ def rows(formula: Formula, width: int) -> list[Row]:
     return [Row(left if k == 0 else None, line, formula.unit if k == last else "") for k, line in enumerate(lines)]
 
 
+def by_relation(row: Row) -> list[Row]:
+    """What stands right of a row in parts that begin with its relations, between which a narrow page may break it."""
+    last = len(row.right) - 1
+    return [Row(None, (step,), row.unit if k == last else "") for k, step in enumerate(row.right)]
+
+
 def formula_width(formula: Formula) -> int:
     """[characters] of all sides on one row"""
     return sum(side_width(side) + 3 for side in formula.sides)
