@@ -51,7 +51,7 @@ from freebody.model.noting import Noting, did_you_mean
 from freebody.model.spec import Spec
 
 PI = Symbol("pi")
-_QUANTITY = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?\s*[A-Za-zµμ°%]")
+_QUANTITY = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?(\s*[A-Za-zµμ°%]|\s+1\s*/\s*[A-Za-z])")
 _WITH_UNIT = re.compile(r"(?<![\w.])[\d.]+([eE][+-]?\d+)?\s+(?P<unit>[A-Za-zµμ°%]+)")
 
 
