@@ -119,14 +119,21 @@ def test_a_mistake_in_an_element_is_one_message_at_its_place(kind: str) -> None:
         ("connections brake", ("torque",), "-1 N m", "torque is negative (-1 N m); give a positive one"),
         ("connections brake", ("between", 1), "drum", "joins drum to itself; name two bodies"),
         ("connections stop", ("min",), None, "a stop needs min or max"),
-        ("loads spring", ("first",), "ball", "links ball to itself; name points of two bodies"),
         ("loads elastic_string", ("from",), None, "a string needs two ends: from and to"),
         ("bodies box", ("size", 1), "-1 m", "size is negative (-1 m); give a positive one"),
     ],
 )
-def test_what_is_no_gear_no_box_and_no_spring_is_told_with_its_cure(
+def test_what_is_no_gear_no_box_and_no_brake_is_told_with_its_cure(
     kind: str, field: Path, value: Any, says: str
 ) -> None:
     data, place = EXAMPLES[kind]
     (problem,) = _problems(_with(data, (*place, *field), value))
     assert says in problem.message
+
+
+def test_a_spring_from_a_body_to_itself_is_told_to_want_two_bodies() -> None:
+    data, place = EXAMPLES["loads spring"]
+    text = io.StringIO()
+    YAML().dump(_with(data, (*place, "first"), "ball"), text)
+    (warning,) = fb.System.from_text(text.getvalue()).warnings
+    assert "it acts between ball and itself, and has no direction: name points of two bodies" in warning.text()

@@ -22,7 +22,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import AXES, ONE, Direction, Point
+from freebody.measures.geometry import AXES, ONE, Direction
 from freebody.measures.turn import Turn
 from freebody.model import glyphs
 from freebody.model.elements import RATE, VALUE, AppliedLoad
@@ -33,14 +33,6 @@ from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-
-
-def _ends(names: Names, first: str, second: str) -> tuple[Point, Point]:
-    """The points between which it acts, of two bodies."""
-    one, other = names.point(first, "first"), names.point(second, "second")
-    if one.body == other.body:
-        names.problem(Message("links {body} to itself; name points of two bodies", body=one.body))
-    return one, other
 
 
 class Spring(Load, kind="spring"):
@@ -66,7 +58,7 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
 """
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
-        first, second = _ends(names, self.first, self.second)
+        first, second = names.point(self.first, "first"), names.point(self.second, "second")
         k = names.positive(self, "stiffness", STIFFNESS)
         natural = names.length_or(self, "length")
         if natural is not None and self.preload is not None and self.only is None:
@@ -138,7 +130,7 @@ loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
 """
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
-        distance = Distance(*_ends(names, self.first, self.second))
+        distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
         c, natural = names.positive(self, "damping", DAMPING), names.length_or(self, "length")
         side, two = number(1 if self.only == "stretched" else -1), number(2)
         if self.only is None:
