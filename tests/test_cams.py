@@ -442,3 +442,17 @@ def test_the_speed_at_which_a_valve_floats_is_that_of_the_textbook(asked: str, a
     """m y'' = 2 m h w^2 cos(2 phi) is least at full lift, where the spring pushes with F0 + k h; at no lift, where it
     is greatest, the cam is pressed at any speed."""
     agrees(fb.System.from_text(VALVE).solve(asked), "q1", "sqrt((F0 + k*h)/(2*m*h))")
+
+
+def test_greatest_pressure_angle_of_a_swinging_roller_is_where_the_eccentric_lies_along_the_line_of_the_pivots() -> (
+    None
+):
+    cam = ROLLER.replace("tappet", "lever.end")
+    system = fb.System.from_text(SWINGING.format(cam=cam, start=0.0))
+    # the same triangle: sin(alpha) = (a_b^2 + L^2 - e^2 - c^2 + 2 e c cos(phi))/(2 a_b L) grows with cos(phi)
+    a_b, e, lever, c = 0.040, 0.008, 0.080, 0.090
+    for which, sense in (("greatest", 1), ("least", -1)):
+        square = e**2 + c**2 - 2 * sense * e * c
+        expected = np.arcsin((a_b**2 + lever**2 - square) / (2 * a_b * lever))
+        answer = system.solve(f"{which} pressure angle of it over a turn")["q1"]
+        assert answer.value == pytest.approx(expected, rel=1e-8)

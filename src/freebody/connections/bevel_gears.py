@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING
 from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing, shared
 from freebody.connections.shared_by_copies import SharedByCopies
 from freebody.connections.standing import number_of
-from freebody.connections.teeth import parting_slope, read_pressure_angle
+from freebody.connections.teeth import parting_slope, read_pressure_angle, read_teeth
 from freebody.language.expression import ONE, ZERO, Call, Expr, divide, negate, number
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.language.units import LENGTH
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, Components
 from freebody.model import glyphs
@@ -86,7 +86,7 @@ connections:
         across = vector_product(tangent, a1)  # from the first axis towards the second
         line = combined((cosine, a1), (sine, across))
         outwards = combined((negate(sine), a1), (cosine, across))  # from the first cone into the second
-        radius = names.positive(self, "radius", LENGTH)
+        radius = names.above_zero(self, "radius", LENGTH)
         place = combined((ONE, apex), (divide(radius, sine), line))
         return meshing((one, two), place, combined((ONE, tangent), (number(flank) * slope, outwards)))
 
@@ -128,10 +128,7 @@ connections:
 
     def _half_angle(self, names: Names, a1: Components, a2: Components) -> tuple[Expr, Expr]:
         """Sine and cosine of delta_1."""
-        if len(self.teeth) != 2:
-            names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
-            return ONE, ONE
-        z1, z2 = (names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
+        z1, z2 = read_teeth(names, self.teeth)
         # a right angle leaves sin = z_1/sqrt(z_1^2 + z_2^2)
         rise, run = z1 * _size(vector_product(a1, a2)), z2 + z1 * dot(a1, a2)
         slant = Call("sqrt", rise * rise + run * run)
@@ -154,9 +151,9 @@ connections:
         }
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        radius = names.positive(self, "radius", LENGTH)
-        teeth = [names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth)]
-        radii = (radius, divide(radius * teeth[1], teeth[0])) if len(teeth) == 2 else ()
+        radius = names.above_zero(self, "radius", LENGTH)
+        z1, z2 = read_teeth(names, self.teeth)
+        radii = (radius, divide(radius * z2, z1))
         for first, second in self.pairs_of_gears(names):
             yield glyphs.Toothed((names.body(first).center, names.body(second).center), radii)
 

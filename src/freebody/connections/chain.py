@@ -20,7 +20,8 @@ from freebody.connections.base import Connection
 from freebody.connections.belt_in_space import BeltInSpace, belt_in_space, lies_flat, own_plane
 from freebody.connections.belt_loop import BeltLoop, distance_of_centers
 from freebody.connections.circles import touching
-from freebody.language.expression import ONE, PI, Expr, divide
+from freebody.connections.teeth import read_teeth
+from freebody.language.expression import PI, Expr, divide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.combination import Combination
@@ -31,10 +32,11 @@ from freebody.model.glyphs import Glyph
 from freebody.model.pressed_side import TightRun
 from freebody.model.spec import Formula
 from freebody.model.transmitted import Transmitted
-from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+_LEAST_TEETH = 3
 
 
 class Chain(Connection, kind="chain"):
@@ -68,7 +70,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
         if first.name == second.name:
             names.problem(Message("a chain needs two sprockets, not {first} twice", first=first.name))
             return []
-        r1, r2 = self._radii(names, look=True)
+        r1, r2 = self._radii(names)
         self._loop(names).look(names, names.optional(self, "length", LENGTH))
         if self.is_in_plane(names):
             distance, _total, rolled = touching(first.center, r1, second.center, r2, internal=True)
@@ -92,17 +94,9 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {chain: {fir
         )
         return {self.first: told, self.second: told}
 
-    def _radii(self, names: Names, *, look: bool = False) -> tuple[Expr, Expr]:
-        pitch = names.positive(self, "pitch", LENGTH)
-        if len(self.teeth) != 2:
-            names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
-            return ONE, ONE
-        teeth = [names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth)]
-        for k, z in enumerate(map(names.numeric, teeth)):
-            if look and z is not None and (z < 3 or abs(z - round(z)) > ROUNDED):
-                told = Message("{z:g} teeth: a number of teeth is whole, e.g. {near}", z=z, near=max(3, round(z)))
-                names.problem(told, "teeth", k)
-        r1, r2 = (divide(pitch * z, 2 * PI) for z in teeth)
+    def _radii(self, names: Names) -> tuple[Expr, Expr]:
+        pitch = names.above_zero(self, "pitch", LENGTH)
+        r1, r2 = (divide(pitch * z, 2 * PI) for z in read_teeth(names, self.teeth, _LEAST_TEETH))
         return r1, r2
 
     def _in_space(self, names: Names) -> BeltInSpace | None:

@@ -51,7 +51,7 @@ connections: {it: {clothoid: {point: car, scale: A}}}
         if self.bends not in _SIDES:
             names.problem(Message("bends is one of {names}", names=", ".join(_SIDES)), "bends")
         origin, axes = self.placed(names)
-        size = names.positive(self, "scale", LENGTH) * Call("sqrt", PI)
+        size = names.above_zero(self, "scale", LENGTH) * Call("sqrt", PI)
         along = divide(Symbol(PARAMETER), size)
         y = size * Call("fresnel_s", along)
         return Curve(size * Call("fresnel_c", along), y if self.bends == "left" else negate(y), LENGTH, origin, axes)

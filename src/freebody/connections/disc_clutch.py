@@ -62,6 +62,9 @@ connections:
             names.problem(Message("a clutch is between two bodies, e.g. between: [flywheel, shaft]"), "between")
             return [], []
         first, second = (names.body(name, "between", k) for k, name in enumerate(self.between))
+        if first is second and first.name not in names.broken:
+            told = Message("joins {body} to itself; name two bodies", body=first.name)
+            names.problem(told, "between")
         for k, body in enumerate((first, second)):
             if not body.turns:
                 names.problem(Message("{body} is a particle and does not turn", body=body.name), "between", k)

@@ -9,6 +9,7 @@ from freebody.connections.joints import own_direction
 from freebody.connections.pitch_point import born_wheel
 from freebody.connections.shared_by_copies import SharedByCopies, gathered
 from freebody.connections.standing import number_of
+from freebody.connections.teeth import read_teeth
 from freebody.language.expression import Expr, divide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
@@ -96,10 +97,7 @@ connections:
             return ONE
         if self.teeth is None:
             return names.formula(self.ratio, DIMENSIONLESS, "ratio")
-        if len(self.teeth) != 2:
-            names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
-            return ONE
-        first, second = (names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
+        first, second = read_teeth(names, self.teeth)
         return -divide(first, second)
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:

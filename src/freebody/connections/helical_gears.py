@@ -19,10 +19,10 @@ from typing import TYPE_CHECKING
 from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing, shared
 from freebody.connections.shared_by_copies import SharedByCopies
 from freebody.connections.standing import is_near, number_of
-from freebody.connections.teeth import read_pressure_angle
+from freebody.connections.teeth import read_pressure_angle, read_teeth
 from freebody.language.expression import ONE, ZERO, Call, Expr, divide, negate, number
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.language.units import LENGTH
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, Components
 from freebody.model import glyphs
@@ -77,7 +77,7 @@ connections:
         found = [pair for pair in pairs if pair is not None]
         if len(found) < len(pairs):
             return []
-        self._look_at_distance(names, found[0], names.positive(self, "radius", LENGTH))
+        self._look_at_distance(names, found[0], names.above_zero(self, "radius", LENGTH))
         flank = 0 if read_pressure_angle(names, self) is None else -1 if self.other_flank else 1
         measure, other = (shared([self._mesh(names, pair, side) for pair in found]) for side in (flank, -flank))
         turns = {wheel.held.body: wheel.turn() for pair in found for wheel in pair}
@@ -88,7 +88,7 @@ connections:
         """The way by which the flanks of two wheels would pass into each other."""
         axis, outwards = wheels[0].axis.components, self._outwards(names, wheels)
         alpha, beta = read_pressure_angle(names, self), self._helix(names)
-        radius = names.positive(self, "radius", LENGTH)
+        radius = names.above_zero(self, "radius", LENGTH)
         hand = number(-1 if self.left_handed else 1)
         along = combined((ONE, vector_product(axis, outwards)), (negate(hand * Call("tan", beta)), axis))
         if alpha is not None:
@@ -148,11 +148,7 @@ connections:
         names.problem(told, "radius")
 
     def _numbers_of_teeth(self, names: Names) -> tuple[Expr, Expr]:
-        if len(self.teeth) != 2:
-            names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
-            return ONE, ONE
-        z1, z2 = (names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
-        return z1, z2
+        return read_teeth(names, self.teeth)
 
     def _helix(self, names: Names) -> Expr:
         return names.angle(self.helix_angle, "helix_angle")

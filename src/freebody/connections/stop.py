@@ -55,6 +55,8 @@ connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x
                 limit = names.formula(value, measure.dimension, key)
                 row = ConstraintRow(key, reaction, measure, limit, sign, unilateral=True, connection=connection)
                 found.append(UnilateralConstraint(row, restitution))
+        if not found:
+            return [], []
         low, high = (names.numeric(b.row.target) if b.row.target is not None else None for b in (found[0], found[-1]))
         if len(found) == 2 and low is not None and high is not None and low > high:
             names.problem(Message("min ({low:g}) is above max ({high:g})", low=low, high=high))

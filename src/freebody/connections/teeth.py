@@ -14,11 +14,15 @@ Source: Norton, Design of Machinery, 5th ed. 2012, sec. 9.2; Shigley, Mechanical
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import ONE, ZERO, Call, Expr
 from freebody.language.sentences import Message
-from freebody.model.spec import Spec
+from freebody.language.units import DIMENSIONLESS
+from freebody.model.noting import reads
+from freebody.model.spec import Formula, Spec
+from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -43,6 +47,23 @@ def read_pressure_angle(names: Names, spec: Spec, field: str = "pressure_angle")
         )
         return None
     return alpha
+
+
+@reads
+def read_teeth(names: Names, teeth: Sequence[Formula], least: int = 1) -> tuple[Expr, Expr]:
+    """Two numbers of teeth, each whole and at least so many; 1 in place of what is none."""
+    if len(teeth) != 2:
+        names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
+        return ONE, ONE
+    read = [names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(teeth)]
+    for k, z in enumerate(map(names.numeric, read)):
+        if z is None or (z >= least and abs(z - round(z)) <= ROUNDED):
+            continue
+        if not names.is_told("teeth", k):
+            near = max(least, round(z))
+            names.problem(Message("{z:g} teeth: a number of teeth is whole, e.g. {near}", z=z, near=near), "teeth", k)
+        read[k] = ONE
+    return read[0], read[1]
 
 
 def parts_of_tooth_force(alpha: Expr | None) -> dict[str, Expr]:

@@ -141,8 +141,8 @@ connections:
         normal, gap = vector_product(a1, a2), between(worm.at, wheel.at)
         side = number(-1 if number_of(names, dot(gap, normal)) < 0 else 1)
         p = combined((side, normal))
-        radius, starts = names.positive(self, "radius", LENGTH), names.positive(self, "starts", DIMENSIONLESS)
-        teeth = names.positive(self, "teeth", DIMENSIONLESS)
+        radius, starts = names.above_zero(self, "radius", LENGTH), names.above_zero(self, "starts", DIMENSIONLESS)
+        teeth = names.above_zero(self, "teeth", DIMENSIONLESS)
         self._look_at_distance(names, dot(gap, p), radius, radius * Call("tan", self._lead(names)) * teeth / starts)
         # the point of the worm's axis that is nearest to that of the wheel, and r_1 from there
         foot = combined((ONE, worm.at), (negate(dot(gap, a1)), a1))

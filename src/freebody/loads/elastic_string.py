@@ -153,7 +153,7 @@ loads: {it: {elastic_string: {from: ground.B, over: [wheel], to: ball, stiffness
             if self.grips:
                 names.problem(Message("it grips wheels only, and runs round none: over: [wheel]"), "grips")
         length = self._length(names)
-        if length is None:
+        if length is None or not is_way_given(names, self):
             return []
         k = names.positive(self, "stiffness", STIFFNESS)
         natural = names.length_or(self, "length")

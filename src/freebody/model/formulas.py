@@ -47,11 +47,11 @@ from freebody.language.units import (
 )
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.elements import Parameter
-from freebody.model.noting import Noting, did_you_mean
+from freebody.model.noting import Noting, did_you_mean, reads
 from freebody.model.spec import Spec
 
 PI = Symbol("pi")
-_QUANTITY = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?\s*[A-Za-zµμ°%]")
+_QUANTITY = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?(\s*[A-Za-zµμ°%]|\s+1\s*/\s*[A-Za-z])")
 _WITH_UNIT = re.compile(r"(?<![\w.])[\d.]+([eE][+-]?\d+)?\s+(?P<unit>[A-Za-zµμ°%]+)")
 
 
@@ -76,6 +76,7 @@ class Formulas(Noting):
         """Of the parameters; functions of time are among them where time may be."""
         return {p.name: p.dimension for p in self.parameters.values() if p.form is None or in_time}
 
+    @reads
     def angle(self, value: Any, *path: str | int) -> Expr:
         """A formula for an angle; a number of more than a full turn needs a unit, since degrees are nearly always
         meant: alone, or as a parameter in a sum of angles."""
@@ -99,6 +100,7 @@ class Formulas(Noting):
                 self.problem(told, *path)
         return expr
 
+    @reads
     def formula(
         self,
         value: Any,
@@ -231,6 +233,7 @@ class Formulas(Noting):
                 )
         return None
 
+    @reads
     def positive(self, spec: Spec, field: str, dimension: Dimension) -> Expr:
         """A formula that must not be negative."""
         expr = self.formula(getattr(spec, field), dimension, field)
@@ -246,6 +249,15 @@ class Formulas(Noting):
                 field,
             )
         return expr
+
+    @reads
+    def above_zero(self, spec: Spec, field: str, dimension: Dimension) -> Expr:
+        """A formula that must be positive; 1 where it is not, so that one can divide by it."""
+        expr = self.positive(spec, field, dimension)
+        value = self.numeric(expr)
+        if value == 0.0 and not self.is_told(field):
+            self.problem(Message("{field} is 0; give a positive one", field=field), field)
+        return number(1) if value is not None and value <= 0.0 else expr
 
     def optional(self, spec: Spec, field: str, dimension: Dimension) -> Expr | None:
         return None if getattr(spec, field) is None else self.positive(spec, field, dimension)
@@ -295,6 +307,7 @@ class Formulas(Noting):
         value = getattr(spec, field)
         return None if value is None else self.components(value, dimension, field)
 
+    @reads
     def components(self, value: Any, dimension: Dimension, *path: str | int) -> Components:
         """[x, y], or [x, y, z] in space, where z may be left out."""
         items = cast("list[Any]", value) if isinstance(value, (list, tuple)) else []
@@ -320,6 +333,24 @@ class Formulas(Noting):
             )
             return self.origin
         return tuple(self.formula(item, dimension, *path, k) for k, item in enumerate(items))
+
+    @reads
+    def sides(self, value: Any, dimension: Dimension, field: str) -> Components:
+        """Components of which none may be negative: the sides of a box."""
+        found = self.components(value, dimension, field)
+        for k, side in enumerate(found):
+            if (size := self.below_zero(side)) is not None:
+                self.problem(
+                    Message(
+                        "{field} is negative ({value:g} {dimension}); give a positive one",
+                        field=field,
+                        value=size,
+                        dimension=dimension,
+                    ),
+                    field,
+                    k,
+                )
+        return found
 
     def vectors(self, spec: Spec, field: str, dimension: Dimension) -> list[Components]:
         return [self.components(v, dimension, field, k) for k, v in enumerate(getattr(spec, field))]

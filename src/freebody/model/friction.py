@@ -70,7 +70,10 @@ def read_restitution(names: Names, value: Any, field: str = "restitution") -> Ex
 def _not_negative(names: Names, value: Any, dimension: Dimension, path: tuple[str, ...], **more: Any) -> Expr:
     expr = names.formula(value, dimension, *path, **more)
     number = names.below_zero(expr)
-    if number is not None:
+    if number is not None and dimension != DIMENSIONLESS:
+        told = "{field} is negative ({value:g} {dimension}); give a positive one"
+        names.problem(Message(told, field=path[0], value=number, dimension=dimension), *path)
+    elif number is not None:
         names.problem(
             Message("friction is negative ({number:g}); a coefficient of friction is 0 or more", number=number),
             *path,

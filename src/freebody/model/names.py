@@ -34,7 +34,7 @@ from freebody.model.elements import (
     UnilateralConstraint,
 )
 from freebody.model.formulas import Formulas
-from freebody.model.noting import did_you_mean
+from freebody.model.noting import did_you_mean, reads
 from freebody.model.rotations import UNIT, Columns, applied, is_one
 from freebody.model.states import ControllerState
 from freebody.model.surfaces import SurfacePlace
@@ -260,6 +260,7 @@ class Names(Formulas):
     def ground_origin(self) -> Point:
         return Point(GROUND, self.origin, "ground.origin")
 
+    @reads
     def body(self, name: str, *path: str | int) -> RigidBody:
         found = self.bodies.get(name)
         if found is None:
@@ -277,6 +278,7 @@ class Names(Formulas):
         """A body that was looked up before; a stand-in if that failed."""
         return self.bodies.get(name) or placeholder(name)
 
+    @reads
     def point(self, text: Any, *path: str | int) -> Point:
         """`body.point`, or `body` for its reference point, that of the ground its origin. A ground point that is not
         declared is the origin."""
@@ -325,6 +327,7 @@ class Names(Formulas):
         body = self.bodies.get(owner or GROUND)
         return None if body is None else body.planes.get(name)
 
+    @reads
     def direction(self, value: Any, *path: str | int, body: str = GROUND) -> Direction:
         """right, left, up, down; an angle from the x axis; components; a line; `body.x` for a body's axis, `frame.x`
         for that of a frame."""
@@ -420,6 +423,7 @@ class Names(Formulas):
         size = ONE if is_one(along) else Call("sqrt", square)
         return self.fixed_in(body, tuple(c / size for c in along))
 
+    @reads
     def radius(self, name: str, *path: str | int, inside: bool = False) -> Expr:
         """Of a round body; inside: of what is hollow in it, where something is."""
         body = self.body(name, *path)

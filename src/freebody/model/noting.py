@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Generator, Iterable
+from collections.abc import Callable, Generator, Iterable
 from contextlib import contextmanager
+from functools import wraps
+from typing import Concatenate, ParamSpec, TypeVar
 
 from freebody.errors import Problem
 from freebody.language.sentences import Message
@@ -30,6 +32,33 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     return Message(" There is: {names}.", names=shown)
 
 
+P = ParamSpec("P")
+R = TypeVar("R")
+N = TypeVar("N", bound="Noting")
+
+
+def reads(method: Callable[Concatenate[N, P], R]) -> Callable[Concatenate[N, P], R]:
+    """A reader of one value, a name or a direction: what is noted in it is a mistake of that value, and no judgement of
+    what it goes into."""
+
+    @wraps(method)
+    def read(self: N, /, *args: P.args, **kwargs: P.kwargs) -> R:
+        self.n_reading += 1
+        try:
+            return method(self, *args, **kwargs)
+        finally:
+            self.n_reading -= 1
+
+    return read
+
+
+_ELEMENTS = {"connections": 2, "loads": 2, "bodies": 3}  # sections, and how long the path to one of their elements is
+
+
+def _element(problem: Problem) -> tuple[str | int, ...]:
+    return problem.path[: _ELEMENTS.get(str(problem.path[0]), 0)] if problem.path else ()
+
+
 class Noting:
     """Notes problems."""
 
@@ -42,6 +71,8 @@ class Noting:
         ] = {}  # parameters that formulas use and nobody gives, and what was noted of them
         self.told_once: set[str] = set()  # what is one mistake, however often the model has it
         self.is_cut_short = False  # a whole section of names could not be read
+        self.n_reading = 0  # readers of values that are at work
+        self._misread: set[Problem] = set()  # problems of values
         self._path: tuple[str | int, ...] = ()
 
     @contextmanager
@@ -67,6 +98,19 @@ class Noting:
                     self.problem(Message("a length, a distance or a mass that {name} needs is 0", name=name))
         if len(self.problems) > n_before:
             self.broken.add(name)
+
+    @property
+    def causes(self) -> list[Problem]:
+        """The problems, less those of a connection, a load or a shape in which a value could not be read: what is said
+        of the whole follows from the stand-in for that."""
+        misread = [p for p in self.problems if p in self._misread and p.path[:1] and p.path[0] in _ELEMENTS]
+        elements = {_element(p) for p in misread}
+        return [p for p in self.problems if _element(p) not in elements or p in misread]
+
+    def is_told(self, *path: str | int) -> bool:
+        """Whether a problem is noted at a place, or inside it."""
+        here = self._path + path
+        return any(p.path[: len(here)] == here for p in self.problems)
 
     @contextmanager
     def quietly(self) -> Generator[None]:
@@ -103,5 +147,7 @@ class Noting:
 
     def problem(self, message: str, *path: str | int) -> None:
         noted = Problem(self._path + path, message)
+        if self.n_reading:
+            self._misread.add(noted)
         if noted not in self.problems:
             self.problems.append(noted)

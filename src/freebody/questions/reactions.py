@@ -100,6 +100,10 @@ questions: {it: reaction of rod on bob}
             raise CannotAnswer(Message("{connection} joins fixed bodies only", connection=self.connection))
         return moving[0]
 
+    def counts(self, row: ConstraintRow) -> bool:
+        """Whether what a row of the connection transmits is part of it."""
+        return True
+
     def transmitted(self, state: State[Any], row: ConstraintRow) -> Any:
         """What a row pushes with in the direction in which its measure grows."""
         return state.multiplier(row)
@@ -107,7 +111,7 @@ questions: {it: reaction of rod on bob}
     def value(self, system: Described, state: State[Any]) -> Any:
         """The sum of what is transmitted times the gradient over the rows of the connection."""
         body = self.body(system)
-        rows = [row for row in system.constraint_rows if row.connection == self.connection]
+        rows = [row for row in system.constraint_rows if row.connection == self.connection and self.counts(row)]
         if self.moment and self.about is None and not system.space:
             couples = [row for row in rows if row.reaction == "moment"]
             if couples:

@@ -110,7 +110,7 @@ questions: {it: tension of rod}
 
 @asked(
     "tension | normal force | friction force | tooth force | ... of CONNECTION [at BODY | between BODY and BODY]",
-    rf"(?P<what>[a-z][a-z ]*?) (?:of|in) (?P<of>{NAME})"
+    rf"(?P<what>[a-z][a-z ]*?(?: [12])?) (?:of|in) (?P<of>{NAME})"
     rf"(?: (?:at|on) (?P<at>{PLACE})| between (?P<a>{PLACE}) and (?P<b>{PLACE}))?",
     rank=0,  # any word of any name: after all others
 )
@@ -136,7 +136,7 @@ def read_component(names: Names, found: Found, path: Path) -> Quantity | None:
         return None
 
     # of several the one at the places that are named, or all where they are one force
-    at = tuple(_place(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
+    at = tuple(place_named(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
     places = [place for row in rows if row.reaction == what for place in _places(row)]
     matching = [place for place in places if set(at) <= set(place[1].places)]
     if len(matching) > 1 and len(at) == 2:  # there and back between the same two: the order is that of its way
@@ -226,7 +226,7 @@ def _listed(places: tuple[str, ...]) -> list[str]:
     return [p for p in places if not any(other.startswith(f"{p}.") for other in places)]
 
 
-def _place(names: Names, text: str, path: Path) -> str:
+def place_named(names: Names, text: str, path: Path) -> str:
     """A body, or a point as `rod.end`, by the name that rows have for it."""
     return str(names.point(text, *path)) if "." in text else names.body(text, *path).name
 

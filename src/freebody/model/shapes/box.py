@@ -41,7 +41,7 @@ class Box(Shape, kind="box"):
                 Message("size is three sides, [a, b, c] along x, y and z, found {size}", size=repr(self.size)),
                 "size",
             )
-        a, b, c = names.components(self.size, LENGTH, "size")
+        a, b, c = names.sides(self.size, LENGTH, "size")
         Ix, Iy, Iz = (divide(m * (square(p) + square(q)), number(12)) for p, q in ((b, c), (a, c), (a, b)))
         x, y, z = map(half, (a, b, c))
         return Build(

@@ -43,7 +43,7 @@ class Ellipsoid(Shape, kind="ellipsoid"):
             told = Message("semi_axes are three, [a, b, c] along x, y and z, found {n}", n=len(self.semi_axes))
             names.problem(told, "semi_axes")
             return Build(m, ZERO)
-        a, b, c = names.components(self.semi_axes, LENGTH, "semi_axes")
+        a, b, c = names.sides(self.semi_axes, LENGTH, "semi_axes")
         middle = names.vector(self, "center_of_mass", LENGTH) or names.origin
         if self.inertia is not None:
             tensor = read_tensor(names, self.inertia, m, middle, "mass_center")

@@ -25,6 +25,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.extent import extent_in_numbers, goes_one_way, kept_on_the_way, turn_of
 from freebody.study.answering.modal_extremes import wave_of
+from freebody.study.answering.settling_extremes import settling_of
 from freebody.study.answering.solve import solve
 from freebody.study.answering.uniform_extremes import instant_of_turn
 from freebody.symbolic.conditions import Condition
@@ -136,6 +137,8 @@ def _extreme(
         return turned
     if (swing := wave_of(context.setup, q.of)) is not None:
         return tell_swing(context, question, q, swing, method)
+    if settling_of(context.setup, q.of) is not None:
+        raise CannotAnswer(Message("how a quantity changes with a rate that settles is given as a result only"))
     if context.setup.model.coordinates:
         return tell_extreme(context, question, q, method)
     from freebody.narrative.steady.steady import derive as of_turn

@@ -63,7 +63,7 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     kinds = _KINDS.get(quantity, (quantity,))
     in_space = any(kind.startswith("friction force ") for kind in own) and not rest.has("part")
     if quantity == "friction force" and quantity not in own and in_space:
-        yield from _in_components(names, rest)
+        yield from _along_surfaces(names, rest)
         return
     if quantity == "tension" and (belts := _tightened(names, rest)):
         yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
@@ -140,14 +140,12 @@ def _rods(names: Names, quantity: str, rest: Clause) -> list[str]:
     return [name] if is_rod and is_along and not (quantity == "tension" and pulled) else []
 
 
-def _in_components(names: Names, rest: Clause) -> Groups:
-    """Both components of a force along a surface, of each connection that has them and is named, or is at what is."""
-    rows = [row for row in names.constraint_rows if row.reaction.startswith("friction force ")]
-    rows = [row for row in rows if not row.reaction[-1].isdigit()]  # along no axis that has a name
+def _along_surfaces(names: Names, rest: Clause) -> Groups:
+    """The friction force along a surface of space, of each connection that has one and is named, or is at what is."""
+    rows = [row for row in names.constraint_rows if row.reaction.startswith("friction force")]
     for joint in dict.fromkeys(row.connection for row in rows):
         if all(name == joint or joining.touches(names, joint, name) for _, name in rest.names):
-            own = dict.fromkeys(row.reaction for row in rows if row.connection == joint)
-            yield [JOINT.join(f"{kind} of {joint}" for kind in own)]
+            yield [f"friction force of {joint}"]
 
 
 def _motors(names: Names, rest: Clause) -> list[str]:

@@ -34,6 +34,8 @@ from freebody.study.answering.modal_extremes import find as find_modal
 from freebody.study.answering.modal_extremes import wave_of
 from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.study.answering.repeated import checked, taken_throughout
+from freebody.study.answering.settling_extremes import find as find_settling
+from freebody.study.answering.settling_extremes import settling_of
 from freebody.study.answering.sizes import is_size, moves
 from freebody.study.answering.uniform_extremes import even_turn
 from freebody.study.answering.uniform_extremes import find as find_even
@@ -295,6 +297,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     turn = even_turn(setup, of)
     if turn is not None:
         return find_even(setup, question, of, turn, sides)
+    settling = settling_of(setup, of)
+    if settling is not None:
+        return find_settling(setup, question, of, settling, sides)
     seen = along(setup, of)
     seen.add_needs()
     found = seen.candidates()

@@ -30,6 +30,7 @@ from freebody.study.answering.reactions_at_rest import reaction_at_rest
 from freebody.study.answering.solution import Solution
 from freebody.study.given import each
 from freebody.study.setup import Setup, independent_measures
+from freebody.study.steady.ask import number_of_driven_turn
 from freebody.study.steady.open_balls import with_open_balls
 from freebody.study.worded import in_words
 from freebody.system.system import System
@@ -313,7 +314,10 @@ def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Sol
         value: Value = None
         why_not = reason
         try:
-            value = number_of(setup, q.quantity, q.event) if setup.has_values else None
+            if q.quantity.is_of_turn:  # of no state
+                value = number_of_driven_turn(setup, q) if setup.has_values and not dof else None
+            else:
+                value = number_of(setup, q.quantity, q.event) if setup.has_values else None
         except CannotAnswer as error:  # what has no number either tells more: a reaction that is not unique
             why_not = str(error)
         except (ArithmeticError, ValueError):

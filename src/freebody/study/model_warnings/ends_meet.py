@@ -22,6 +22,14 @@ class EndsMeet(WarningKind, name="ends meet"):
                 if push.load in told or self._apart(model, first, second, n) > model.close:
                     continue
                 told.add(push.load)
+                if first.body == second.body:  # no other place of the body parts them
+                    message = Message(
+                        "{load} acts between {body} and itself, and has no direction: name points of two bodies",
+                        load=push.load,
+                        body=first.body,
+                    )
+                    yield self.warning(message, "loads", push.load, about=frozenset((push.load, first.body)))
+                    continue
                 body = next((p.body for p in (second, first) if p.body != GROUND), second.body)
                 message = Message(
                     "{load} acts between {first} and {second}, which start at the same place, so that it has no "

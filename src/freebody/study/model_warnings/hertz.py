@@ -1,7 +1,9 @@
-"""A frequency in hertz where an angular rate is asked: Omega = 2 Hz is 2 rad/s, and 4 pi rad/s was likely meant.
+"""A frequency where an angular rate is asked: Omega = 2 Hz is 2 rad/s, and 4 pi rad/s was likely meant; 300 1/min is
+5 rad/s, and 10 pi rad/s was meant.
 
-The hertz is the unit of cycles in a second; an angular rate has rad/s. Source: BIPM, The International System of Units,
-9th ed., table 4, note (d).
+The hertz is the unit of cycles in a second, and the speed n = 300 1/min counts turns in a minute: omega = 2 pi n. An
+angular rate has rad/s. Source: BIPM, The International System of Units, 9th ed., table 4, note (d); DIN 1304-1, 1994
+(rotational frequency).
 """
 
 from __future__ import annotations
@@ -13,7 +15,9 @@ from typing import Any
 from freebody.language.sentences import Message
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
 
-_CYCLES = re.compile(r"(?P<number>[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)\s*(?P<unit>[kM]?Hz|hertz)\b")
+_NUMBER = r"(?P<number>[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)"
+_PER_MINUTE = r"1\s*/\s*min|/\s*min|min\s*(?:\^|\*\*)\s*\(?-1\)?|min⁻¹"
+_CYCLES = re.compile(rf"{_NUMBER}(?:\s*(?P<unit>[kM]?Hz|hertz)\b|\s+(?P<turns>{_PER_MINUTE})(?![\w^*]))")
 _SIZES = {"kHz": 1e3, "MHz": 1e6}
 _SECTIONS = ("ground", "frames", "bodies", "states", "start", "connections", "loads", "measures")
 _TURN = re.compile(r"\bpi\b|\b6\.28|\b3\.14")
@@ -40,7 +44,8 @@ class Hertz(WarningKind, name="hertz"):
         if not isinstance(given, Mapping):
             return
         for name, value in given.items():
-            text = str(value.get("value", "") if isinstance(value, Mapping) else value).strip()
+            parts = (value.get("value", ""), value.get("unit", "")) if isinstance(value, Mapping) else (value,)
+            text = " ".join(map(str, parts)).strip()
             found = _CYCLES.fullmatch(text)
             others = _texts({key: other for key, other in given.items() if key != name}, ())
             if found is not None and any(_is_rate(str(name), other) for _path, other in (*texts, *others)):
@@ -48,6 +53,15 @@ class Hertz(WarningKind, name="hertz"):
 
     def _told(self, found: re.Match[str], *path: str | int, about: frozenset[str] = frozenset()) -> ModelWarning:
         number = found["number"]
+        if found["turns"]:
+            told = Message(
+                "{given} is a speed in turns per minute where an angular rate is asked, and is taken as {rate} rad/s. "
+                "Write {number} rpm if revolutions are meant, or {rate} rad/s",
+                given=found[0],
+                number=number,
+                rate=f"{float(number) / 60:.4g}",
+            )
+            return self.warning(told, *path, about=about)
         if found["unit"] in _SIZES:
             number = f"{float(number) * _SIZES[found['unit']]:g}"
         told = Message(

@@ -31,7 +31,7 @@ from freebody.system.system import System
 class Totals(Protocol):
     """A state that knows a sum of reactions, also where only the sum is unique."""
 
-    def total(self, parts: Sequence[tuple[int, ConstraintRow]]) -> Any: ...
+    def total(self, parts: Sequence[tuple[float, ConstraintRow]]) -> Any: ...
 
 
 def value_in_mode(quantity: Quantity, base: System, system: System, state: State[Any]) -> Any:
@@ -176,9 +176,16 @@ def _share(push: AppliedLoad, row: ConstraintRow, base: System, state: State[Any
 
 def _force(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
     """The force of a contact on a body: its rows, and its friction where that slides."""
-    rows = [row for row in system.constraint_rows if row.connection == quantity.connection]
+    rows = [row for row in system.constraint_rows if row.connection == quantity.connection and quantity.counts(row)]
+    if base.space and isinstance(state, Totals):
+        body = _pushed(quantity, base)
+        slopes = [state.gradient(row.measure, body)[:3] for row in rows]
+        whole = (state.total([(float(g[k]), row) for g, row in zip(slopes, rows, strict=True)]) for k in range(3))
+        return component(tuple(whole), quantity.along, quantity.size, state, quantity.basis)
     pushes = [(row.measure, state.multiplier(row)) for row in rows]
-    pushes += [(push.measure, state.law(push)) for push in _frictions(quantity.connection, system)]
+    counted = {row.name for row in base.rows if quantity.counts(row)}
+    rubs = [push for push in _frictions(quantity.connection, system) if push.load in counted]
+    pushes += [(push.measure, state.law(push)) for push in rubs]
     return _resultant(quantity, base, pushes, state)
 
 
@@ -186,15 +193,7 @@ def _resultant(
     quantity: Wrench, base: System, pushes: Iterable[tuple[Measure | NonholonomicForm, Any]], state: State[Any]
 ) -> Any:
     """What pushes of measures, forces or impulses, are on a body together."""
-    if quantity.moment:
-        raise CannotAnswer(
-            Message("the moment of a contact is asked by its forces; ask for its normal and friction force")
-        )
-    touched = dict.fromkeys(b for r in base.rows if r.connection == quantity.connection for b in r.measure.bodies())
-    moving = [b for b in touched if not base.bodies[b].fixed]
-    if not quantity.on and not moving:
-        raise CannotAnswer(Message("{connection} acts on nothing that moves", connection=quantity.connection))
-    body = quantity.on or moving[0]
+    body = _pushed(quantity, base)
     if base.space:
         force: tuple[Any, ...] = (_zero(state),) * 3
         for measure, size in pushes:
@@ -210,6 +209,20 @@ def _resultant(
         return fx, fy
     ex, ey = _unit(quantity.along, state)
     return fx * ex + fy * ey
+
+
+def _pushed(quantity: Wrench, base: System) -> str:
+    """The body on which the force of a contact is asked: the one named, else the first that moves. Raises CannotAnswer
+    where its moment is asked."""
+    if quantity.moment:
+        raise CannotAnswer(
+            Message("the moment of a contact is asked by its forces; ask for its normal and friction force")
+        )
+    touched = dict.fromkeys(b for r in base.rows if r.connection == quantity.connection for b in r.measure.bodies())
+    moving = [b for b in touched if not base.bodies[b].fixed]
+    if not quantity.on and not moving:
+        raise CannotAnswer(Message("{connection} acts on nothing that moves", connection=quantity.connection))
+    return quantity.on or moving[0]
 
 
 def _unit(along: Direction, state: State[Any]) -> tuple[Any, Any]:

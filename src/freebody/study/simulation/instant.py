@@ -39,10 +39,10 @@ class SimulatedInstant(Snapshot):
             raise CannotAnswer(Message("the {reaction} of {row} is not unique", reaction=row.reaction, row=row.name))
         return float(self._course.multipliers[self._k, j])
 
-    def total(self, parts: Sequence[tuple[int, ConstraintRow]]) -> float:
-        """A sum of multipliers with signs, as what two corners of a box transmit together. With J the rows whose own
-        multipliers are not unique, those that balance the same forces differ by z with J^T z = 0; the sum w z is the
-        same for all of them if and only if w = J x for some x."""
+    def total(self, parts: Sequence[tuple[float, ConstraintRow]]) -> float:
+        """A sum of multipliers with signs or weights, as what two corners of a box transmit together. With J the rows
+        whose own multipliers are not unique, those that balance the same forces differ by z with J^T z = 0; the sum w z
+        is the same for all of them if and only if w = J x for some x."""
         unique = self._course.unique[self._k]
         if all(unique[self._places[row.name]] for _sign, row in parts):
             return sum(sign * self.multiplier(row) for sign, row in parts)

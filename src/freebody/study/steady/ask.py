@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import singledispatch
 
 from freebody.errors import CannotAnswer
@@ -61,6 +62,20 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
     turn = DrawnTurn(setup, setup.draws[0], c, q.of)
     refuse_vectors((turn.quantity_at(setup.draws[0].q),))
     return _of_both(q, *extremes_in_numbers(turn))
+
+
+def number_of_driven_turn(setup: Setup, question: Question) -> Value:
+    """Over a turn of the one drive, by the poses through which it leads the system, where there are no formulas; None
+    where it is another question, or nothing turns evenly. Raises CannotAnswer where a pose cannot be had."""
+    from freebody.study.answering.motion_values import extremes_between
+    from freebody.study.steady.drive import FreeToTurn
+
+    q, free = question.quantity, looked_at(setup, question)
+    if not isinstance(q, Extremes) or q.what == "time ratio" or question.at_start or not isinstance(free, FreeToTurn):
+        return None
+    draw = setup.draws[0]
+    rate = abs(draw.reference.number(free.rate))
+    return _of_both(q, *extremes_between(setup, draw, q.of, 0.0, math.tau / rate)) if rate else None
 
 
 def _of_both(q: Extremes, least: float, largest: float) -> Value:

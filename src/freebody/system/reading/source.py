@@ -144,7 +144,7 @@ class Source:
     def refuse_problems(self) -> None:
         """Raises ModelError with all problems, in the order of their places."""
         if self.names.problems:
-            located = [self.document.locate(p) for p in self.names.problems]
+            located = [self.document.locate(p) for p in self.names.causes]
             located.sort(key=lambda p: (p.line or 0, p.column or 0))
             seen: set[str] = set()
             raise ModelError([p for p in located if self._is_new(p.message, seen)], self.file)
