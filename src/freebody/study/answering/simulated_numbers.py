@@ -23,8 +23,14 @@ from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.numbers import LONGEST
 from freebody.study.answering.passage import NumericPassage
+from freebody.study.answering.simulated_work import SimulatedWork
 from freebody.study.answering.witness import TOLERANCE
-from freebody.study.phases.quantities import only_friction_takes_energy, taking_energy, value_in_mode
+from freebody.study.phases.quantities import (
+    only_friction_takes_energy,
+    only_takes_energy,
+    taking_energy,
+    value_in_mode,
+)
 from freebody.study.simulation.instant import SimulatedInstant, with_all_held
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
@@ -83,13 +89,32 @@ def number_with_changes(system: System, question: Question) -> Value:
     now, held = SimulatedInstant(motion, k), with_all_held(system)
     _refuse_without_direction(system, now)
 
-    def lost(of: str) -> float:
-        if not only_friction_takes_energy(system) or (of and taking_energy(system) != {of}):
-            raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
-        before, after = (float(Energy("total").value(system, s)) for s in (begin, now))
-        return before - after
+    power = SimulatedWork(system, simulator, options, course)
 
-    passage = NumericPassage(system, begin, now, lambda q: value_in_mode(q, system, held, now), lost)
+    def lost(of: str) -> float:
+        is_all = only_takes_energy(system) if not of else only_friction_takes_energy(system)
+        if is_all and (not of or taking_energy(system) == {of}):
+            before, after = (float(Energy("total").value(system, s)) for s in (begin, now))
+            return before - after
+        if not of or system.bounds:  # which may collide
+            raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
+        return -power.of(of)
+
+    def work(load: str) -> float:
+        try:
+            return passage.by_energies(load)
+        except CannotAnswer:
+            return power.of(load)
+
+    passage = NumericPassage(
+        system,
+        begin,
+        now,
+        lambda q: value_in_mode(q, system, held, now),
+        lost,
+        work,
+        takes_energy=frozenset(taking_energy(system)),
+    )
     values = as_parts(quantity.counted(passage))
     return values[0] if len(values) == 1 else values
 
