@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -71,7 +71,7 @@ class PassageWithFriction(FormulaPassage):
         assert not isinstance(begun, tuple)
         assert not isinstance(ended, tuple)
         f = before.field
-        return f.lowest_terms(begun + before), f.lowest_terms(ended + after + self._rubbed(""))
+        return f.lowest_terms(begun + before), f.lowest_terms(ended + after + self._rubbed("", is_apart=True))
 
     def integral(self, quantity: Quantity) -> Elements:
         parts: list[tuple[Ratio, ...]] = []
@@ -110,9 +110,9 @@ class PassageWithFriction(FormulaPassage):
         )
         return sum(lost, zero) + self._struck(of)
 
-    def _rubbed(self, of: str) -> Ratio:
-        """What friction and impacts have taken."""
-        return _heat(self.tree, self.way, self.first, of) + self._struck(of)
+    def _rubbed(self, of: str, *, is_apart: bool = False) -> Ratio:
+        """What friction and impacts have taken. is_apart: where other loads take energy, only that."""
+        return _heat(self.tree, self.way, self.first, of, is_apart=is_apart or bool(of)) + self._struck(of)
 
     def _struck(self, of: str) -> Ratio:
         nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
@@ -169,10 +169,10 @@ def elements_in(tree: PhaseTree, phase: Phase, quantity: Quantity, state: Symbol
     return f.lowest_terms(f.follow(f.element(value), still))
 
 
-def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str) -> Ratio:
+def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str, *, is_apart: bool) -> Ratio:
     """What dry friction turns into heat: in every phase the integral of -F s' over time, F the friction along the slip
     s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses, or
-    where other loads take energy and of one connection (`of`) a steady F times its way."""
+    where other loads take energy (`is_apart`) and of one connection (`of`) a steady F times its way."""
     total = tree.home.model.field.zero
     for k, node in enumerate(way.nodes):
         phase, last = node.phase, k == len(way.edges)
@@ -184,7 +184,8 @@ def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str) -
             continue
         zero = ends.zero
         if not isinstance(phase.course, UniformMotion):
-            if len(rubbing) == len(frictions(phase.system)) and only_friction_takes_energy(phase.system):
+            is_all = len(rubbing) == len(frictions(phase.system))
+            if not is_apart or (is_all and only_friction_takes_energy(phase.system)):
                 total = total + _energy_lost(tree, phase, zero.values)
             else:
                 total = sum((_by_way(tree, phase, push, zero.values) for push in rubbing), total)
