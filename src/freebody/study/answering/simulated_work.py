@@ -34,11 +34,23 @@ class SimulatedWork:
     options: SimulationOptions
     course: Trajectory  # up to the event
 
+    def changes(self) -> Array:
+        """[s] the start, the changes of contacts on the way, and the event."""
+        end = float(self.course.t_end)
+        return np.array([0.0, *sorted({e.time for e in self.course.events if 0.0 < e.time < end}), end])
+
+    def instants(self, times: Array) -> list[SimulatedInstant]:
+        """The same motion at some times before the event."""
+        course = self.simulator.run(float(self.course.t_end), self.options, outputs=times)
+        places = np.searchsorted(course.times, times)  # there are instants of events as well
+        if course.status is Status.TOO_LONG or places[-1] >= len(course.times):
+            raise CannotAnswer(Message("the motion to the event could not be followed again"))
+        motion = SimulatedMotion(self.system, self.simulator, course, self.options)
+        return [SimulatedInstant(motion, int(k)) for k in places]
+
     def of(self, load: str) -> float:
         """Raises CannotAnswer where the power is too rugged to be added up."""
-        end = float(self.course.t_end)
-        changes = {e.time for e in self.course.events if 0.0 < e.time < end}
-        edges, n, before = np.array([0.0, *sorted(changes), end]), 2, None
+        edges, n, before = self.changes(), 2, None
         while n * _N_NODES * (len(edges) - 1) <= allowed(_MOST):
             total, size = self._by_panels(load, edges, n)
             if before is not None and abs(total - before) <= _AGREE * size:
@@ -51,14 +63,8 @@ class SimulatedWork:
         nodes, weights = np.polynomial.legendre.leggauss(_N_NODES)
         begins = np.concatenate([np.linspace(a, b, n + 1)[:-1] for a, b in pairwise(edges)])
         halves = 0.5 * np.diff(np.append(begins, edges[-1]))[:, None]
-        times = (begins[:, None] + halves * (1.0 + nodes)).ravel()
-        course = self.simulator.run(float(edges[-1]), self.options, outputs=times)
-        places = np.searchsorted(course.times, times)  # there are instants of events as well
-        if course.status is Status.TOO_LONG or places[-1] >= len(course.times):
-            raise CannotAnswer(Message("the motion to the event could not be followed again"))
-        motion = SimulatedMotion(self.system, self.simulator, course, self.options)
         held = with_all_held(self.system)
-        instants = (SimulatedInstant(motion, int(k)) for k in places)
+        instants = self.instants((begins[:, None] + halves * (1.0 + nodes)).ravel())
         power = np.array([float(Power(load).value(held, now)) for now in instants])
         weight = (halves * weights).ravel()
         return float(weight @ power), float(weight @ np.abs(power))

@@ -45,7 +45,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 
 MAX_DEPTH = 5
 MAX_NODES = 24
-MAX_TURNS = 24  # half swings against friction, one after the other, on the way of the model's own values
+MAX_TURNS = 16  # half swings against friction, one after the other, on the way of the model's own values
 MAX_IMPACTS = 2  # one after the other, in formulas
 _BESIDE_IMPACTS = 2  # phases beside those that begin with an impact
 MOST_TERMS = 6  # of a condition behind the jerk of a string
@@ -78,6 +78,11 @@ class PhaseTree(Home):
         for signs, sets in self.by_sign(rates, self.indices):
             self._begin(rates, signs, sets)
         self.roots.sort(key=lambda node: int(node.sets[0]))
+
+    @property
+    def is_single(self) -> bool:
+        """Whether one coordinate moves, in every phase."""
+        return all(len(node.phase.model.coordinates) <= 1 for node in self.nodes())
 
     def nodes(self) -> Iterator[PhaseNode]:
         """All of them, from the start on."""
@@ -394,6 +399,8 @@ class PhaseTree(Home):
                 instant = replace(instant, past=phase.mode.past, began=began, ways=dict(phase.mode.ways))
                 instant = replace(instant, acting=acting)
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
+                if not is_short:
+                    edge.nodes = [after for after in edge.nodes if 0 in after.sets]
         except NO_FORM as error:
             edge.stops = why(self.system, error)
             return
