@@ -120,13 +120,17 @@ def test_more_half_swings_than_are_followed_are_counted_in_numbers() -> None:
 
 def test_a_pendulum_with_a_rubbing_journal_swings_as_often_as_its_equation_says() -> None:
     count, at, time = _swings(math.radians(50), 0.4, 1.0, 1.0)
-    number, theta, t = fb.System.from_text(PENDULUM).solve(
-        [
-            "number of half swings until it comes to rest for good",
-            "theta when it comes to rest for good",
-            "time when it comes to rest for good",
-        ]
-    ).answers
+    number, theta, t = (
+        fb.System.from_text(PENDULUM)
+        .solve(
+            [
+                "number of half swings until it comes to rest for good",
+                "theta when it comes to rest for good",
+                "time when it comes to rest for good",
+            ]
+        )
+        .answers
+    )
     assert number.value == count
     assert theta.value == pytest.approx(at, abs=1e-8)
     assert t.value == pytest.approx(time, rel=1e-8)

@@ -97,7 +97,7 @@ def at_rest(
     def compare(draw: Draw) -> None:
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
-        check.compare(draw, (1.0,), (1.0 + unrest(setup, draw, places_at(setup, equilibrium, draw)),))
+        check.compare(draw, (1.0,), (1.0 + unrest(setup, draw, pose_at(setup, equilibrium, draw)),))
 
     insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
     return check.evidence()
@@ -117,7 +117,7 @@ def value_at_rest(
     def compare(draw: Draw) -> None:
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
-        places = places_at(setup, equilibrium, draw)
+        places = pose_at(setup, equilibrium, draw)
         seen = seen_at_rest(draw, *resting(draw, places))
         exact, numeric = element_at(setup, x, draw, draw.start()), as_parts(of.value(setup.system, seen))
         moves = unrest(setup, draw, places)
@@ -262,3 +262,11 @@ def places_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[t
             of, ground = body.point(body.default_point), Point(GROUND)
             wanted += [(place, there.value(place)) for place in (Displacement(of, ground, d) for d in (RIGHT, UP))]
     return [(measure, element_at(setup, x, draw, start)[0]) for measure, x in wanted]
+
+
+def pose_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tuple[Measure, float]]:
+    """The same with what closed loops bind, where that is a measure: a loop may close in several ways there."""
+    model, start = setup.model, draw.start()
+    bound = [(model.measure_of(d), equilibrium[d.index]) for d in model.dependent if d.index in equilibrium]
+    more = [(m, element_at(setup, x, draw, start)[0]) for m, x in bound if m is not None]
+    return [*places_at(setup, equilibrium, draw), *more]
