@@ -13,7 +13,11 @@ from posed import is_formula, posed
 ROD = """
 parameters: {m: 2 kg, L: 1 m, a: 0.2 m, g: 9.81 m/s^2}
 ground: {points: {O: [0, 0], P: [a, 0]}, lines: {wall: {along: up}}}
-bodies: {rod: {rod: {mass: m, length: L}, near: {at: {start: [0, -0.1 m]}, angle: 40 deg}, lines: {axis: {along: right}}}}
+bodies:
+  rod:
+    rod: {mass: m, length: L}
+    near: {at: {start: [0, -0.1 m]}, angle: 40 deg}
+    lines: {axis: {along: right}}
 connections:
   w: {slot: [rod.start, ground.wall]}
   p: {slot: [ground.P, rod.axis]}

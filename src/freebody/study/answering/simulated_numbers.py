@@ -60,8 +60,8 @@ _CHANGES: dict[TransitionKind, tuple[str, ...]] = {  # in which nothing jumps: w
 def number_with_changes(system: System, question: Question, *, is_single: bool = False) -> Value:
     """What a motion in which contacts and dry friction change their states gives, at its start, at the first event
     within a minute or where a contact slips or opens; None where that does not come. Just before an impact, where the
-    event is one. is_single: one coordinate moves, and where it turns friction changes. Raises BudgetExhausted where the event was not reached within the budget of steps, CannotAnswer where
-    it has no number."""
+    event is one. is_single: one coordinate moves, and where it turns friction changes. Raises BudgetExhausted where the
+    event was not reached within the budget of steps, CannotAnswer where it has no number."""
     quantity, event = question.quantity, question.event
     if not system.has_values or not quantity.is_of_state:
         return None

@@ -22,7 +22,7 @@ from freebody.tolerances import ROUND_OFF
 
 _N_NODES = 6  # in a step
 # parts of a value at an instant, and the instant: by mode, place, speed, time, and an instant before
-ValueAt = Callable[[NumericMode, Array, Array, float, Snapshot], tuple[list[float], Snapshot]]
+ValueAt = Callable[[NumericMode, Array, Array, float, Snapshot], tuple[Sequence[float], Snapshot]]
 
 
 def over_time(base: System, seen: Sequence[PhaseSnapshot], quantity: Quantity) -> Any:
@@ -44,7 +44,7 @@ def over_time(base: System, seen: Sequence[PhaseSnapshot], quantity: Quantity) -
 def work_over_time(base: System, seen: Sequence[PhaseSnapshot], load: str) -> float:
     """The integral of the power of a load, which no reaction stands in."""
 
-    def power(mode: NumericMode, q: Array, v: Array, t: float, near: Snapshot) -> tuple[list[float], Snapshot]:
+    def power(mode: NumericMode, q: Array, v: Array, t: float, near: Snapshot) -> tuple[Sequence[float], Snapshot]:
         now = mode.looked(q, v, t, near)
         return as_parts(Power(load).value(mode.system, now)), now
 
@@ -54,7 +54,7 @@ def work_over_time(base: System, seen: Sequence[PhaseSnapshot], load: str) -> fl
 def _integrated(base: System, one: PhaseSnapshot, quantity: Quantity) -> list[float]:
     """What changes in a phase."""
 
-    def value(mode: NumericMode, q: Array, v: Array, t: float, near: Snapshot) -> tuple[list[float], Snapshot]:
+    def value(mode: NumericMode, q: Array, v: Array, t: float, near: Snapshot) -> tuple[Sequence[float], Snapshot]:
         now = mode.snapshot(q, v, t, near)
         return as_parts(value_in_mode(quantity, base, mode.system, now)), now
 
