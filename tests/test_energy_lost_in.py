@@ -53,10 +53,12 @@ def test_all_that_is_lost_is_not_said_to_be_that_of_the_brake() -> None:
     assert "other loads do work as well" in answer.reason
 
 
-def test_a_connection_does_no_work_of_a_load() -> None:
-    answer = asked(WHEEL, "work of brake until rate(theta) = 0")
+def test_a_brake_does_the_work_that_it_takes_and_a_pin_none() -> None:
+    turned = 0.2 / 0.02 * (30 - 2 / 0.02 * math.log(1 + 0.02 * 30 / 2))
+    assert asked(WHEEL, "work of brake until rate(theta) = 0").value == pytest.approx(-2 * turned)
+    answer = asked(WHEEL, "work of h until rate(theta) = 0")
     assert answer.value is None
-    assert "brake is no load" in answer.reason
+    assert "h is no load" in answer.reason
 
 
 def test_a_floor_and_a_wall_take_their_own_shares() -> None:

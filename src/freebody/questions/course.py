@@ -81,7 +81,8 @@ questions: {it: time when y = -5 m}
 
 @dataclass(frozen=True)
 class EnergyLost(Counted, kind="energy lost"):
-    """What dry friction has turned into heat since the start; of: in one connection, or what one load has taken."""
+    """What dry friction, drag and dampers have turned into heat since the start; of: in one connection, or what one
+    load has taken."""
 
     of: str = ""
     is_load: bool = False

@@ -167,7 +167,7 @@ questions: {it: power of weight}
 
 @dataclass(frozen=True)
 class Work(Counted, kind="work"):
-    """Work of a load from the start to the event."""
+    """Work of a load from the start to the event, or of dry friction, which is negative."""
 
     of: str
 

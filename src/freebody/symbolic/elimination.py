@@ -284,10 +284,20 @@ class Elimination:
             own = {line.length, line.angle}
             if not line.offset.is_zero() or own & (self.field.ingredients(x) | self.field.ingredients(y)):
                 continue
-            if x.is_zero() or y.is_zero() or self._is_still(self.field.lowest_terms(x / y)):
+            if x.is_zero() or y.is_zero():
                 length, angle = self.straight(Vector(x, y), line.offset)
                 return used, {line.length: length, line.angle: angle}
+            slope = self.field.lowest_terms(x / y)
+            if self._is_still(slope):
+                return used, self._inclined(line, slope, y)
         return None
+
+    def _inclined(self, line: TangentPair, slope: Ratio, y: Ratio) -> dict[int, Ratio]:
+        """(x, y) = y (slope, 1): a length that is a multiple of |y|, which the root of x^2 + y^2 would not show."""
+        size, angle = self.straight(Vector(slope, self.field.one), self.field.zero)
+        rise, _upright = self.straight(Vector(self.field.zero, y), self.field.zero)
+        length = self.field.lowest_terms(size * rise)
+        return {line.length: length, line.angle: angle if rise == y else angle + self.field.pi}
 
     def _explicit_line(self, equations: list[RowEquation]) -> EliminationStep | None:
         """A line whose length changes, by l = sqrt(x^2 + y^2 - offset^2) in the coordinates that stay."""

@@ -37,7 +37,7 @@ from freebody.symbolic.signs import Sign
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import rooted_zeros, zeros_of
+from freebody.symbolic.zeros import rooted_zeros, solve_linear, zeros_of
 from freebody.tolerances import ROUND_OFF
 
 _MOST_CHOICES = 32  # of zeros and parameters for the coordinates of an equilibrium
@@ -105,6 +105,7 @@ def equilibria(
         if first is not None and is_meant and is_one_enough:
             return [first]
     zeros = _zeros(model, forces, list(model.coordinates)) or _zeros_through_loops(model, forces)
+    zeros = zeros or _zeros_by_what_is_bound(model, forces)
     others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
     if first is None and not others:
         others = [r for values in _at_zero(model, forces, start) if (r := _judged(model, values))]
@@ -144,9 +145,9 @@ def _at_parameters(model: SymbolicModel, forces: Sequence[Ratio], start: StartSt
     for chosen in islice(product(*choices), 1, _MOST_CHOICES):
         at = {c.index: value for c, value in zip(model.coordinates, chosen, strict=True)}
         with suppress(CannotAnswer, ZeroDivisionError):
-            linear = Linearised(model, at | _bound_at(model, at, start))
-            if all(linear.vanishes(linear.here(F)) for F in forces):
-                found.append(linear.at)
+            place = at | _bound_at(model, at, start)
+            if _balances(model, forces, place):
+                found.append(place)
     return found
 
 
@@ -352,7 +353,7 @@ def _of_high_order(model: SymbolicModel, at: dict[int, Ratio]) -> bool | None:
 def _distance(model: SymbolicModel, a: dict[int, Ratio], b: dict[int, Ratio]) -> float:
     total = 0.0
     for k, value in a.items():
-        values = model.samples.at_starts(value - b[k])
+        values = model.samples.at_starts(value - b.get(k, model.field.variable(k)))
         total += abs(values[0]) if values else 0.0
     return total
 
@@ -370,6 +371,41 @@ def _zeros_through_loops(model: SymbolicModel, forces: list[Ratio]) -> list[dict
         return [{**zero, **closure.at(zero)} for zero in _zeros(model, alone, [c])]
     except (CannotAnswer, ZeroDivisionError):
         return []
+
+
+def _zeros_by_what_is_bound(model: SymbolicModel, forces: list[Ratio]) -> list[dict[int, Ratio]]:
+    """Of one freedom, by the angle that a loop binds, where the loop tells the coordinate by it and not the other way
+    round: of a rod that leans over an edge the height of its end follows from its angle."""
+    if len(model.dependent) != 1 or len(model.coordinates) != 1:
+        return []
+    f, (c,), (d,) = model.field, model.coordinates, model.dependent
+    for loop in model.loops:
+        value = solve_linear(loop.value.numerator(), c.index)
+        if value is None or c.index in f.ingredients(value):
+            continue
+        value = f.lowest_terms(value)
+        with suppress(CannotAnswer, ZeroDivisionError):
+            alone = [f.lowest_terms(f.follow(F, {c.index: value})) for F in forces]
+            zeros = [zero for F in alone for zero in zeros_of(model, F, d)]
+            places = [{c.index: f.lowest_terms(f.follow(value, {d.index: x})), d.index: x} for x in zeros]
+            return [at for at in places if _balances(model, forces, at, model.samples.vanishes)]
+    return []
+
+
+def _balances(
+    model: SymbolicModel,
+    forces: Sequence[Ratio],
+    at: dict[int, Ratio],
+    vanishes: Callable[[Ratio], bool] = Ratio.is_zero,
+) -> bool:
+    """Whether the forces vanish at a place, and have a value there. vanishes: what counts beside what does so by
+    itself, as at samples."""
+    try:
+        linear = Linearised(model, at)
+        here = [linear.here(F) for F in forces]
+        return all(linear.vanishes(x) or vanishes(x) for x in here)
+    except (CannotAnswer, ZeroDivisionError):
+        return False
 
 
 def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) -> list[dict[int, Ratio]]:

@@ -171,7 +171,7 @@ def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list
     f = model.field
     in_cos = base.coefficients(cos)
     if len(in_cos) > 3:
-        return _in_sine(model, base, cos, sin)
+        return _of_power(model, in_cos, sin) or _in_sine(model, base, cos, sin)
     parts = [[*x.coefficients(sin), f.zero][:2] for x in in_cos]  # sin^2 never stands in the normal form
     parts += [[f.zero, f.zero]] * (3 - len(parts))
     (r, b), (a, k), (p, cubic) = parts
@@ -199,7 +199,31 @@ def _in_sine(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list[Rati
             angles.append(fn["asin"](f.lowest_terms(-c[0] / c[1])))
         elif len(c) == 3 and sign_of(f.lowest_terms(c[1] * c[1] - 4 * c[0] * c[2])) is not Sign.NEGATIVE:
             angles += [fn["asin"](f.lowest_terms(x)) for x in roots(c, model.samples.is_negative) or []]
+        else:
+            angles += [fn["asin"](x) for x in _only_power(model, c)]
     return [x for angle in angles for x in (angle, f.pi - angle)]
+
+
+def _of_power(model: SymbolicModel, in_cos: list[Ratio], sin: int) -> list[Ratio]:
+    """The angles at which p cos^n + r vanishes, as those of a rod that leans on a wall and over an edge."""
+    if any(sin in x.generators() for x in in_cos):
+        return []
+    fn = functions(model.field, model.samples.is_negative)
+    return [way * fn["acos"](x) for x in _only_power(model, in_cos) for way in (1, -1)]
+
+
+def _only_power(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
+    """x with c_n x^n + c_0 = 0, of the sign that it has at the first sample: x = +-exp(log(|c_0/c_n|)/n)."""
+    f, n = model.field, len(c) - 1
+    if n < 3 or any(not part.is_zero() for part in c[1:-1]) or c[0].is_zero():
+        return []
+    fn = functions(f, model.samples.is_negative)
+    power = f.lowest_terms(-c[0] / c[-1])
+    is_negative = model.samples.is_negative(power)
+    if is_negative and n % 2 == 0:
+        return []
+    root = fn["exp"](fn["log"](-power if is_negative else power) / n)
+    return [root, -root] if n % 2 == 0 else [-root if is_negative else root]
 
 
 def _of_wave(model: SymbolicModel, a: Ratio, b: Ratio, r: Ratio) -> list[Ratio]:

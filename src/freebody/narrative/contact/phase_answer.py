@@ -32,7 +32,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.answering.passage import NumericPassage, drivers
 from freebody.study.phases.evidence import number_in_blow
 from freebody.study.phases.over_time import over_time
-from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
+from freebody.study.phases.quantities import only_friction_takes_energy, taking_energy, value_in_mode
 from freebody.study.phases.witness import PhaseSnapshot
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.energy_motion import EnergyMotion
@@ -80,15 +80,24 @@ def _passage(base: System, world: World) -> NumericPassage:
     def there(quantity: Quantity, state: Snapshot = now) -> Any:
         return value_in_mode(quantity, base, state.reference.system, state)
 
+    takes_energy = frozenset(taking_energy(base))
+
     def lost(of: str) -> float:
-        if of:
+        if of and takes_energy != {of}:
             raise CannotAnswer(Message("this derivation does not follow what adds up on the way"))
         before, after = (there(EnergyOf("total"), s) for s in (begin, now))
         return before - after
 
     instants = [begin, *(s.snapshot() for s in seen)]
     return NumericPassage(
-        base, begin, now, there, lost, ways=lambda: pairwise(instants), over_time=partial(over_time, base, seen)
+        base,
+        begin,
+        now,
+        there,
+        lost,
+        ways=lambda: pairwise(instants),
+        over_time=partial(over_time, base, seen),
+        takes_energy=takes_energy,
     )
 
 
@@ -158,13 +167,18 @@ class _Tell:
 
     @answer.register(EnergyLost)
     def _lost(self, q: EnergyLost) -> None:
-        if q.of or not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
+        self._by_energies(q.of, "answer.lost")
+
+    def _by_energies(self, of: str, why: str) -> None:
+        """What the mechanical energy loses; in one connection (`of`) where no other takes any."""
+        is_all = not of or taking_energy(self.way.system) == {of}
+        if not is_all or not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
             raise CannotAnswer(
                 Message("other loads do work as well, and this derivation does not part the heat of friction from it")
             )
         uses = _energies(self.script, self.way, self.ends)
         with self.stage() as left:
-            self.line(left, "answer.lost", uses)
+            self.line(left, why, uses)
 
     @answer.register(Revolutions)
     def _turns(self, q: Revolutions) -> None:
@@ -193,6 +207,9 @@ class _Tell:
     def _work(self, q: Work) -> None:
         if q.of in drivers(self.way.legs[-1].phase.system):
             raise CannotAnswer(Message("this derivation does not follow what adds up on the way"))
+        if q.of in taking_energy(self.way.system):
+            self._by_energies(q.of, "answer.work_of_friction")
+            return
         with self.stage() as left:
             self.line(left, "answer.work", self.lines, load=q.of)
 

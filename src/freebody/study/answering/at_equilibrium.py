@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
@@ -97,7 +99,7 @@ def at_rest(
     def compare(draw: Draw) -> None:
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
-        check.compare(draw, (1.0,), (1.0 + unrest(setup, draw, places_at(setup, equilibrium, draw)),))
+        check.compare(draw, (1.0,), (1.0 + unrest(setup, draw, pose_at(setup, equilibrium, draw)),))
 
     insist_on_rest(setup, check.gather(setup.draw_stream(), compare), conditions)
     return check.evidence()
@@ -117,7 +119,7 @@ def value_at_rest(
     def compare(draw: Draw) -> None:
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
-        places = places_at(setup, equilibrium, draw)
+        places = pose_at(setup, equilibrium, draw)
         seen = seen_at_rest(draw, *resting(draw, places))
         exact, numeric = element_at(setup, x, draw, draw.start()), as_parts(of.value(setup.system, seen))
         moves = unrest(setup, draw, places)
@@ -262,3 +264,28 @@ def places_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[t
             of, ground = body.point(body.default_point), Point(GROUND)
             wanted += [(place, there.value(place)) for place in (Displacement(of, ground, d) for d in (RIGHT, UP))]
     return [(measure, element_at(setup, x, draw, start)[0]) for measure, x in wanted]
+
+
+def pose_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tuple[Measure, float]]:
+    """The same with what closed loops bind, where that is a measure. A loop may close in several ways there: where the
+    one that is nearest to the start does not rest, with the poses of all bodies by the formulas."""
+    model, start = setup.model, draw.start()
+    bound = [(model.measure_of(d), equilibrium[d.index]) for d in model.dependent if d.index in equilibrium]
+    more = [(m, element_at(setup, x, draw, start)[0]) for m, x in bound if m is not None]
+    places = [*places_at(setup, equilibrium, draw), *more]
+    if setup.system.space or unrest(setup, draw, places) <= AT_REST:
+        return places
+    there = SymbolicState(model, equilibrium)
+    with suppress(CannotAnswer):
+        whole = [(m, element_at(setup, there.value(m), draw, start)[0]) for m in _poses(setup)]
+        return [*places, *whole]
+    return places
+
+
+def _poses(setup: Setup) -> Iterator[Measure]:
+    """Places and angles of all bodies."""
+    for body in setup.system.moving:
+        of, ground = body.point(body.default_point), Point(GROUND)
+        yield from (Displacement(of, ground, along) for along in (RIGHT, UP))
+        if body.turns:
+            yield Angle(body.name)

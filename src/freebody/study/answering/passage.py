@@ -345,6 +345,7 @@ class NumericPassage:
     ways: Callable[[], Iterable[Sequence[Snapshot]]] | None = None
     at_begin: Callable[[Quantity], Any] | None = None
     over_time: Callable[[Quantity], Any] | None = None
+    takes_energy: frozenset[str] = frozenset()  # connections that rub or collide
     is_smooth: bool = False  # one law all the way, along which `over_time` integrates
 
     def time(self) -> float:
@@ -354,12 +355,17 @@ class NumericPassage:
         return self.now.value(measure) - self.begin.value(measure)
 
     def work(self, load: str) -> float:
-        is_driver = load in drivers(self.system)
-        if load not in self.system.loads and not is_driver:
-            raise CannotAnswer(_no_load(load))
+        if load not in self.system.loads and load not in drivers(self.system):
+            if load not in self.takes_energy:
+                raise CannotAnswer(_no_load(load))
+            return -self.lost(load)
         if self.work_done is not None:
             return self.work_done(load)
-        if is_driver:
+        return self.by_energies(load)
+
+    def by_energies(self, load: str) -> float:
+        """The work of a load by its potential, or of the only driver by the balance of energy."""
+        if load in drivers(self.system):
             return self._work_of_only_driver(load)
         return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.applied_loads if p.load == load)
 

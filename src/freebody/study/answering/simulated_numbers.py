@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import pairwise
+
 import numpy as np
 
 from freebody.budgets import allowed
@@ -13,6 +17,7 @@ from freebody.measures.geometry import NO_DIRECTION
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
+from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition, TransitionKind
@@ -23,8 +28,14 @@ from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.numbers import LONGEST
 from freebody.study.answering.passage import NumericPassage
+from freebody.study.answering.simulated_work import SimulatedWork
 from freebody.study.answering.witness import TOLERANCE
-from freebody.study.phases.quantities import only_friction_takes_energy, taking_energy, value_in_mode
+from freebody.study.phases.quantities import (
+    only_friction_takes_energy,
+    only_takes_energy,
+    taking_energy,
+    value_in_mode,
+)
 from freebody.study.simulation.instant import SimulatedInstant, with_all_held
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
@@ -35,6 +46,8 @@ _STEPS = 20_000  # of a motion in which contacts change
 _N_SEEN = 1201  # instants of a motion at which it is looked how far it gets
 _MET = 1e-6  # [m] between two points that coincide
 _SOON = 1e-9  # [s] of a motion that is looked at where it begins
+_BETWEEN = np.linspace(0.0, 1.0, 8, endpoint=False)  # instants from one change to the next
+_COLLIDES = ("touches", "rebounds", "goes taut", "blow")
 _WITHIN = (0.1, 0.3, 1.0, 3.0, 10.0, 30.0, LONGEST)  # [s] in which a change of a contact is looked for
 _CHANGES: dict[TransitionKind, tuple[str, ...]] = {  # in which nothing jumps: what they are called among the events
     "slips": ("starts to slip",),
@@ -44,11 +57,11 @@ _CHANGES: dict[TransitionKind, tuple[str, ...]] = {  # in which nothing jumps: w
 }
 
 
-def number_with_changes(system: System, question: Question) -> Value:
+def number_with_changes(system: System, question: Question, *, is_single: bool = False) -> Value:
     """What a motion in which contacts and dry friction change their states gives, at its start, at the first event
     within a minute or where a contact slips or opens; None where that does not come. Just before an impact, where the
-    event is one. Raises BudgetExhausted where the event was not reached within the budget of steps, CannotAnswer where
-    it has no number."""
+    event is one. is_single: one coordinate moves, and where it turns friction changes. Raises BudgetExhausted where the
+    event was not reached within the budget of steps, CannotAnswer where it has no number."""
     quantity, event = question.quantity, question.event
     if not system.has_values or not quantity.is_of_state:
         return None
@@ -83,15 +96,47 @@ def number_with_changes(system: System, question: Question) -> Value:
     now, held = SimulatedInstant(motion, k), with_all_held(system)
     _refuse_without_direction(system, now)
 
-    def lost(of: str) -> float:
-        if not only_friction_takes_energy(system) or (of and taking_energy(system) != {of}):
-            raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
-        before, after = (float(Energy("total").value(system, s)) for s in (begin, now))
-        return before - after
+    power = SimulatedWork(system, simulator, options, course)
 
-    passage = NumericPassage(system, begin, now, lambda q: value_in_mode(q, system, held, now), lost)
+    def lost(of: str) -> float:
+        is_all = only_takes_energy(system) if not of else only_friction_takes_energy(system)
+        if is_all and (not of or taking_energy(system) == {of}):
+            before, after = (float(Energy("total").value(system, s)) for s in (begin, now))
+            return before - after
+        if not of or system.bounds:  # which may collide
+            raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
+        return -power.of(of)
+
+    def work(load: str) -> float:
+        try:
+            return passage.by_energies(load)
+        except CannotAnswer:
+            return power.of(load)
+
+    passage = NumericPassage(
+        system,
+        begin,
+        now,
+        lambda q: value_in_mode(q, system, held, now),
+        lost,
+        work,
+        ways=partial(_ways, power) if is_single and system.dry_friction else None,
+        takes_energy=frozenset(taking_energy(system)),
+    )
     values = as_parts(quantity.counted(passage))
     return values[0] if len(values) == 1 else values
+
+
+def _ways(along: SimulatedWork) -> Iterator[Sequence[Snapshot]]:
+    """The instants of a motion from one change of the contacts to the next, both ends among them. Raises CannotAnswer
+    where something collides on the way."""
+    if any(event.kind in _COLLIDES for event in along.course.events):
+        raise CannotAnswer(Message("the way is not counted here"))
+    edges = along.changes()
+    times = [a + (b - a) * _BETWEEN for a, b in pairwise(edges)]
+    instants = along.instants(np.append(np.concatenate(times), edges[-1]))
+    for k in range(len(times)):
+        yield instants[k * len(_BETWEEN) : (k + 1) * len(_BETWEEN) + 1]
 
 
 def _change(system: System, asked: Transition, simulator: Simulator, options: SimulationOptions) -> float | None:

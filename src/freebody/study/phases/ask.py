@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -45,7 +46,7 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
     """The answer, or the reason why there is none."""
     system = tree.system
     turned = question.quantity.wanted is not None
-    instead = None if turned else lambda: number_with_changes(system, question)
+    instead = None if turned else partial(number_with_changes, system, question, is_single=tree.is_single)
     return answered(system, question, lambda: _by_cases(tree, question), instead)
 
 

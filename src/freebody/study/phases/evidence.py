@@ -42,13 +42,15 @@ from freebody.study.phases.followed import before_impact, begun, changed, follow
 from freebody.study.phases.how_long import longest_times
 from freebody.study.phases.in_blow import after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
-from freebody.study.phases.over_time import over_time
+from freebody.study.phases.over_time import over_time, work_over_time
 from freebody.study.phases.phase import BOUNCES_END, Phase
 from freebody.study.phases.quantities import (
     connection_of,
     frictions,
     only_friction_takes_energy,
+    only_takes_energy,
     plain,
+    taking_energy,
     value_in_mode,
 )
 from freebody.study.phases.tree import PhaseTree
@@ -340,7 +342,8 @@ def _passage(
         takers = set[str]().union(*(map(connection_of, frictions(s.mode.system)) for s in seen))
         strikes = [n.impact is not None and (not of or n.impact.is_in(of)) for n in (*piece.nodes, piece.after) if n]
         is_all = takers <= {of} and all(strikes[k] for k, n in enumerate(piece.nodes) if n.impact)
-        if all(only_friction_takes_energy(s.mode.system) for s in seen) and (not of or is_all):
+        only_takes = only_friction_takes_energy if of else only_takes_energy
+        if all(only_takes(s.mode.system) for s in seen) and (not of or is_all):
             return _energy(begin, mode.system) - _energy(now, mode.system)
         struck = _taken_by_impacts(seen, begin, now, strikes) if seen and any(strikes) else 0.0
         return sum(_heat(s, of) for s in seen) + struck
@@ -355,10 +358,29 @@ def _passage(
             else:
                 yield instants(one)
 
+    def integral(quantity: Quantity) -> Any:
+        return over_time(tree.system, seen, quantity)
+
+    def work(load: str) -> float:
+        """By its potential, or by its power where it has none."""
+        try:
+            return passage.by_energies(load)
+        except CannotAnswer:
+            return work_over_time(tree.system, seen, load)
+
     at_end = partial(_value_there, tree, mode, now)
-    return NumericPassage(
-        tree.system, begin, now, at_end, lost, ways=ways, over_time=partial(over_time, tree.system, seen)
+    passage = NumericPassage(
+        tree.system,
+        begin,
+        now,
+        at_end,
+        lost,
+        work,
+        ways=ways,
+        over_time=integral,
+        takes_energy=frozenset(taking_energy(tree.system)),
     )
+    return passage
 
 
 def _value_there(tree: PhaseTree, mode: NumericMode, now: Snapshot, quantity: Quantity) -> Any:

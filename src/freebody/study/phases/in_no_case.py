@@ -31,7 +31,8 @@ def in_no_case(tree: PhaseTree, question: Question, cases: Sequence[AnswerCase])
     if resting is not None and isinstance(resting.expression, Expr):
         first = AnswerCase(resting.expression, resting.conditions, Message("it stays at rest"))
         return replace(resting, cases=(first, *cases))
-    refuse, instead = partial(_refuse, tree, question), partial(number_with_changes, tree.system, question)
+    refuse = partial(_refuse, tree, question)
+    instead = partial(number_with_changes, tree.system, question, is_single=tree.is_single)
     return replace(answered(tree.system, question, refuse, instead), cases=tuple(cases))
 
 

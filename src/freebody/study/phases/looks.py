@@ -27,15 +27,23 @@ def looked_at(
     derivative: Callable[[float, Array], Array], y: Array, start: float, until: float
 ) -> Iterator[tuple[float, float, Callable[[float], Array]]]:
     """Short pieces of a motion, each with its state as a function of time."""
+    for begin, end, state in steps(derivative, y, start, until):
+        looks = [float(t) for t in np.linspace(begin, end, _N_LOOKS)]
+        for a, b in pairwise(looks):
+            yield a, b, state
+
+
+def steps(
+    derivative: Callable[[float, Array], Array], y: Array, start: float, until: float
+) -> Iterator[tuple[float, float, Callable[[float], Array]]]:
+    """The steps in which a motion is integrated."""
     from scipy.integrate import DOP853
 
     solver: Any = DOP853(derivative, start, y, until, rtol=_RTOL, atol=_ATOL)
     while solver.status == "running":
         solver.step()
         state: Callable[[float], Array] = solver.dense_output()
-        looks = [float(t) for t in np.linspace(float(solver.t_old), float(solver.t), _N_LOOKS)]
-        for a, b in pairwise(looks):
-            yield a, b, state
+        yield float(solver.t_old), float(solver.t), state
 
 
 @dataclass(frozen=True)

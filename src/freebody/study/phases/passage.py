@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -13,7 +13,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
-from freebody.study.answering.passage import FORCE_CHANGES, NO_SWINGS, FormulaPassage, drivers
+from freebody.study.answering.passage import FORCE_CHANGES, NO_SWINGS, FormulaPassage, drivers, resistances
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
@@ -22,7 +22,9 @@ from freebody.study.phases.quantities import (
     connection_of,
     frictions,
     only_friction_takes_energy,
+    only_takes_energy,
     plain,
+    taking_energy,
     value_in_mode,
 )
 from freebody.study.phases.tree import PhaseTree
@@ -50,15 +52,26 @@ class PassageWithFriction(FormulaPassage):
         x = elements_in(self.tree, phase, quantity, phase.start_instant)
         return tuple(map(self.phases[0].told, x)) if isinstance(x, tuple) else self.phases[0].told(x)
 
-    def energies(self, load: str) -> tuple[Ratio, Ratio, bool]:
-        """Of the only driver: what T + V gains, and what friction and impacts take on the way."""
-        if drivers(self.system) != {load}:
-            return super().energies(load)
-        before, after = self._potentials(list(dict.fromkeys(p.load for p in self.system.applied_loads)), 1)
+    def work(self, load: str) -> Ratio:
+        """Of what rubs or collides: what it has turned into heat, and negative."""
+        if load in taking_energy(self.tree.system) and load not in drivers(self.system):
+            return -self._rubbed(load)
+        return super().work(load)
+
+    def _balance(self, loads: Sequence[str]) -> tuple[Ratio, Ratio] | None:
+        """T + V of all other loads, and at the end what friction and impacts take on the way."""
+        if drivers(self.system) - {*loads}:
+            return None
+        others = list(dict.fromkeys(p.load for p in self.system.applied_loads if p.load not in loads))
+        try:
+            before, after = self._potentials(others, 1)
+        except CannotAnswer:
+            return None
         begun, ended = self.started(Energy("kinetic")), self.there(Energy("kinetic"))
         assert not isinstance(begun, tuple)
         assert not isinstance(ended, tuple)
-        return begun + before, ended + after + self.heat(""), True
+        f = before.field
+        return f.lowest_terms(begun + before), f.lowest_terms(ended + after + self._rubbed("", is_apart=True))
 
     def integral(self, quantity: Quantity) -> Elements:
         parts: list[tuple[Ratio, ...]] = []
@@ -86,10 +99,24 @@ class PassageWithFriction(FormulaPassage):
         return self.tree.home.model.field.element(len(sliding))
 
     def heat(self, of: str) -> Ratio:
-        nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
-        return sum(
-            (_taken_by_impact(self.tree, node, of) for node in nodes), _heat(self.tree, self.way, self.first, of)
+        if of or not resistances(self.system):
+            return self._rubbed(of)
+        ends = [*(edge.first for edge in self.way.edges), self.first]
+        zero = self.tree.home.model.field.zero
+        lost = (
+            _energy_lost(self.tree, node.phase, end.zero.values)
+            for node, end in zip(self.way.nodes, ends, strict=True)
+            if end is not None
         )
+        return sum(lost, zero) + self._struck(of)
+
+    def _rubbed(self, of: str, *, is_apart: bool = False) -> Ratio:
+        """What friction and impacts have taken. is_apart: where other loads take energy, only that."""
+        return _heat(self.tree, self.way, self.first, of, is_apart=is_apart or bool(of)) + self._struck(of)
+
+    def _struck(self, of: str) -> Ratio:
+        nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
+        return sum((_taken_by_impact(self.tree, node, of) for node in nodes), self.tree.home.model.field.zero)
 
 
 def passage_of(
@@ -142,10 +169,10 @@ def elements_in(tree: PhaseTree, phase: Phase, quantity: Quantity, state: Symbol
     return f.lowest_terms(f.follow(f.element(value), still))
 
 
-def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str) -> Ratio:
+def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str, *, is_apart: bool) -> Ratio:
     """What dry friction turns into heat: in every phase the integral of -F s' over time, F the friction along the slip
     s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses, or
-    of one connection (`of`) a steady F times its way."""
+    where other loads take energy (`is_apart`) and of one connection (`of`) a steady F times its way."""
     total = tree.home.model.field.zero
     for k, node in enumerate(way.nodes):
         phase, last = node.phase, k == len(way.edges)
@@ -157,7 +184,8 @@ def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str) -
             continue
         zero = ends.zero
         if not isinstance(phase.course, UniformMotion):
-            if not of or (len(rubbing) == len(frictions(phase.system)) and only_friction_takes_energy(phase.system)):
+            is_all = len(rubbing) == len(frictions(phase.system))
+            if not is_apart or (is_all and only_friction_takes_energy(phase.system)):
                 total = total + _energy_lost(tree, phase, zero.values)
             else:
                 total = sum((_by_way(tree, phase, push, zero.values) for push in rubbing), total)
@@ -188,7 +216,7 @@ def _by_way(tree: PhaseTree, phase: Phase, push: AppliedLoad, values: Mapping[in
 
 def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio:
     """What the mechanical energy loses from the beginning of a phase to a state of it."""
-    if not only_friction_takes_energy(phase.system):
+    if not only_takes_energy(phase.system):
         raise CannotAnswer(
             Message("other loads do work as well, and the heat of friction has no closed form; simulate the motion")
         )

@@ -136,6 +136,13 @@ def only_friction_takes_energy(system: System) -> bool:
     return stores and not any(row.is_driven for row in system.constraint_rows)
 
 
+def only_takes_energy(system: System) -> bool:
+    """The same where drag and dampers take energy, too: what is not stored is lost."""
+    loads = plain(system).applied_loads
+    takes = all(system.loads[p.load].resists or is_conservative(system, p) for p in loads)
+    return takes and not any(row.is_driven for row in system.constraint_rows)
+
+
 def taking_energy(system: System) -> set[str]:
     """The connections in which energy may be lost: that rub, or collide."""
     rubbing = {d.name.partition(".")[0] for d in system.dry_friction} | set(map(connection_of, frictions(system)))

@@ -45,6 +45,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 
 MAX_DEPTH = 5
 MAX_NODES = 24
+MAX_TURNS = 16  # half swings against friction, one after the other, on the way of the model's own values
 MAX_IMPACTS = 2  # one after the other, in formulas
 _BESIDE_IMPACTS = 2  # phases beside those that begin with an impact
 MOST_TERMS = 6  # of a condition behind the jerk of a string
@@ -77,6 +78,11 @@ class PhaseTree(Home):
         for signs, sets in self.by_sign(rates, self.indices):
             self._begin(rates, signs, sets)
         self.roots.sort(key=lambda node: int(node.sets[0]))
+
+    @property
+    def is_single(self) -> bool:
+        """Whether one coordinate moves, in every phase."""
+        return all(len(node.phase.model.coordinates) <= 1 for node in self.nodes())
 
     def nodes(self) -> Iterator[PhaseNode]:
         """All of them, from the start on."""
@@ -235,7 +241,7 @@ class PhaseTree(Home):
         labels = np.full(self.sets.n, NOTHING)
         tests: list[Test] = []
         for mode in self.foresight.modes(instant, left):
-            if not left.any() or self.n_nodes >= allowed(MAX_NODES):
+            if not left.any() or (depth < self.most_depth and self.n_nodes >= allowed(MAX_NODES)):
                 break
             try:
                 for phase in self._phases_of(mode, instant, np.flatnonzero(left)):
@@ -247,7 +253,7 @@ class PhaseTree(Home):
                     if holds.any():
                         labels[holds] = len(phases)
                         phases.append((phase, needed))
-                        self.n_nodes += 1
+                        self.n_nodes += depth < self.most_depth
                         left &= ~holds
             except NO_FORM as error:
                 self.reasons.append(why(self.system, error))
@@ -342,7 +348,8 @@ class PhaseTree(Home):
         watch = edge.watch
         assert edge.first is not None
         assert watch is not None
-        if node.depth + 1 >= self.most_depth or self.n_nodes >= allowed(MAX_NODES):
+        is_short = node.depth + 1 < self.most_depth and self.n_nodes < allowed(MAX_NODES)
+        if not is_short and not self._turns_on(node, edge):
             edge.stops = Message(
                 "after {n} phases the search ends; raise the effort (--effort) to go on", n=node.depth + 1
             )
@@ -392,11 +399,21 @@ class PhaseTree(Home):
                 instant = replace(instant, past=phase.mode.past, began=began, ways=dict(phase.mode.ways))
                 instant = replace(instant, acting=acting)
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
+                if not is_short:
+                    edge.nodes = [after for after in edge.nodes if 0 in after.sets]
         except NO_FORM as error:
             edge.stops = why(self.system, error)
             return
         if not edge.nodes and not edge.stops:
             edge.stops = self.reasons[-1] if len(self.reasons) > n_reasons else Message("no mode is consistent there")
+
+    def _turns_on(self, node: PhaseNode, edge: PhaseEnd) -> bool:
+        """Whether one coordinate turns against friction on the way of the model's own values: each half swing is as
+        short to write as the one before, and many may follow on each other."""
+        is_own = self.system.has_values and 0 in edge.sets
+        is_turn = edge.watch is not None and edge.watch.kind == "slip ends" and node.n_impacts == 0
+        one = len(node.phase.model.coordinates) == 1
+        return is_own and is_turn and one and node.depth + 1 < max(self.most_depth, allowed(MAX_TURNS))
 
     def _touched(
         self,
