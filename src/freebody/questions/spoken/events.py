@@ -254,7 +254,7 @@ def _hits(names: Names, who: str, other: str) -> Groups:
     ):
         yield [f"{body} reaches {other}" for body in drawn]
         return
-    if not joining.strikes(names) and other in ("", GROUND):
+    if not joining.comes_to_strike(names) and other in ("", GROUND):
         yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
         yield poses.lowermost(names, who) if not other else []  # it has come down
         return

@@ -376,7 +376,7 @@ def strikes(names: Names) -> bool:
 def comes_to_strike(names: Names) -> bool:
     """Whether something can collide that does not roll on what it touches all the while."""
     rows = [row for row in names.constraint_rows if row.unilateral and row.reaction != "tension"]
-    return any("rolling" not in names.called.get(row.connection, ()) for row in rows)
+    return not all(any(kind.startswith("rolling") for kind in names.called.get(row.connection, ())) for row in rows)
 
 
 def goes_on(names: Names) -> bool:
@@ -402,6 +402,12 @@ def is_joined(names: Names, name: str) -> bool:
 def is_rough(names: Names) -> bool:
     """Whether dry friction holds something."""
     return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
+
+
+def rubs(names: Names) -> bool:
+    """Whether dry friction may take energy: not where what rolls never slips."""
+    held = {row.connection for row in names.constraint_rows if row.reaction.startswith("friction force")}
+    return any(not any(kind.startswith("rolling") for kind in names.called.get(name, ())) for name in held)
 
 
 def can_stick(names: Names, body: str) -> bool:
