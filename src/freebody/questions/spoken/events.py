@@ -293,7 +293,7 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
     if who or other:
         yield [f"{who or 'it'} leaves {other}".strip()]
         yield [f"{who or other} opens"]
-    else:
+    elif any(row.unilateral for row in names.constraint_rows):
         yield ["contact is lost"]
 
 

@@ -46,10 +46,11 @@ class _Going:
 
 def tops(names: Names, body: str) -> list[str]:
     """The condition that a body has risen as far as it does at first, or swings no further."""
-    rising = [f"rate({name}) = 0" for name, sense in lookup.heights(names, body) if lookup.rises(names, name, sense)]
+    ways = [*lookup.heights(names, body), *lookup.inclined(names, body)]
+    rising = dict.fromkeys(f"rate({name}) = 0" for name, sense in ways if lookup.rises(names, name, sense))
     turning_back = [f"rate({going.measure}) = 0" for going in _on_lines(names, body)]
     over = [] if lookup.rests(names) and turning_back else uppermost(names, body)  # what is let go does not go over
-    return rising or [*over, *turning_back] or _flown(names, body) or named_by_file(names, body, 1)
+    return [*rising] or [*over, *turning_back] or _flown(names, body) or named_by_file(names, body, 1)
 
 
 def _flown(names: Names, body: str) -> list[str]:
