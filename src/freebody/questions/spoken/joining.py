@@ -404,6 +404,12 @@ def is_rough(names: Names) -> bool:
     return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
 
 
+def rubs(names: Names) -> bool:
+    """Whether something may slip against dry friction: what rolls does not."""
+    rough = [row.connection for row in names.constraint_rows if row.reaction.startswith("friction force")]
+    return any("rolling" not in names.called.get(joint, ()) for joint in rough)
+
+
 def can_stick(names: Names, body: str) -> bool:
     """Whether something comes to rest by itself: a contact, or dry friction, sticks it to the ground."""
     if body not in names.bodies:

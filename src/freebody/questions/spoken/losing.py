@@ -71,7 +71,7 @@ def engaged(names: Names, _body: str = "") -> list[str]:
 def in_balance(names: Names, of: str) -> list[str]:
     """The condition that something passes its equilibrium, where nothing accelerates it: of what is not damped, rubs
     nowhere, is not forced and has one measure."""
-    free = not (damped(names) or joining.is_rough(names) or lookup.is_forced(names))
+    free = not (damped(names) or joining.rubs(names) or lookup.is_forced(names))
     measures = lookup.places(names, of) or lookup.angles(names, of) or lookup.hung(names, of)
     return [f"acceleration of {name} = 0" for name in measures if free and len(names.measures) == 1]
 
@@ -79,7 +79,7 @@ def in_balance(names: Names, of: str) -> list[str]:
 def fastest_at(names: Names, of: str) -> list[str]:
     """Where the only body that moves is fastest: where it passes its equilibrium, for what it has of kinetic energy has
     come from there."""
-    free = not (damped(names) or joining.is_rough(names) or lookup.is_forced(names) or lookup.is_controlled(names))
+    free = not (damped(names) or joining.rubs(names) or lookup.is_forced(names) or lookup.is_controlled(names))
     free = free and not joining.strikes(names)
     measures = list(names.measures)
     swings = len(measures) == 1 and lookup.is_all_that_moves(names, of or next(iter(lookup.moving(names)), ""))
