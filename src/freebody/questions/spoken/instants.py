@@ -280,7 +280,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             found_at = _PLACES[instant](names, of) or (_uppermost(names, of) if instant == "at the top" else [])
             tails.append([f" when {text}" for text in found_at])
         elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
-            tails.append([" when it hits"])
+            of = next((name for _, name in main.names), "")
+            landing = [] if joining.strikes(names) else lookup.rising(names, of) or lookup.falling(names, of)
+            tails.append([f" when {height} = 0" for height in landing] or [" when it hits"])
             main = main.without("instant", "in the impact")
         elif instant == "in equilibrium" and (main.has("quantity", *_OF_WHAT_MOVES) or main.has("ask", "fast")):
             of = next((name for _, name in main.names), "")  # as it passes there; at rest it has none

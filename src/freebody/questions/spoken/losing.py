@@ -96,6 +96,8 @@ def at_the_end(names: Names, body: str = "") -> list[str]:
     Of another one nothing says where it ends, but for the place that the file's own questions name."""
     lasting = ["t grows"] if lookup.is_controlled(names) or damped(names) else []
     named = [place for sense in (-1, 1) for place in poses.named_by_file(names, body, sense)]
+    if not named and not lookup.ways(names, body) and len(lookup.ways(names, "")) == 1:  # what turns as a weight falls
+        named = [place for sense in (-1, 1) for place in poses.named_by_file(names, "", sense)]
     return strings.run_off(names, "") or lasting or named
 
 
