@@ -64,6 +64,7 @@ class Formulas(Noting):
         self.hangs_on: set[str] = (
             set()
         )  # parameters whose numbers were asked for: with others a model may read otherwise
+        self.used = set[str]()  # names that formulas of the model have
         self.space = False
         self.taken: Mapping[str, object] = {}  # what names stand for that are no parameters: bodies
 
@@ -111,6 +112,7 @@ class Formulas(Noting):
         """An expression in the parameters (and `extra` names), or a quantity with its unit."""
         known = self.dimensions(in_time="t" in (extra or {})) | dict(extra or {})
         if isinstance(value, str) and (mixed := self._with_quantities(value, dimension, known)) is not None:
+            self.used |= free_symbols(mixed)
             return mixed
         if isinstance(value, bool) or not isinstance(value, (str, int, float)):
             self.problem(Message("expected a number or an expression, found {value}", value=as_found(value)), *path)
@@ -132,6 +134,7 @@ class Formulas(Noting):
             expr = parse(value)
         except ExpressionError as error:
             return ZERO if self.is_broken_in(value) else self._quantity(value, dimension, path, str(error))
+        self.used |= free_symbols(expr)
         unknown = sorted(free_symbols(expr) - set(known))
         if free_symbols(expr) & self.broken or (unknown and self.is_cut_short):
             return ZERO

@@ -220,6 +220,7 @@ class Names(Formulas):
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.standing: dict[tuple[object, ...], Expr | None] | None = None  # where points stand on a way
         self.up: Components = (ZERO, ONE)
+        self.unused = frozenset[str]()  # parameters that only questions can name
         self.usual_questions: tuple[str, ...] = ()  # what the file asks, in the words of the grammar
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
 
@@ -227,7 +228,8 @@ class Names(Formulas):
         """The same names for what is asked later, whose problems and points of the ground are its own."""
         names = copy(self)
         names.problems, names.assumptions, names.laying = [], [*self.assumptions], []
-        names.standing = None
+        names.standing, names.used = None, {*self.used}
+        names.unused = frozenset(names.parameters.keys() - self.used)
         names.broken, names.told_once = {*self.broken}, {*self.told_once}
         names.free_ground_points = {}
         ground = self.bodies[GROUND]

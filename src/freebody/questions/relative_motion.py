@@ -116,6 +116,8 @@ def _seen_from(names: Names, text: str, path: Path) -> Point | None:
         return ORIGIN
     body, _, place_on_it = text.partition(".")
     if body in names.bodies and body != GROUND and not place_on_it and names.bodies[body].turns:
+        if any(spec.guide_of(names, body, turning=False) is not None for spec in names.connections.values()):
+            return names.point(body, *path)  # a cart on its track
         if _carries_a_string(names, body):  # what hangs on a pulley is seen from its axle
             return names.point(f"{body}.center", *path)
         points = ", ".join(f"{body}.{name}" for name in list(names.bodies[body].points)[:4])

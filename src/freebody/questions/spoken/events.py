@@ -256,10 +256,15 @@ def _hits(names: Names, who: str, other: str) -> Groups:
         return
     if not joining.comes_to_strike(names) and other in ("", GROUND):
         yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
-        yield poses.lowermost(names, who) if not other else []  # it has come down
+        yield poses.named_by_file(names, who, -1) if other else poses.lowermost(names, who)  # it has come down
         return
     meets = [name for name in names.connections if {"contact", "stop", "cam"} & {*names.called.get(name, ())}]
-    strikes = joining.comes_to_strike(names) or not joining.strikes(names)
+    comes = joining.comes_to_strike(names)
+    is_free = bool(who) and not any(joining.touches(names, name, who) for name in meets)
+    if other == GROUND and (is_free or not comes):  # no ground that the model has: where the way down ends
+        yield poses.named_by_file(names, who, -1)
+        return
+    strikes = comes or not joining.strikes(names)
     if strikes and (other or not who or any(joining.touches(names, name, who) for name in meets)):
         yield [f"{who or 'it'} hits {other}".strip()]
 
@@ -288,7 +293,7 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
     if who or other:
         yield [f"{who or 'it'} leaves {other}".strip()]
         yield [f"{who or other} opens"]
-    else:
+    elif any(row.unilateral for row in names.constraint_rows):
         yield ["contact is lost"]
 
 

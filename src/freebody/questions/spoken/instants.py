@@ -280,8 +280,11 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             found_at = _PLACES[instant](names, of) or (_uppermost(names, of) if instant == "at the top" else [])
             tails.append([f" when {text}" for text in found_at])
         elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
-            landed = [] if joining.strikes(names) else conditions(names, Clause([*_LANDS]))
-            tails.append([f" when {text}" for group in landed for text in group] or [" when it hits"])
+            of = next((name for _, name in main.names), "")
+            heights = lookup.rising(names, of) or lookup.falling(names, of)
+            landed = [[f"{height} = 0" for height in heights]] if heights else conditions(names, Clause([*_LANDS]))
+            on_the_way = [] if joining.strikes(names) else landed
+            tails.append([f" when {text}" for group in on_the_way for text in group] or [" when it hits"])
             main = main.without("instant", "in the impact")
         elif instant == "in equilibrium" and (main.has("quantity", *_OF_WHAT_MOVES) or main.has("ask", "fast")):
             of = next((name for _, name in main.names), "")  # as it passes there; at rest it has none

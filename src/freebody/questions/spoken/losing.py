@@ -79,7 +79,7 @@ def in_balance(names: Names, of: str) -> list[str]:
 def fastest_at(names: Names, of: str) -> list[str]:
     """Where the only body that moves is fastest: where it passes its equilibrium, for what it has of kinetic energy has
     come from there."""
-    free = not (damped(names) or joining.is_rough(names) or lookup.is_forced(names) or lookup.is_controlled(names))
+    free = not (damped(names) or joining.rubs(names) or lookup.is_forced(names) or lookup.is_controlled(names))
     free = free and not joining.strikes(names)
     measures = list(names.measures)
     swings = len(measures) == 1 and lookup.is_all_that_moves(names, of or next(iter(lookup.moving(names)), ""))
@@ -96,6 +96,8 @@ def at_the_end(names: Names, body: str = "") -> list[str]:
     Of another one nothing says where it ends, but for the place that the file's own questions name."""
     lasting = ["t grows"] if lookup.is_controlled(names) or damped(names) else []
     named = [place for sense in (-1, 1) for place in poses.named_by_file(names, body, sense)]
+    if not named and not lookup.ways(names, body) and len(lookup.ways(names, "")) == 1:  # what turns as a weight falls
+        named = [place for sense in (-1, 1) for place in poses.named_by_file(names, "", sense)]
     return strings.run_off(names, "") or lasting or named
 
 

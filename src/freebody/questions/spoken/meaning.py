@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given, joining, lookup, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
+from freebody.questions.spoken.at_two_instants import compared
 from freebody.questions.spoken.between_events import time_between
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
@@ -38,6 +39,7 @@ _WHILE = Word("mark", "while")
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _SO_THAT = Word("mark", "so_that")
 _WHETHER = re.compile(r"(?:does|is|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b")
+_OF_ITSELF = re.compile(r"ratio of (.+) to \1")
 _FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
@@ -49,13 +51,15 @@ def meanings(names: Names, words: list[Word]) -> Groups:
     """What words can ask for, as they stand; then with their parts put in the order of the grammar. Whether something
     is so is told by no quantity, but by which way something goes."""
     asks_whether = words[:1] == [Word("filler", "does")] and Word("preposition", "and") not in words
-    for group in _in_all_orders(names, words):
+    for found in _in_all_orders(names, words):
+        group = [text for text in found if not _OF_ITSELF.fullmatch(text)]
         yield [text for text in group if _WHETHER.match(text)] if asks_whether else group
 
 
 def _in_all_orders(names: Names, words: list[Word]) -> Groups:
     yield from _as_they_stand(names, words)
     said = [word for word in words if word.kind != "filler"]
+    yield from compared(names, said, _as_they_stand)
     if not any(word.kind == "other" or _leads_nowhere(said, k) or _asks_more(said, k) for k, word in enumerate(said)):
         yield from recomposed(names, said, _as_they_stand)
 

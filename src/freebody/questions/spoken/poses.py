@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
+from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
@@ -19,7 +20,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.curves import LevelPlace
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, strings
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -45,10 +46,11 @@ class _Going:
 
 def tops(names: Names, body: str) -> list[str]:
     """The condition that a body has risen as far as it does at first, or swings no further."""
-    rising = [f"rate({name}) = 0" for name, sense in lookup.heights(names, body) if lookup.rises(names, name, sense)]
+    ways = [*lookup.heights(names, body), *lookup.inclined(names, body)]
+    rising = dict.fromkeys(f"rate({name}) = 0" for name, sense in ways if lookup.rises(names, name, sense))
     turning_back = [f"rate({going.measure}) = 0" for going in _on_lines(names, body)]
     over = [] if lookup.rests(names) and turning_back else uppermost(names, body)  # what is let go does not go over
-    return rising or [*over, *turning_back] or _flown(names, body)
+    return [*rising] or [*over, *turning_back] or _flown(names, body) or named_by_file(names, body, 1)
 
 
 def _flown(names: Names, body: str) -> list[str]:
@@ -110,14 +112,27 @@ def _swinging(names: Names, body: str) -> list[str]:
 
 def named_by_file(names: Names, body: str, sense: int) -> list[str]:
     """The condition that something has come as far down (sense -1) or up (1) as the file's own questions ask of it,
-    where they say one such place alone. What a spring catches, or may turn back, has none."""
+    where they say one such place alone; else as far as the only length that the file gives for no other use. What a
+    spring catches, or may turn back, has none."""
     if lookup.springs(names) or lookup.elastic_strings(names):
         return []
     going = {name for name, own in (*lookup.inclined(names, body), *lookup.heights(names, body)) if own == sense}
     told = (_AT_PLACE.finditer(question) for question in names.usual_questions)
     places = [found for each in told for found in each if found["measure"] in going]
     said = dict.fromkeys(f"{one['measure']} = {one['value']}" for one in places if re.search(r"[^\W\d]", one["value"]))
-    return [*said] if len(said) == 1 else []
+    return ([*said] if len(said) == 1 else []) if said else _to_be_covered(names, body, sense)
+
+
+def _to_be_covered(names: Names, body: str, sense: int) -> list[str]:
+    """The condition that something has come down (sense -1) or up (1) by the only length that nothing else of the
+    model has a use for."""
+    spare = [name for name in names.unused if names.parameters[name].dimension == LENGTH]
+    if len(spare) != 1 or names.space:
+        return []
+    going = dict.fromkeys((*lookup.inclined(names, body), *lookup.heights(names, body)))
+    along = [name for name, own in going if own == sense and name in names.started_at_zero]
+    hung = lookup.climbed(names, body, spare[0], sense) if body in strings.hanging(names) and not going else []
+    return [f"{name} = {spare[0]}" for name in along] or hung
 
 
 def _caught(names: Names, body: str) -> list[str]:
