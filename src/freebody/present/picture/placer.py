@@ -20,7 +20,7 @@ _TOO_MUCH = 6.0  # the cost at which a word that is not needed is left out
 _OVER_A_SIGN = 4.0  # cost of a point of an arrow, a dot or a pin below a word
 _SIGNS = frozenset(("measure", "force", "reaction", "velocity", "acceleration"))  # colours of arrows
 _DOT = 18.0  # [points] the largest one
-_FARTHER = (2.5, 9.0, 18.0, 30.0, 45.0, 62.0, 80.0)  # [points] from the anchor
+_FARTHER = (2.5, 9.0, 18.0, 30.0, 45.0, 62.0, 80.0, 100.0, 125.0, 150.0)  # [points] from the anchor
 
 
 @dataclass(frozen=True)
