@@ -269,8 +269,8 @@ def test_pairs_without_a_contact_are_refused_with_what_there_is() -> None:
     [problem] = told.value.problems
     assert "there is no contact of a with b in space: a sphere touches a sphere" in problem.message
     assert "name a plane of one" in problem.message
-    point = model.replace("[a, b]", "[a.start, b.top]")
-    with pytest.raises(fb.ModelError, match=r"there is no contact of a\.start with b\.top in space"):
+    point = model.replace("[a, b]", "[a.center, b.center]")
+    with pytest.raises(fb.ModelError, match=r"there is no contact of a\.center with b\.center in space"):
         fb.System.from_text(point)
 
 

@@ -251,11 +251,12 @@ def test_a_drawbridge_rests_where_half_its_weight_is_that_of_the_counterweight_a
     assert pytest.approx(math.cos(2 * math.asin(0.4))) == 1 - 2 * 0.4**2
 
 
-def test_where_an_equilibrium_has_no_formula_it_has_a_number() -> None:
-    """A rod that leans from a smooth wall over a peg: wall, peg and weight meet in one point, so L/2 cos^3(th) = d."""
+def test_a_rod_over_a_peg_rests_by_a_cube_root() -> None:
+    """A rod that leans from a smooth wall over a peg: wall, peg and weight meet in one point, so L/2 cos^3(th) = d. Its
+    potential falls away on both sides where it leans upwards, and rises where it hangs down."""
     found = answer(OVER_A_PEG, "equilibrium of th")
-    assert found.expression is None
-    assert found.value == pytest.approx(math.acos(0.5 ** (1 / 3)))
+    assert found.value == pytest.approx(-math.acos(0.5 ** (1 / 3)))
+    assert any("it may rest at acos((2·d/L)^(1/3)), too" in str(note) for note in found.notes)
 
 
 def test_a_roller_in_a_rolling_pipe() -> None:
