@@ -219,7 +219,7 @@ def _time(script: Script, way: PhaseSequence, left: Any, answer: Answer, ends: l
     times = tuple(end.get("time") or _duration(script, leg, end) for leg, end in zip(way.legs, ends, strict=True))
     total = add(*(leg.end for leg in way.legs))
     sides = (left, total, answer.expression) if len(way.legs) > 1 else (left, answer.expression)
-    script.line(*sides, why="answer.time", args={"lines": times}, uses=times, when="event")  # pyrefly: ignore[bad-argument-type]
+    script.line(*sides, why="answer.time", args={"lines": times}, uses=times, when="event")
 
 
 def _duration(script: Script, leg: PhaseSegment, end: dict[str, int]) -> int:
