@@ -296,6 +296,9 @@ class Elimination:
         """(x, y) = y (slope, 1): a length that is a multiple of |y|, which the root of x^2 + y^2 would not show."""
         size, angle = self.straight(Vector(slope, self.field.one), self.field.zero)
         rise, _upright = self.straight(Vector(self.field.zero, y), self.field.zero)
+        if rise not in (y, -y):  # its sign is not known
+            size, angle = self.straight(Vector(slope * y, y), self.field.zero)
+            return {line.length: size, line.angle: angle}
         length = self.field.lowest_terms(size * rise)
         return {line.length: length, line.angle: angle if rise == y else angle + self.field.pi}
 

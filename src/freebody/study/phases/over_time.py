@@ -26,19 +26,10 @@ ValueAt = Callable[[NumericMode, Array, Array, float, Snapshot], tuple[Sequence[
 
 
 def over_time(base: System, seen: Sequence[PhaseSnapshot], quantity: Quantity) -> Any:
-    """The integral over the time, phase by phase: of what is the same at both ends of a phase that times its duration.
-    base: the system with its contacts."""
-    total: list[float] = []
-    for one in seen:
-        begin = one.mode.snapshot(one.begin.q, one.begin.v, one.begin.t, one.begin)
-        end = one.snapshot()
-        first, last = (as_parts(value_in_mode(quantity, base, one.mode.system, s)) for s in (begin, end))
-        if any(abs(a - b) > ROUND_OFF * max(abs(a), abs(b)) for a, b in zip(first, last, strict=True)):
-            parts = _integrated(base, one, quantity)
-        else:
-            parts = [x * (end.t - begin.t) for x in last]
-        total = [a + b for a, b in zip(total, parts, strict=True)] if total else parts
-    return tuple(total) if len(total) > 1 else total[0]
+    """The integral over the time, phase by phase. base: the system with its contacts."""
+    total = sum(np.array(_integrated(base, one, quantity)) for one in seen)
+    parts = [float(x) for x in np.atleast_1d(total)]
+    return tuple(parts) if len(parts) > 1 else parts[0]
 
 
 def work_over_time(base: System, seen: Sequence[PhaseSnapshot], load: str) -> float:
@@ -52,13 +43,19 @@ def work_over_time(base: System, seen: Sequence[PhaseSnapshot], load: str) -> fl
 
 
 def _integrated(base: System, one: PhaseSnapshot, quantity: Quantity) -> list[float]:
-    """What changes in a phase."""
+    """In a phase; where balls are followed that turn unseen, of what is the same at both of its ends alone."""
 
     def value(mode: NumericMode, q: Array, v: Array, t: float, near: Snapshot) -> tuple[Sequence[float], Snapshot]:
         now = mode.snapshot(q, v, t, near)
         return as_parts(value_in_mode(quantity, base, mode.system, now)), now
 
-    return _by_points(base, one, value)
+    if not base.unfollowed:
+        return _by_points(base, one, value)
+    begin, end = one.mode.snapshot(one.begin.q, one.begin.v, one.begin.t, one.begin), one.snapshot()
+    first, last = (as_parts(value_in_mode(quantity, base, one.mode.system, s)) for s in (begin, end))
+    if any(abs(a - b) > ROUND_OFF * max(abs(a), abs(b)) for a, b in zip(first, last, strict=True)):
+        raise CannotAnswer(Message("the force changes on the way, and its impulse was not checked in numbers"))
+    return [x * (end.t - begin.t) for x in last]
 
 
 def _by_points(base: System, one: PhaseSnapshot, value: ValueAt) -> list[float]:
