@@ -13,7 +13,7 @@ from freebody.study.phases.tree import tree_of
 
 
 def test_a_buffer_that_is_pressed_and_let_go_turns_the_momentum_round() -> None:
-    """Its force vanishes where it is reached and where it is relaxed; the cart comes with m v0 and leaves with -m v0."""
+    """Its force vanishes where it is reached and where it is relaxed; the cart turns from m v0 to -m v0."""
     system = System.load(Path(__file__).parents[1] / "examples" / "cart_into_a_buffer.yaml")
     (force,) = system.asked("force in buffer at start")
     (question,) = system.asked("velocity of x when buffer is relaxed")
