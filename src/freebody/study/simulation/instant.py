@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
@@ -28,6 +29,7 @@ class SimulatedInstant(Snapshot):
         self._course, self._k = course, k
         self._rows = tuple(motion.rows)
         self._places = {row.name: j for j, row in enumerate(motion.rows)}
+        self._rubbing = [row for rub in motion.system.dry_friction for row in rub.rows if row.name in self._places]
 
     @property
     def accelerations(self) -> Array:
@@ -35,15 +37,38 @@ class SimulatedInstant(Snapshot):
 
     def multiplier(self, row: ConstraintRow) -> float:
         j = self._places[row.name]
-        if not self._course.unique[self._k, j]:
+        if not self._unique[j]:
             raise CannotAnswer(Message("the {reaction} of {row} is not unique", reaction=row.reaction, row=row.name))
         return float(self._course.multipliers[self._k, j])
+
+    @cached_property
+    def _unique(self) -> Array:
+        """(n_rows,) whether a multiplier is unique. Friction at its limit where nothing slips may be any smaller
+        one: its row counts as held, and what balances with it is open."""
+        unique = self._course.unique[self._k]
+        resting = [row for row in self._rubbing if self._rests(row)]
+        if not resting or not unique.any():
+            return unique
+        acts = self._course.multipliers[self._k] != 0.0
+        acting = [row for j, row in enumerate(self._rows) if acts[j] or row in resting]
+        moving = self.reference.system.all_moving
+        slopes = np.array([[x for b in moving for x in self.gradient(row.measure, b.name)] for row in acting])
+        wanted = np.eye(len(acting))
+        reached = slopes @ np.linalg.lstsq(slopes, wanted, rcond=None)[0]
+        is_open = np.abs(reached - wanted).max(axis=0) > ROUND_OFF
+        found = unique.copy()
+        found[[self._places[row.name] for row, own in zip(acting, is_open, strict=True) if own]] = False
+        return found
+
+    def _rests(self, row: ConstraintRow) -> bool:
+        """Whether what rubs neither slips nor is about to."""
+        return abs(self.rate(row.measure)) <= ROUND_OFF and abs(self.acceleration(row.measure)) <= ROUND_OFF
 
     def total(self, parts: Sequence[tuple[float, ConstraintRow]]) -> float:
         """A sum of multipliers with signs or weights, as what two corners of a box transmit together. With J the rows
         whose own multipliers are not unique, those that balance the same forces differ by z with J^T z = 0; the sum w z
         is the same for all of them if and only if w = J x for some x."""
-        unique = self._course.unique[self._k]
+        unique = self._unique
         if all(unique[self._places[row.name]] for _sign, row in parts):
             return sum(sign * self.multiplier(row) for sign, row in parts)
         open_ = [row for row in self._rows if not unique[self._places[row.name]]]

@@ -1,0 +1,34 @@
+"""What a cable and dry friction hold together: how they share it nothing says, and no number is told."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from freebody import System
+
+SLEDGE = """
+parameters: {{m: 60 kg, alpha: 20 deg, mu: 0.15, g: 9.81 m/s^2}}
+ground: {{lines: {{slope: {{along: alpha}}}}, points: {{W: [12 m*cos(alpha), 12 m*sin(alpha)]}}}}
+bodies: {{sledge: {{particle: {{mass: m}}}}}}
+connections:
+  slope: {{contact: {{between: [sledge, slope]{friction}}}}}
+  cable: {{string: {{from: sledge, to: ground.W}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{s: travel of sledge along slope}}
+start: {{s: 0, rate(s): 0}}
+questions: {{it: tension of cable}}
+"""
+
+
+def test_a_tension_beside_friction_that_may_be_any_has_no_number() -> None:
+    """Between m g (sin a - mu cos a) and m g (sin a + mu cos a) all tensions balance."""
+    (answer,) = System.from_text(SLEDGE.format(friction=", friction: mu")).solve().answers
+    assert (answer.expression, answer.value) == (None, None)
+    assert "not unique" in str(answer.reason)
+
+
+def test_a_tension_without_friction_has_one() -> None:
+    (answer,) = System.from_text(SLEDGE.format(friction="")).solve().answers
+    assert answer.value == pytest.approx(60 * 9.81 * math.sin(math.radians(20)), rel=1e-12)
