@@ -11,11 +11,12 @@ from freebody import System
 SLEDGE = """
 parameters: {{m: 60 kg, alpha: 20 deg, mu: 0.15, g: 9.81 m/s^2}}
 ground: {{lines: {{slope: {{along: alpha}}}}, points: {{W: [12 m*cos(alpha), 12 m*sin(alpha)]}}}}
-bodies: {{sledge: {{particle: {{mass: m}}}}}}
+bodies: {{sledge: {{particle: {{mass: m}}}}, drum: {{body: {{inertia: 1.2 kg m^2, radius: 0.15 m}}}}}}
 connections:
+  axle: {{pin: [ground.W, drum]}}
   slope: {{contact: {{between: [sledge, slope]{friction}}}}}
-  cable: {{string: {{from: sledge, to: ground.W}}}}
-loads: {{weight: {{gravity: g}}}}
+  cable: {{string: {{from: sledge, to: drum.center}}}}
+loads: {{weight: {{gravity: g}}, motor: {{torque: {{on: drum, magnitude: 70 N m}}}}}}
 measures: {{s: travel of sledge along slope}}
 start: {{s: 0, rate(s): 0}}
 questions: {{it: tension of cable}}
@@ -23,7 +24,8 @@ questions: {{it: tension of cable}}
 
 
 def test_a_tension_beside_friction_that_may_be_any_has_no_number() -> None:
-    """Between m g (sin a - mu cos a) and m g (sin a + mu cos a) all tensions balance."""
+    """Between m g (sin a - mu cos a) and m g (sin a + mu cos a) all tensions balance. The drum turns idly on its axle, to
+    which the cable is tied."""
     (answer,) = System.from_text(SLEDGE.format(friction=", friction: mu")).solve().answers
     assert (answer.expression, answer.value) == (None, None)
     assert "not unique" in str(answer.reason)
