@@ -24,7 +24,7 @@ questions: {{it: tension of cable}}
 
 
 def test_a_tension_beside_friction_that_may_be_any_has_no_number() -> None:
-    """Between m g (sin a - mu cos a) and m g (sin a + mu cos a) all tensions balance. The drum turns idly on its axle, to
+    """Between m g (sin a - mu cos a) and m g (sin a + mu cos a) all tensions balance. The drum turns idly on the axle to
     which the cable is tied."""
     (answer,) = System.from_text(SLEDGE.format(friction=", friction: mu")).solve().answers
     assert (answer.expression, answer.value) == (None, None)
