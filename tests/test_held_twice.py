@@ -24,8 +24,8 @@ questions: {{it: tension of cable}}
 
 
 def test_a_tension_beside_friction_that_may_be_any_has_no_number() -> None:
-    """Between m g (sin a - mu cos a) and m g (sin a + mu cos a) all tensions balance. The drum turns idly on the axle to
-    which the cable is tied."""
+    """Between m g (sin a - mu cos a) and m g (sin a + mu cos a) all tensions balance. The cable is tied to an axle, on
+    which the drum turns idly."""
     (answer,) = System.from_text(SLEDGE.format(friction=", friction: mu")).solve().answers
     assert (answer.expression, answer.value) == (None, None)
     assert "not unique" in str(answer.reason)
