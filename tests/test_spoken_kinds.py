@@ -13,6 +13,7 @@ from freebody.connections.pin import Pin
 from freebody.connections.revolute import Revolute
 from freebody.errors import ModelError
 from freebody.language.units import DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, POWER, TIME
+from freebody.measures.geometry import GROUND
 from freebody.system.system import System
 from test_spoken import meaning
 from thinned import thinned
@@ -76,11 +77,12 @@ def moving(system: System) -> list[str]:
 
 
 def turns_about_its_centre(system: System, body: str) -> bool:
-    """On an axle in its mass centre: its acceleration is an angular one."""
+    """On an axle of the ground in its mass centre: its acceleration is an angular one."""
     axles = [c for c in system.connections.values() if isinstance(c, (Pin, Revolute))]
-    points = [system.names.point(text) for axle in axles for text in (axle.first, axle.second)]
-    own = system.bodies[body]
-    return any(point.body == body and point.offset == own.points["mass_center"] for point in points)
+    joined = [[system.names.point(text) for text in (axle.first, axle.second)] for axle in axles]
+    at = system.bodies[body].points["mass_center"]
+    ends = [(own, other) for a, b in joined for own, other in ((a, b), (b, a))]
+    return any(own.body == body and own.offset == at and other.body == GROUND for own, other in ends)
 
 
 def understood(system: System, said: str) -> list[str] | None:
