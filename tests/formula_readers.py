@@ -180,7 +180,7 @@ class _Drawing:
         raised = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+").match(row, column)
         if raised:
             return "**(" + "".join(_RAISED[c] for c in raised[0]) + ")", raised.end(), baseline
-        word = re.compile(r"π|[a-z]+|[KF](?=[(⎛⎜⎝])").match(row, column)
+        word = re.compile(r"π|[a-z]+|[CFKS](?=[(⎛⎜⎝])").match(row, column)
         if word and (word[0] in _FUNCTIONS or word[0] == "π"):
             return {"π": "pi"}.get(word[0], word[0]), word.end(), baseline
         plain = {"·": "*", "⋅": "*", "^": "**", "√": "sqrt"}.get(character, character)

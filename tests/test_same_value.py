@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import formula_readers as read
+from freebody.errors import ExpressionError
 from freebody.language.expression import Call, Expr, Number, Symbol, evaluate, free_symbols
 from freebody.language.notation import to_latex, to_mathml, to_pretty_lines, to_python, to_text, to_typst
 from freebody.language.parser import parse
@@ -76,7 +77,7 @@ def without_rates(expr: Expr) -> Expr:
 def value(expr: Expr, numbers: dict[str, float]) -> float | None:
     try:
         found = evaluate(expr, numbers)
-    except (ArithmeticError, ValueError):
+    except (ArithmeticError, ValueError, ExpressionError):  # of a curve by points there is no arithmetic
         return None
     return found if isinstance(found, float) and math.isfinite(found) else None
 
