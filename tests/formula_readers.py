@@ -357,7 +357,7 @@ class _Latex(_Markup):
             return f"(({self.group()})/({self.group()}))"
         if self.took(r"\sqrt"):
             return f"sqrt({self.group()})"
-        if letter := self.took(r"K\!\left(", r"F\!\left("):
+        if letter := self.took(*(rf"{name}\!\left(" for name in "CFKS")):
             found = self.arguments()
             self.must(r"\right)")
             return f"{letter[0]}({found})"
@@ -418,7 +418,7 @@ class _Typst(_Markup):
             return f"({found})"
         if self.took("π"):
             return "pi"
-        if letter := self.took("K(", "F("):
+        if letter := self.took(*(f"{name}(" for name in "CFKS")):
             found = self.arguments()
             self.must(")")
             return f"{letter[0]}({found})"
