@@ -71,8 +71,10 @@ def _not_negative(names: Names, value: Any, dimension: Dimension, path: tuple[st
     expr = names.formula(value, dimension, *path, **more)
     number = names.below_zero(expr)
     if number is not None and dimension != DIMENSIONLESS:
-        told = "{field} is negative ({value:g} {dimension}); give a positive one"
-        names.problem(Message(told, field=path[0], value=number, dimension=dimension), *path)
+        told = Message(
+            "{field} is negative ({value:g} {dimension}); give a positive one",
+            field=path[0], value=number, dimension=dimension)  # fmt: skip
+        names.problem(told, *path)
     elif number is not None:
         names.problem(
             Message("friction is negative ({number:g}); a coefficient of friction is 0 or more", number=number),

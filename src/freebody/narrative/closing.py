@@ -22,7 +22,7 @@ from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
-from freebody.study.answering.answer import ITS_RATE, MOVING_POINT, Answer
+from freebody.study.answering.answer import ITS_RATE, Answer, point_moves
 from freebody.study.answering.named_formulas import Chain
 from freebody.symbolic.tidy import tidy
 
@@ -84,7 +84,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
 def _is_derived(note: str) -> bool:
     """Whether a note says what the derivation has said: that a rate is one, and what a moving point adds to it."""
     words = note.words if isinstance(note, Stated) else note
-    return words == ITS_RATE or getattr(words, "template", "") == MOVING_POINT
+    return words == ITS_RATE or getattr(words, "template", "") == point_moves("").template
 
 
 def _is_whole(answer: Answer) -> bool:

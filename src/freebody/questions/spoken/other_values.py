@@ -36,7 +36,6 @@ _PLACES = {  # of the patterns in the languages' files
 _OF_FORCE = re.compile(rf"{_NUMBER}{_FORCE}(?!\w)")
 _ANGLE = re.compile(r"(?:°|deg|rad|degrees|Grad)$")
 _FACTORS = {"twice": 2.0, "half": 0.5, "thrice": 3.0}
-_GIVEN = "the file gives {name} its value; ask without '{said}', with --set '{name}={value}'"
 
 
 @cache
@@ -171,15 +170,22 @@ def _cut(text: str, begin: int, end: int) -> str:
     return re.sub(r" (?=[.?!])", "", " ".join(f"{text[:begin]} {text[end:]}".split())).strip(" ,")
 
 
+def _given(name: str, said: str, value: str) -> Message:
+    """What is said of a text that gives a parameter another value in passing."""
+    return Message(
+        "the file gives {name} its value; ask without '{said}', with --set '{name}={value}'",
+        name=name, said=said, value=value)  # fmt: skip
+
+
 def other_value(names: Names, text: str) -> Message | None:
     """What is said of a text in which a parameter has another value in passing: if mu is 0.3, when does it roll?"""
     for found in _found("named", text):
         parameter = names.parameters.get(found["name"])
         if parameter is not None and parameter.value is not None:
-            return Message(_GIVEN, name=found["name"], said=found[0], value=_parted(found["value"]))
+            return _given(found["name"], found[0], _parted(found["value"]))
     if (exerted := _exerted(names, text)) is not None and len(exerted[1]) == 1 and not exerted[2]:
         found, [name], _ = exerted
-        return Message(_GIVEN, name=name, said=found["of"].strip(), value=_parted(found["value"]))
+        return _given(name, found["of"].strip(), _parted(found["value"]))
     return _changed(names, text)
 
 

@@ -20,9 +20,13 @@ from freebody.study.answering.named_formulas import Chain
 from freebody.study.answering.told import answer_blocks
 
 ITS_RATE = Message("this is its rate")  # a note on the answer to whether something is conserved
-MOVING_POINT = "the point moves, so dH/dt = M - v × P, here with -v × P = {term}"  # another one
 Value = float | tuple[float, ...] | None
 NOT_VALID = "Not valid for the given numbers"  # how a note begins that names a condition which they break
+
+
+def point_moves(term: str) -> Message:
+    """Another one: the rate of an angular momentum about a point that moves."""
+    return Message("the point moves, so dH/dt = M - v × P, here with -v × P = {term}", term=term)
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ from freebody.questions.small_motion import Equilibrium, OfSmallMotion, RestValu
 from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
-from freebody.study.answering.answer import ITS_RATE, MOVING_POINT, Answer, Evidence, Value, made
+from freebody.study.answering.answer import ITS_RATE, Answer, Evidence, Value, made, point_moves
 from freebody.study.answering.chain import chain_of
 from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, real
@@ -114,7 +114,7 @@ class QuestionSolver:
         is_zero = found.rate == number(0)
         notes = [*blow, *([ITS_RATE] if found.rate is not None else [])]
         for term in () if found.rate is None else (part for what, part in found.parts if what == CARRIED):
-            words = Message(MOVING_POINT, term=to_text(term))
+            words = point_moves(to_text(term))
             notes.append(Stated(words, to_python(term)))
         return made(
             self.question,
