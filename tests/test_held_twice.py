@@ -34,3 +34,20 @@ def test_a_tension_beside_friction_that_may_be_any_has_no_number() -> None:
 def test_a_tension_without_friction_has_one() -> None:
     (answer,) = System.from_text(SLEDGE.format(friction="")).solve().answers
     assert answer.value == pytest.approx(60 * 9.81 * math.sin(math.radians(20)), rel=1e-12)
+
+
+def test_friction_that_carries_a_block_along_is_unique_however_its_corners_share_it() -> None:
+    """m_A a with a = P/(m_A + m_B): up to P = mu g (m_A + m_B)/2 half of what can be held is needed."""
+    system = System.from_text("""
+parameters: {mA: 4 kg, mB: 8 kg, mu: 0.3, P: 20 N, g: 9.81 m/s^2}
+bodies:
+  B: {rectangle: {mass: mB, width: 2 m, height: 0.2 m}, at: [0, 0.1 m]}
+  A: {rectangle: {mass: mA, width: 0.3 m, height: 0.2 m}, at: [0, 0.3 m]}
+connections:
+  rail: {slider: {body: B, along: right}}
+  top: {contact: {between: [A, B], friction: mu}}
+loads: {weight: {gravity: g}, pull: {force: {at: B, along: right, magnitude: P}}}
+questions: {it: value of P for which friction force of top = mu*mA*g/2}
+""")
+    (answer,) = system.solve().answers
+    assert answer.value == pytest.approx(0.3 * 9.81 * 12 / 2, rel=1e-9)

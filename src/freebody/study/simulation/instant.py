@@ -29,7 +29,7 @@ class SimulatedInstant(Snapshot):
         self._course, self._k = course, k
         self._rows = tuple(motion.rows)
         self._places = {row.name: j for j, row in enumerate(motion.rows)}
-        self._rubbing = [row for rub in motion.system.dry_friction for row in rub.rows if row.name in self._places]
+        self._rubs = motion.system.dry_friction
 
     @property
     def accelerations(self) -> Array:
@@ -46,11 +46,14 @@ class SimulatedInstant(Snapshot):
         """(n_rows,) whether a multiplier is unique. Friction at its limit where nothing slips may be any smaller
         one: its row counts as held, and what balances with it is open."""
         unique = self._course.unique[self._k]
-        resting = [row for row in self._rubbing if self._rests(row)]
+        acts = self._course.multipliers[self._k] != 0.0
+        acting_names = {row.name for j, row in enumerate(self._rows) if acts[j]}
+        pressed = [rub for rub in self._rubs if not rub.load or acting_names & {*rub.load}]
+        rows = [row for rub in pressed for row in rub.rows if row.name in self._places]
+        resting = [row for row in rows if self._rests(row)]
         if not resting or not unique.any():
             return unique
-        acts = self._course.multipliers[self._k] != 0.0
-        acting = [row for j, row in enumerate(self._rows) if acts[j] or row in resting]
+        acting = [row for row in self._rows if row.name in acting_names or row in resting]
         moving = self.reference.system.all_moving
         slopes = np.array([[x for b in moving for x in self.gradient(row.measure, b.name)] for row in acting])
         wanted = np.eye(len(acting))
