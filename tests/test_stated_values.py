@@ -14,12 +14,12 @@ EXAMPLES = Path(__file__).parents[1] / "examples"
 
 # a question that states values, the same without them, the values, and what is understood
 STATED = [
-    ("block_pushed_on_incline", "friction force of incline with F = 50 N", "friction force of incline", {"F": "50 N"}),
+    ("block_pushed_on_incline", "friction force of incline with F = 60 N", "friction force of incline", {"F": "60 N"}),
     (
         "block_pushed_on_incline",
-        "How big is the friction force on the block when the push is 50 N?",
-        "friction force of incline at block",
-        {"F": "50 N"},
+        "How big is the friction force on the block when the push is 60 N?",
+        "friction force of incline",
+        {"F": "60 N"},
     ),
     (
         "band_brake",

@@ -319,9 +319,13 @@ def _of_a_turn(words: Sequence[Word], text: str) -> list[Word]:
 
 
 def _of_what_lasts(words: Sequence[Word], text: str) -> list[Word]:
-    """The friction force while something sticks, or that holds it, is a force, and not how much friction that takes."""
+    """The friction force while something sticks, that holds it, or on a body when something is so, is a force, and not
+    how much friction that takes."""
     lasts = words[0] == _FRICTION and Word("mark", "while") in words
-    is_force = lasts or (_FRICTION in words and not any(word in _LIMITING or word.kind == "not" for word in words))
+    behind = words[words.index(_FRICTION) + 1 :] if _FRICTION in words else ()
+    acts = next((word.what for word in behind if word.kind != "filler"), "") == "on"
+    limiting = set(_LIMITING) - ({_WHEN} if acts else set())
+    is_force = lasts or (_FRICTION in words and not any(word in limiting or word.kind == "not" for word in words))
     is_limit = any(word.kind == "degree" or word == _ROUGH for word in words)
     return [_FRICTION] if is_force and not is_limit and re.match("range|least|largest|value", text) else []
 
