@@ -111,10 +111,10 @@ class _EquilibriumSearch:
             raise CannotAnswer(self._why_none(guessed))
         if not guessed:
             balances = [nearest_of_family(self.statics, b, self.statics.start) for b in balances]
-        judged = [(b, self._judged(b)) for b in balances]
+        judged = [(b, *self._judged(b)) for b in balances]
         if not guessed:
-            judged.sort(key=lambda pair: self._distance(*pair))
-        rests = tuple(self._rest(b, s) for b, s in judged)
+            judged.sort(key=lambda found: self._distance(found[0], found[1]))
+        rests = tuple(self._rest(b, s, why) for b, s, why in judged)
         searched = "" if guessed else self._searched()
         notes = tuple(dict.fromkeys(note for note in (searched, *self._notes()) if note))
         return Equilibria(self.system, self.dof - len(self.system.states), rests, notes, self.reference, searched)
@@ -140,16 +140,20 @@ class _EquilibriumSearch:
     def _stability(self, b: LoadBalance) -> Stability:
         return stability(about_rest(self._in_motion, self.reference, b.pose))
 
-    def _judged(self, b: LoadBalance) -> Stability:
-        """The stability, with neutral meant only where rests go on in every direction without stiffness."""
-        s = self._stability(b)
+    def _judged(self, b: LoadBalance) -> tuple[Stability, str]:
+        """The stability, with neutral meant only where rests go on in every direction without stiffness; and why there
+        is no linearisation to decide on it, as where a buffer is just reached."""
+        try:
+            s = self._stability(b)
+        except CannotAnswer as error:
+            return Stability("undecided by the linearisation", None, "", None), str(error)
         family = tuple(x for x in s.soft if goes_on(self.statics, b, x))
         if s.verdict == "neutral" and len(family) < len(s.soft):
-            return replace(s, verdict="undecided by the linearisation", soft=family)
-        return replace(s, soft=family)
+            return replace(s, verdict="undecided by the linearisation", soft=family), ""
+        return replace(s, soft=family), ""
 
     # -- one rest -----------------------------------------------------------------------------
-    def _rest(self, b: LoadBalance, s: Stability) -> FoundEquilibrium:
+    def _rest(self, b: LoadBalance, s: Stability, why_undecided: str) -> FoundEquilibrium:
         system, reference = self.system, self.reference
         g = self.statics.geometry(b.pose)
         values: dict[str, float] = {}
@@ -169,6 +173,8 @@ class _EquilibriumSearch:
             for row in system.constraint_rows
             if row.unilateral and (reactions[row.name] or 0.0) < -ROUND_OFF * float(np.abs(b.forces).max(initial=0.0))
         ]
+        if why_undecided:
+            notes.append(why_undecided)
         neutral = tuple(dict.fromkeys(self._named_direction(b, x) for x in s.soft))
         if neutral:
             notes.append(Message("one of a family: free to rest anywhere along {names}", names=in_turn(neutral)))

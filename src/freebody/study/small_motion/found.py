@@ -138,7 +138,7 @@ class Equilibria(Result):
 
 def _verdict(rest: FoundEquilibrium) -> str:
     if rest.eigenvalue is None:
-        return rest.stability if rest.direction else Message("nothing can move")
+        return Message("nothing can move") if rest.stability == "stable" and not rest.direction else rest.stability
     x = rest.eigenvalue
     value = number_text(x.real) if not x.imag else f"{number_text(x.real)} ± {number_text(abs(x.imag))} i"
     along = symbol_text(rest.direction)
