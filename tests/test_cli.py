@@ -113,7 +113,7 @@ questions: [{find: aceleration of left}, {find: tension of rop}]
         (
             "ground: {points: {A: [0, 0], B: [3 m, 0]}}\nbodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}\n"
             "connections: {a: {pin: [ground.A, rod.start]}, b: {pin: [ground.B, rod.end]}}\n",
-            "a.x is off by 2 m",  # where b holds; as much there where a does: of equal gaps the first by name
+            "all that goes from one end of it to the other is rod (1 m). It closes only where 3 m <= 1 m",
         ),
         (
             "bodies: {a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}}, w: {disk: {radius: 1 m}, fixed: true}}"

@@ -242,7 +242,7 @@ def _with_result(
 def _says(line: NumberedFormula, result: NumberedFormula) -> bool:
     """Whether a line ends in the result, under its name or that of a coordinate or rate whose value is asked for."""
     name, value = line.sides[0], line.sides[-1]
-    if value != result.sides[1]:
+    if result.sides[1:2] != (value,):  # a coordinate that is asked for has nothing that it equals
         return False
     is_rate = isinstance(name, Call) and name.function == "rate"
     is_there = line.when == result.when == "event" and not isinstance(value, Number)

@@ -297,7 +297,10 @@ def _told(corners: _Corners, side: _Side, chain: Sequence[_Side], *, with_start:
     written = [part.formula or f"{part.length:.4g} m" for part in (side, *chain)]
     return Message(
         "{begun}no pose closes the loop: {side} is {length:.4g} m long, and all that goes from one end of it to the "
-        "other is {chain}, together {reach:.4g} m. It closes only where {inequality}",
+        "other is {chain}, together {reach:.4g} m. It closes only where {inequality}"
+        if len(chain) > 1
+        else "{begun}no pose closes the loop: {side} is {length:.4g} m long, and all that goes from one end of it to "
+        "the other is {chain}. It closes only where {inequality}",
         begun=Message("with the start that is given ") if with_start else "",
         side=side.told,
         length=side.length,

@@ -54,7 +54,8 @@ class Conflict:
     def message(self) -> str:
         """What contradicts, by how much, and what to do."""
         if self.proof is not None:
-            return Message("{names} contradict each other: {why}", names=listed(self.names), why=self.proof)
+            told = Message("{names} contradict each other: {why}", names=listed(self.names), why=self.proof)
+            return in_turn([told, self._cut_short], "{first}. {second}") if self._cut_short else told
         told = Message(
             "{names} contradict each other: at best {gap}, from every start that was tried. Change or leave out one of "
             "them, or change the {what}."
@@ -65,10 +66,13 @@ class Conflict:
             gap=self.gap,
             what=Message("lengths and positions" if self.is_geometric else "start (at, angle, start) or the lengths"),
         )
+        return in_turn([told, self._cut_short], "{first} {second}") if self._cut_short else told
+
+    @property
+    def _cut_short(self) -> str:
         if self.is_minimal:
-            return told
-        rest = Message("Perhaps not all of them are needed for it: the search was cut short.")
-        return in_turn([told, rest], "{first} {second}")
+            return ""
+        return Message("Perhaps not all of them are needed for it: the search was cut short.")
 
     def to_plain(self) -> dict[str, Any]:
         return {
