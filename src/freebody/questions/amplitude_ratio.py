@@ -20,6 +20,8 @@ class AmplitudeRatio(ModeShapes, kind="amplitude ratio"):
     """The amplitude of one measure over that of another in a natural mode; negative where they swing against each
     other."""
 
+    is_ratio = True
+
     number: int = 1
     top: str = ""
     bottom: str = ""

@@ -223,6 +223,14 @@ class Quantity:
     is_by_law: ClassVar[bool] = False
     # whether it is asked which of two is greater: the sign of the value is the answer
     compares: ClassVar[bool] = False
+    # whether ways to and fro are added up
+    adds_up_ways: ClassVar[bool] = False
+    # whether its formula is that of earlier impacts, continued
+    continues_impacts: ClassVar[bool] = False
+    # whether it is told by the principles where the equations of motion are too long
+    is_told_by_principles: ClassVar[bool] = False
+    # whether it is where a measure, which it names, comes to rest
+    is_place_of_rest: ClassVar[bool] = False
     # whether the equilibrium that is meant is a stable one, where there are several
     is_about_stable: ClassVar[bool] = False
 

@@ -185,6 +185,8 @@ questions: {it: change of x until rolling begins}
 class Travelled(Change, kind="distance travelled"):
     """How far a measure has gone since the start, to and fro, counted without sign."""
 
+    adds_up_ways = True
+
     example = """
 bodies: {ball: {particle: {mass: 2 kg}}}
 loads: {weight: {gravity: 9.81 m/s^2}}

@@ -61,6 +61,8 @@ _MOST = 1000  # impacts
 class AtNthImpact(Joined, kind="at the n-th impact"):
     """A quantity at the n-th impact, by what it is at the first five."""
 
+    continues_impacts = True
+
     seen: tuple[Quantity, ...]
     restitution: OfParameters
     count: OfParameters

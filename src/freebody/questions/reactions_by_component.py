@@ -29,6 +29,11 @@ TOOTH_FORCE = "tooth force"
 _WITH_SENSE = ("tension", "normal force")  # pull and push, whatever is counted as positive
 
 
+def component_of(quantity: Quantity) -> ReactionComponent | None:
+    """The quantity, if it is what one row of a connection transmits; else None."""
+    return quantity if isinstance(quantity, ReactionComponent) else None
+
+
 @dataclass(frozen=True)
 class ReactionComponent(Quantity, kind="reaction component"):
     """What one row of a connection transmits: tension, normal force, tooth force ..."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from freebody.language.expression import Symbol, free_symbols, number
 from freebody.language.sentences import Message, Sentence
@@ -34,6 +34,8 @@ class SmallOscillations(Quantity, kind="small oscillations"):
 
     measure: whose oscillations are meant; None: those of the whole system. number: of which mode, counted from the
     slowest, or with -1 the fastest; None: of all that oscillate."""
+
+    is_told_by_principles = True
 
     what: Literal["frequencies", "frequency", "period"]
     measure: Measure | None = None
@@ -75,6 +77,8 @@ questions: {it: period of small oscillations}
 @dataclass(frozen=True)
 class Equilibrium(Quantity, kind="equilibrium"):
     """The value of a measure at rest."""
+
+    is_place_of_rest = True
 
     measure: Measure
     name: str
@@ -150,6 +154,8 @@ class OfSmallMotion(Quantity):
 class ModeShapes(OfSmallMotion, kind="mode shapes"):
     """The components of a natural mode along the coordinates, the first that moves being 1; of all modes one after the
     other, the slowest first."""
+
+    is_ratio: ClassVar[bool] = False  # of two amplitudes
 
     number: int | None = None
 

@@ -90,6 +90,11 @@ def is_steady_place(q: Quantity) -> TypeGuard[SteadyValue]:
     return isinstance(q, SteadyValue) and q.of.watched is not None and q.of.watched[1] == 0
 
 
+def extremes_in(quantity: Quantity) -> Extremes | None:
+    """The quantity, if it is the least and largest value over a turn; else None."""
+    return quantity if isinstance(quantity, Extremes) else None
+
+
 @dataclass(frozen=True)
 class Extremes(Steady, kind="extremes"):
     """The least and the largest value of a quantity over a turn of an angle; how far they are apart (its stroke); or

@@ -13,7 +13,6 @@ from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
-from freebody.questions.course import Travelled
 from freebody.study.phases.bouncing import Flights, flights_of
 from freebody.study.phases.words import label
 from freebody.symbolic.relations import readable
@@ -24,7 +23,7 @@ def tell_flights(script: Script, way: PhaseSequence, leg: PhaseSegment, told: Mo
     assert leg.first is not None
     assert leg.time is not None
     assert leg.node.impact is not None
-    if isinstance(way.question.quantity, Travelled):
+    if way.question.quantity.adds_up_ways:
         raise CannotAnswer(Message("this derivation does not sum the ways of all flights"))
     flights = flights_of(way.tree, leg.node, leg.node.impact.hits)
     _refuse_thrown_aside(leg, flights)

@@ -14,7 +14,6 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.naming import asked_name
 from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script
 from freebody.questions.arithmetic import Joined
-from freebody.questions.nth_impact import AtNthImpact
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.of_answers import AsWritten, operands_of, questions_in
@@ -24,7 +23,7 @@ from freebody.study.answering.solve import solve
 def derive_calculated(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """One derivation after the other, of the values at the start those alone that the file does not say. Raises
     CannotAnswer where one of them has none."""
-    if isinstance(question.quantity, AtNthImpact):
+    if question.quantity.continues_impacts:
         raise CannotAnswer(
             Message("the formula in n continues those of the first impacts: ask for one of these to see it derived")
         )

@@ -56,7 +56,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     try:
         telling.equations()
     except FormulaTooLong:
-        if not isinstance(question.quantity, SmallOscillations):
+        if not question.quantity.is_told_by_principles:
             raise
         telling.principles()
     telling.equilibrium()

@@ -146,12 +146,11 @@ def as_balanced(system: System, question: Question, q: Wanted) -> tuple[System, 
     accelerate: the place is known then, and the equation is one in the parameter. None where something else is to have
     a value."""
     of = q.of
-    if (
-        not isinstance(of, Equilibrium)
-        or q.relation != "="
-        or of.name not in system.measures
-        or not isinstance(q, ValueFor)
-    ):
+    if not of.is_place_of_rest or q.relation != "=":
+        return None
+    assert isinstance(of, Equilibrium)
+    assert isinstance(q, ValueFor)
+    if of.name not in system.measures:
         return None
     there = replace(system, start={of.name: q.target}, start_rates={of.name: ZERO})
     accelerates = replace(q, of=OfMeasure(of.measure, 2, of.name), target=ZERO)

@@ -13,7 +13,6 @@ from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.questions.base import Wanted
-from freebody.questions.extent import Extent
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.questions.turned_round import REACHED, RangeFor
 from freebody.study.answering.crosscheck import (
@@ -43,9 +42,11 @@ _N_TURNS = 2  # of a motion that goes to and fro: both sides
 def as_reached(question: Question, q: Wanted) -> Question | None:
     """That a measure just reaches the place where it is to turn, which needs no formula of where it turns. None where
     something else is to have a value."""
-    if not isinstance(q.of, Extent) or q.relation != "=":
+    if q.of.turn is None or q.relation != "=":
         return None
     of, turn, _side = q.of.turn
+    if not isinstance(turn, QuestionEvent):  # a peak of what no measure is
+        return None
     event = QuestionEvent(turn.measure, 0, q.target, q.text)
     asked = RangeFor(q.parameter, of, q.target, question.quantity.dimension, question.quantity.unit, q.text, REACHED)
     return replace(question, quantity=asked, event=event, options={}, key=None)

@@ -12,7 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
-from freebody.questions.reactions_by_component import ReactionComponent
+from freebody.questions.reactions_by_component import component_of
 from freebody.questions.reading import Question
 from freebody.questions.rest import ReactionRange
 from freebody.study.answering.answer import Answer
@@ -34,8 +34,8 @@ def range_at_rest(system: System, question: Question) -> Answer | None:
     one; None where it does not stay there."""
     from freebody.study.friction.answers import answer
 
-    of = question.quantity
-    if not isinstance(of, ReactionComponent) or of.less or question.event or question.transition:
+    of = component_of(question.quantity)
+    if of is None or of.less or question.event or question.transition:
         return None
     if not system.has_values or depends_on_time(system):
         return None

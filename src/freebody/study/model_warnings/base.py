@@ -53,7 +53,7 @@ class Opened:
     @cached_property
     def start(self) -> Snapshot:
         """At rest."""
-        from freebody.study.pictures.instant import start_of  # which brings all that contacts need
+        from freebody.study.pictures.instant import start_of
 
         return start_of(self.system, at_rest=True).snapshot
 

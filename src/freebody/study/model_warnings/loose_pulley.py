@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from freebody.connections.string.connection import String
 from freebody.language.sentences import Message
 from freebody.loads.gravity import Gravity
 from freebody.measures.geometry import ZERO
@@ -27,7 +26,7 @@ class LoosePulley(WarningKind, name="loose pulley"):
             if body.radius is None or not is_light or body.name in pulled:
                 continue
             joints = {row.connection for row in system.rows if body.name in set(row.measure.bodies())}
-            if len(joints) == 1 and isinstance(system.connections[string := joints.pop()], String):
+            if len(joints) == 1 and system.connections[string := joints.pop()].kind == "string":
                 told = Message(
                     "{body} is light, nothing holds it and nothing hangs on it, so {string} pulls at nothing: hold "
                     "it, e.g. axle: {{pin: [ground.A, {body}]}} with the point A under ground",

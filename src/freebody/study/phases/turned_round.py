@@ -11,7 +11,7 @@ from freebody.language.sentences import Message
 from freebody.questions.base import Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.motion import Staying
-from freebody.questions.reactions_by_component import ReactionComponent
+from freebody.questions.reactions_by_component import component_of
 from freebody.questions.reading import Question
 from freebody.questions.turned_round import RangeFor
 from freebody.study.answering.answer import Answer, Evidence, Value
@@ -57,9 +57,9 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
 
 def _is_touching(system: System, quantity: Wanted) -> bool:
     """Whether the force of a contact is to be not negative: it never is, so that it is to push is meant."""
-    of = quantity.of
+    of = component_of(quantity.of)
     is_not_negative = quantity.relation == ">=" and quantity.target == ZERO
-    return is_not_negative and isinstance(of, ReactionComponent) and any(b.name == of.row for b in system.bounds)
+    return is_not_negative and of is not None and any(b.name == of.row for b in system.bounds)
 
 
 def _formulas(tree: PhaseTree, asked: Question, quantity: Wanted) -> tuple[list[tuple[AnswerBranch, Formula]], bool]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,10 +12,8 @@ import numpy as np
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, InputError, ModelError, Problem
 from freebody.language.sentences import Message
-from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
-from freebody.study.simulation.pressed_sides import left_sides
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -41,11 +40,24 @@ def start_of(system: System, *, at_rest: bool = False) -> Instant:
     where it cannot be assembled."""
     try:
         reference = _reference(system)
-        q = assembled_touching(reference)
-        v = np.zeros_like(q) if at_rest else start_velocities(reference, q)
+        q, velocities = _touching_at_start(reference) if system.bounds else _at_start(reference)
+        v = np.zeros_like(q) if at_rest else velocities()
     except CannotAnswer as error:
         raise ModelError([Problem((), str(error))], system.file) from error
     return Instant(reference.snapshot(q, v))
+
+
+def _at_start(reference: Reference) -> tuple[Array, Callable[[], Array]]:
+    """The pose, and what finds the velocities in it."""
+    q = reference.assemble()
+    return q, partial(reference.velocities, q)
+
+
+def _touching_at_start(reference: Reference) -> tuple[Array, Callable[[], Array]]:
+    from freebody.numeric.contact.start import assembled_touching, start_velocities  # a room that few models need
+
+    q = assembled_touching(reference)
+    return q, partial(start_velocities, reference, q)
 
 
 def _reference(system: System) -> Reference:
@@ -95,6 +107,8 @@ def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_
 
 def instant_along(result: Simulation, k: int) -> Instant:
     """The k-th output time of a motion."""
+    from freebody.study.simulation.pressed_sides import left_sides
+
     course, reference, engine = result.course, result.simulator.reference, result.simulator.engine
     q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
     n = 3 if result.system.space else 2

@@ -62,7 +62,8 @@ def _shapes(q: ModeShapes, setup: Setup, draw: Draw) -> Numbers:
     n = len(undamped_modes(small)[0])
     if q.number is not None and q.number > n:
         raise CannotAnswer(Message("there are {n} modes only", n=n))
-    if isinstance(q, AmplitudeRatio):
+    if q.is_ratio:
+        assert isinstance(q, AmplitudeRatio)
         return float(RatioReader(setup, [q.number - 1], None, q)(small)[0])
     return tuple(ModeReader(setup, range(n) if q.number is None else [q.number - 1])(small))
 

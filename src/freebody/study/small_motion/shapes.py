@@ -39,7 +39,8 @@ def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest
     coordinates = setup.model.coordinates
     parts: list[Ratio] = []
     notes = list(free.notes)
-    if isinstance(q, AmplitudeRatio):
+    if q.is_ratio:
+        assert isinstance(q, AmplitudeRatio)
         x = _ratio(setup, q, free)
         own = RatioReader(setup, wanted, free, q)
         return Finding(x, compared(setup, question, [x], free.equilibrium, conditions, beside(own)), conditions, notes)

@@ -10,7 +10,14 @@ from freebody.language.sentences import Message
 from freebody.questions.arithmetic import refuse_vectors
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.questions.steady import Extremes, SpinStability, SteadyOscillations, SteadyStability, SteadyValue
+from freebody.questions.steady import (
+    Extremes,
+    SpinStability,
+    SteadyOscillations,
+    SteadyStability,
+    SteadyValue,
+    extremes_in,
+)
 from freebody.study.answering.answer import Value
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
@@ -70,8 +77,8 @@ def number_of_driven_turn(setup: Setup, question: Question) -> Value:
     from freebody.study.answering.motion_values import extremes_between
     from freebody.study.steady.drive import FreeToTurn
 
-    q, free = question.quantity, looked_at(setup, question)
-    if not isinstance(q, Extremes) or q.what == "time ratio" or question.at_start or not isinstance(free, FreeToTurn):
+    q, free = extremes_in(question.quantity), looked_at(setup, question)
+    if q is None or q.what == "time ratio" or question.at_start or not isinstance(free, FreeToTurn):
         return None
     draw = setup.draws[0]
     rate = abs(draw.reference.number(free.rate))

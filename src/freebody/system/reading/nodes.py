@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from freebody.connections.base import Connection
-from freebody.connections.pin import Pin
 from freebody.language.sentences import Message
 from freebody.system.reading.connections import CLOSES
 from freebody.system.reading.source import Source
@@ -11,6 +10,10 @@ from freebody.system.reading.source import Source
 
 def with_pins_of_nodes(source: Source, connections: dict[str, Connection]) -> dict[str, Connection]:
     """The connections, with the pins of the further bodies of every node beside the first one."""
+    if not any(getattr(connection, "further", ()) for connection in connections.values()):
+        return connections
+    from freebody.connections.pin import Pin  # imported where a model has one
+
     found: dict[str, Connection] = {}
     for name, connection in connections.items():
         if not isinstance(connection, Pin) or not connection.further:
