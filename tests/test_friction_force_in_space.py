@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from freebody.numeric.options import SimulationOptions
+from freebody.study.simulation.instant import SimulatedInstant
+from freebody.study.simulation.motion import SimulatedMotion
 
 G = 9.81
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -83,3 +86,14 @@ def test_component_of_friction_is_told_in_german() -> None:
     told = on_slope(0.3).explain("friction force of slope along x", language="de")
     assert told.is_complete
     assert "Reibkraft von slope längs x" in told.to_text()
+
+
+def test_accelerations_of_a_simulated_instant_are_those_of_a_pose_in_space() -> None:
+    """Places and turns: without contact, the one route that solves a pose has them all."""
+    system = fb.System.load(EXAMPLES / "spinning_top.yaml")
+    run = system.simulate(0.3, tolerance=1e-12)
+    motion = SimulatedMotion(system, run.simulator, run.course, SimulationOptions())
+    for k in (0, -1):
+        now = SimulatedInstant(motion, k % len(run.course.times))
+        there = now.reference.snapshot(now.q, now.v, now.t)
+        assert now.accelerations == pytest.approx(there.accelerations, rel=1e-7, abs=1e-7)

@@ -27,13 +27,16 @@ class SimulatedInstant(Snapshot):
         at = reference.snapshot(q, v, float(course.times[k]))
         super().__init__(reference, at.geometry, q, v, at.t)
         self._course, self._k = course, k
+        self._accelerations = reference.by_column(
+            engine.accelerations(course)[k].reshape(-1, 6 if reference.system.space else 3)
+        )
         self._rows = tuple(motion.rows)
         self._places = {row.name: j for j, row in enumerate(motion.rows)}
         self._rubs = motion.system.dry_friction
 
     @property
     def accelerations(self) -> Array:
-        return self.reference.by_column(self._course.accelerations[self._k])
+        return self._accelerations
 
     def multiplier(self, row: ConstraintRow) -> float:
         j = self._places[row.name]
