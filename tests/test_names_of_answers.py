@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 import freebody as fb
@@ -32,7 +34,7 @@ def derived(question: str) -> str:
 @pytest.mark.parametrize(
     ("question", "line"),
     [
-        ("time, find: time when block stops", "t_f = "),
+        ("time, find: time when block stops", "t_1 = "),  # that of the one phase
         ("lost, find: energy lost until block stops", "Q = "),
         ("t_1, find: time when block stops", "t_1 = "),  # a symbol of the author
         ("way, find: x when block stops", "x = "),
@@ -46,11 +48,15 @@ def test_an_answer_goes_by_the_letter_of_its_quantity(question: str, line: str) 
     assert own == line.split(maxsplit=1)[0] or not any(one.startswith(f"{own} = ") for one in lines)
 
 
+_WAY = ("x = v_0⋅t - ", "t_1 = ")
+
+
 def test_an_event_cites_the_lines_that_its_value_is_made_of() -> None:
-    """The place at which the block stops follows from one line, not from that of its speed, which is zero."""
-    told = derived("way, find: x when block stops").splitlines()
-    *_state, said = [one.strip() for one in told if one.strip().startswith("At the event, with (")]
-    assert said.count("(") == 1
+    """The place at which the block stops follows from its law and the time, not from its speed, which is zero."""
+    told = [one.strip() for one in derived("way, find: x when block stops").splitlines()]
+    numbers = [re.search(r"\((\d+)\)$", next(one for one in told if one.startswith(start))) for start in _WAY]
+    last = told[max(k for k, one in enumerate(told) if one.startswith("At the event, with ("))]
+    assert re.findall(r"\d+", last) == [n.group(1) for n in numbers if n is not None]
 
 
 @pytest.mark.parametrize(

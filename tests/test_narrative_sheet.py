@@ -18,7 +18,7 @@ from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.sheets.in_numbers import rounded
 from freebody.narrative.sheets.sheet import load_systems, sheet
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.present.report.blocks import Block, Figure, Figures, Section, Step, equation_numbers
+from freebody.present.report.blocks import Block, Figure, Figures, Section, Step, Unbroken, equation_numbers
 from freebody.present.report.formats.terminal import terminal_text
 from freebody.study.answering.solve import solve
 
@@ -296,7 +296,7 @@ def _figures(blocks: Sequence[Block]) -> list[int]:
                 found.append(block.number)
             case Figures(figures):
                 found += [figure.number for figure in figures]
-            case Section() | Step():
+            case Section() | Step() | Unbroken():
                 found += _figures(block.blocks)
             case _:
                 pass

@@ -143,7 +143,7 @@ def test_equal_parallel_bars_make_one_constraint_superfluous() -> None:
 
 def test_freedoms_in_space_are_counted_by_sixes() -> None:
     derivation = the("bevel_differential", "freedom")
-    assert texts(derivation)[0] == "24 - 20 - 2 = 2"
+    assert texts(derivation)[0] == "6·4 - 4·5 - 2·1 = 2"
 
 
 def test_rolling_reaches_more_poses_than_it_has_freedoms() -> None:

@@ -33,7 +33,7 @@ from freebody.narrative.sheets.in_numbers import options_in_numbers
 from freebody.narrative.sheets.sheet import Sheet, sheet
 from freebody.narrative.sheets.statement import ExerciseStatement, title_of
 from freebody.narrative.sheets.variants import Variant
-from freebody.narrative.sheets.worked import lowered, renumbered, without_statement
+from freebody.narrative.sheets.worked import as_solution
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.house import in_style
 from freebody.present.report.blocks import Block, Figure, Text
@@ -166,7 +166,7 @@ class _SystemItems:
 
         found = explain_solved(variant.system, variant.solution, k, language=self.catalogue.language)
         hints = [self.catalogue.tell(s.hint) for d in found.derivations for s in d.stages if s.hint is not None]
-        return lowered(without_statement(renumbered(found.report.blocks, 0, 1))), tuple(dict.fromkeys(hints))
+        return as_solution(found.report.blocks, (1,), equations=0, figures=1), tuple(dict.fromkeys(hints))
 
     # -- answers ------------------------------------------------------------------------------
     def _feedback(self, reason: str, mistake: Sentence | None) -> Text:

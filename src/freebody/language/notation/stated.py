@@ -20,6 +20,7 @@ from freebody.language.sentences import in_turn
 
 _SHOWN = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠", "=": "="}
 
+_WORDS = re.compile(r"[A-Za-z]\w* +[A-Za-z]")  # a quantity by its name, as in `tension of rope`
 _WITH_UNIT = re.compile(r"\d [A-Za-zµ°]")
 
 
@@ -54,6 +55,8 @@ def as_equation(text: str) -> str:
     text that is none."""
     left, equals, right = (part.strip() for part in text.partition("="))
     try:
+        if _WORDS.search(left):
+            return f"{left} = {TEXT.write(parse(right))[0]}" if equals and not _WITH_UNIT.search(right) else text
         if _WITH_UNIT.search(right) is None:
             return compared(parse(left), "=", parse(right))
         measure = parse(left)

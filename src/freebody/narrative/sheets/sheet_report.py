@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, is_dataclass
-from typing import Any, cast
-
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.answer_key import key_table
 from freebody.narrative.sheets.content import SheetContent
 from freebody.narrative.sheets.in_numbers import options_in_numbers
 from freebody.narrative.sheets.statement import ExerciseStatement, title_of
 from freebody.narrative.sheets.variants import Variant
-from freebody.narrative.sheets.worked import lowered, renumbered, without_statement
+from freebody.narrative.sheets.worked import as_solution, figure_numbers
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.house import in_style
 from freebody.present.report.blocks import (
     Block,
-    Figure,
-    Formula,
     Paragraph,
     Remark,
     Report,
@@ -38,6 +33,7 @@ class SheetWriter:
         self.catalogue = Catalogue(sheet.language)
         self.n_equations = 0
         self.n_figures = 0
+        self.drawn = dict[int, list[int]]()  # of the exercises, by their number
 
     def report(self) -> Report:
         catalogue, sheet = self.catalogue, self.sheet
@@ -67,7 +63,8 @@ class SheetWriter:
 
     def _counted_set(self, exercise: Variant, number: int) -> tuple[Block, ...]:
         set_ = self._set(exercise, number)
-        self.n_figures = max([self.n_figures, *_figure_numbers(set_)])
+        self.drawn[number] = figure_numbers(set_)
+        self.n_figures = max([self.n_figures, *self.drawn[number]])
         return set_
 
     def _set(self, exercise: Variant, number: int) -> tuple[Block, ...]:
@@ -95,19 +92,9 @@ class SheetWriter:
         from freebody.narrative.explain import explain
 
         explanation = explain(exercise.system, language=self.sheet.language)
-        moved = renumbered(explanation.report.blocks, self.n_equations, self.n_figures)
-        self.n_equations = max([self.n_equations, *equation_numbers(moved)])
-        self.n_figures = max([self.n_figures, *_figure_numbers(moved)])
-        inside = lowered(without_statement(moved))
+        blocks, n = explanation.report.blocks, self.n_equations
+        inside = as_solution(blocks, self.drawn[number], equations=n, figures=self.n_figures)
+        self.n_equations = max([n, *equation_numbers(inside)])
+        self.n_figures = max([self.n_figures, *figure_numbers(inside)])
         title = self.catalogue.tell(Sentence("sheet.solution", {"n": number}))
         return (Step(title, (), inside),) if self.sheet.solutions == "inline" else inside
-
-
-def _figure_numbers(part: Any) -> list[int]:
-    if isinstance(part, tuple):
-        return [n for item in cast("tuple[Any, ...]", part) for n in _figure_numbers(item)]
-    if isinstance(part, Figure):
-        return [part.number]
-    if is_dataclass(part) and not isinstance(part, (type, Formula)):
-        return [n for f in fields(part) for n in _figure_numbers(getattr(part, f.name))]
-    return []

@@ -15,7 +15,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate, multiply
-from freebody.language.notation import compared, reworded, to_text
+from freebody.language.notation import TEXT, Stated, compared, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
@@ -33,6 +33,7 @@ from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.witness import states_at
 from freebody.study.setup import Setup
+from freebody.symbolic.conditions import with_purposes
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
@@ -95,7 +96,9 @@ def with_place(question: Question, answer: Answer) -> Answer:
     if found is None or answer.expression is None:
         return answer
     own = [c for c in answer.conditions if not (found.conditions and is_scope(c))]
-    conditions = tuple(dict.fromkeys((*own, *found.conditions))) or answer.conditions
+    said = {c.expression for c in own if isinstance(c, Stated)}
+    others = [c for c in found.conditions if not (isinstance(c, Stated) and c.expression in said)]
+    conditions = tuple(dict.fromkeys((*own, *others))) or answer.conditions
     is_place = not found.told or (isinstance(event, QuestionEvent) and answer.expression == event.value)
     return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, found.told))
 
@@ -138,15 +141,24 @@ def _place(system: System, part: System, event: QuantityEvent, solve: Solver) ->
     expressions = asked.expression
     for e in expressions if isinstance(expressions, tuple) else (expressions,):
         if e is not None and _is_first(setup, event, measure, e):
-            conditions = tuple(c for c in asked.conditions if not is_scope(c))
             equation = compared(Symbol(name), "=", e)
             told = reworded(Message("'{event}' is so at {place}", event=event.text, place=equation), equation)
             at = PlacedEvent(measure, 0, e, event.text, event.quantity, event.target)
-            return at, FoundAt(conditions, told)
+            place = TEXT.write(Symbol(_free_name(system)))[0]
+            conditions = (_in_words_of(c, place, at) for c in asked.conditions if not is_scope(c))
+            return at, FoundAt(tuple(dict.fromkeys(conditions)), told)
     number = Message(
         "'{event}' has no formula; in numbers it is first at {x} = {p:.6g}", event=event.text, x=name, p=own
     )
     raise CannotAnswer(Message("{what}: {why}", what=number, why=asked.reason) if asked.reason else number)
+
+
+def _in_words_of(condition: str, place: str, event: PlacedEvent) -> str:
+    """A condition under which the place is reached that stands for the event, as one of the event."""
+    if place not in condition:
+        return condition
+    inequality = condition[: condition.rindex(" (", 0, condition.index(place))]
+    return with_purposes(reworded(inequality, condition), [event.comes])
 
 
 def _coordinate(setup: Setup) -> tuple[str, Measure]:
