@@ -115,7 +115,7 @@ def test_an_answer_has_its_formula_its_value_and_where_it_holds() -> None:
     formula, said = time.blocks
     assert isinstance(formula, Equations)
     assert isinstance(said, Entries)
-    assert [entry.label for entry in said.entries] == ["value", "valid", "evidence"]
+    assert [entry.label for entry in said.entries] == ["value", "valid", "note", "evidence"]
 
 
 def test_reactions_are_a_table_with_the_use_of_friction_where_that_is_known() -> None:

@@ -101,7 +101,12 @@ start: {y: l + m*g/k, rate(y): v}
 def test_a_period_needs_its_strings_taut_all_along() -> None:
     # the spring pulls the massless tray with m g + k (y - y0), at the least m g - k v/w, and w^2 = k/(m + M/2)
     is_formula(HUNG, "period of y", "2*pi*sqrt((m + M/2)/k)", factors=(1.0, 1.02))
-    assert _conditions(HUNG, "period of y") == ["v ≤ m·g·√(2/(k·(2·m + M)))"]
+    # and neither does it reach the wheel, 2 m up: v/w <= 2 m - l - m g/k
+    found = [str(c) for c in posed(HUNG, "period of y").conditions]
+    assert found == [
+        "v ≤ m·g·√(2/(k·(2·m + M))) (rope stays taut)",
+        "v ≤ (2·k - m·g - k·l)·√(2/(k·(2·m + M))) (tray has not reached wheel)",
+    ]
 
 
 def test_a_ball_that_is_thrown_down_the_slope_is_highest_at_the_start() -> None:

@@ -207,12 +207,24 @@ class _Refined:
         if self.question.transition is not None or self.quantity.of.scope == "steady motion":
             return x
         step = _STEP * (abs(x) or 1.0)
-        there = self._excess(world, x)
+        beside = {s: found for s in (step, -step) if (found := self._if_any(world, x + s)) is not None}
+        there = self._if_any(world, x)
+        if there is None and len(beside) == 1:  # the event just comes there, on one side of it: the tangent from there
+            ((s, first),) = beside.items()
+            second = self._excess(world, x + 2.0 * s)
+            there = 2.0 * first - second
+        if there is None or not beside:
+            return x - self._excess(world, x)  # which says why there is none
         # behind a contact that opens there the quantity rests: the slope is that of the side where it changes
-        change, step = max(((self._excess(world, x + s) - there, s) for s in (step, -step)), key=lambda at: abs(at[0]))
+        change, step = max(((found - there, s) for s, found in beside.items()), key=lambda at: abs(at[0]))
         if change == 0.0:
             raise CannotAnswer(Message("that does not depend on {name}", name=self.quantity.parameter))
         return x - there * step / change
+
+    def _if_any(self, world: World, x: float) -> float | None:
+        with suppress(CannotAnswer):
+            return self._excess(world, x)
+        return None
 
     def _excess(self, world: World, x: float) -> float:
         target = substitute(self.quantity.target, {self.quantity.parameter: number(Fraction(x))})
