@@ -231,3 +231,10 @@ def test_what_winds_up_is_assumed_to_leave_the_stiffness_as_it_is() -> None:
     for grips, is_assumed in (("", True), (", grips: []", False)):
         system = fb.System.from_text(model.replace("GRIPS", grips))
         assert any("stretches little" in text for text in system.assumptions) == is_assumed
+
+
+@pytest.mark.parametrize("event", ["goes taut", "is taut", "goes slack"])
+def test_what_a_cord_does_on_its_own_is_an_event_where_nothing_else_is_held(event: str) -> None:
+    (question,) = fb.System.from_text(f"{JUMP}questions: [time when cord {event}]\n").questions
+    assert question.transition is not None
+    assert question.transition.of == ("cord",)

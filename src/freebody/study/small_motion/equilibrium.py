@@ -174,7 +174,7 @@ class _EquilibriumSearch:
             if row.unilateral and (reactions[row.name] or 0.0) < -ROUND_OFF * float(np.abs(b.forces).max(initial=0.0))
         ]
         if why_undecided:
-            notes.append(Message("{why}", why=why_undecided))
+            notes.append(Message("its stability is not decided: {why}", why=why_undecided))
         neutral = tuple(dict.fromkeys(self._named_direction(b, x) for x in s.soft))
         if neutral:
             notes.append(Message("one of a family: free to rest anywhere along {names}", names=in_turn(neutral)))
