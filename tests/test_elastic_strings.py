@@ -238,3 +238,8 @@ def test_what_a_cord_does_on_its_own_is_an_event_where_nothing_else_is_held(even
     (question,) = fb.System.from_text(f"{JUMP}questions: [time when cord {event}]\n").questions
     assert question.transition is not None
     assert question.transition.of == ("cord",)
+
+
+def test_a_cord_by_another_name_is_asked_back() -> None:
+    with pytest.raises(fb.ModelError, match=r"no connection or body chord[.] Did you mean cord[?]"):
+        fb.System.from_text(f"{JUMP}questions: [time when chord goes taut]\n")

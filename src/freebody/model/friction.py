@@ -73,7 +73,10 @@ def _not_negative(names: Names, value: Any, dimension: Dimension, path: tuple[st
     if number is not None and dimension != DIMENSIONLESS:
         told = Message(
             "{field} is negative ({value:g} {dimension}); give a positive one",
-            field=path[0], value=number, dimension=dimension)  # fmt: skip
+            field=path[0],
+            value=number,
+            dimension=dimension,
+        )
         names.problem(told, *path)
     elif number is not None:
         names.problem(

@@ -361,13 +361,14 @@ def _is_on_a_fixed_axle(names: Names, body: RigidBody) -> bool:
 
 def connections_of(names: Names, name: str, path: Path) -> tuple[str, ...]:
     """The connection of a name, or those that touch the body of that name."""
-    if name in names.connections or any(p.load == name and p.one_sided is not None for p in names.applied_loads):
+    one_sided = {p.load for p in names.applied_loads if p.one_sided is not None}
+    if name in names.connections or name in one_sided:
         return (name,)
     if name in names.bodies:
         return tuple(
             dict.fromkeys(row.connection for row in names.constraint_rows if name in (*row.ends, *row.measure.bodies()))
         )
-    known = [*names.connections, *names.bodies]
+    known = [*names.connections, *sorted(one_sided), *names.bodies]
     told = Message("there is no connection or body {name}.{hint}", name=name, hint=did_you_mean(name, known))
     names.unknown(name, told, *path)
     return ()

@@ -90,10 +90,6 @@ def _at(system: System, until: float) -> dict[str, tuple[Dimension, tuple[float,
     return {name: (measure.dimension, (float(final[name]),)) for name, measure in system.measures.items()}
 
 
-def _asks_of_motion(system: System) -> bool:
-    return not system.questions or any(q.quantity.scope != "rest" for q in system.questions)
-
-
 def differences(before: Observed, after: Observed, reading: Reading) -> list[str]:
     """What the changed model says otherwise, one text each; empty if nothing."""
     if before.solution is None or after.solution is None:
@@ -102,15 +98,13 @@ def differences(before: Observed, after: Observed, reading: Reading) -> list[str
         return [f"one is answered, the other refused: {before.refusal or after.refusal}"]
     found: list[str] = []
     first, second = before.solution, after.solution
-    # what heads answers of rest alone is the pose with all that holds there, which a part may have and the whole not
-    are_of_motion = _asks_of_motion(before.system) and _asks_of_motion(after.system)
-    if are_of_motion and first.degrees_of_freedom + reading.freedoms != second.degrees_of_freedom:
+    if first.degrees_of_freedom + reading.freedoms != second.degrees_of_freedom:
         found.append(f"{first.degrees_of_freedom} degrees of freedom, then {second.degrees_of_freedom}")
     if reading.formulas and first.phases is not None and second.phases is not None:
         n_before, n_after = len(first.phases.cases), len(second.phases.cases)
         if n_before != n_after:
             found.append(f"{n_before} cases of phases, then {n_after}")
-    found += _of_coordinates(first, second) if are_of_motion and reading.same_text else []
+    found += _of_coordinates(first, second) if reading.same_text else []
     if set(map(reading.rename, second.coordinates)) != set(first.coordinates):
         # of measures that a loop binds to each other others may be the coordinates under other names: what is said in
         # others is compared by its values

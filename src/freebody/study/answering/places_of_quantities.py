@@ -15,7 +15,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate, multiply
-from freebody.language.notation import TEXT, Stated, compared, reworded, to_text
+from freebody.language.notation import Stated, compared, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
@@ -33,7 +33,6 @@ from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.witness import states_at
 from freebody.study.setup import Setup
-from freebody.symbolic.conditions import with_purposes
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
@@ -144,21 +143,11 @@ def _place(system: System, part: System, event: QuantityEvent, solve: Solver) ->
             equation = compared(Symbol(name), "=", e)
             told = reworded(Message("'{event}' is so at {place}", event=event.text, place=equation), equation)
             at = PlacedEvent(measure, 0, e, event.text, event.quantity, event.target)
-            place = TEXT.write(Symbol(_free_name(system)))[0]
-            conditions = (_in_words_of(c, place, at) for c in asked.conditions if not is_scope(c))
-            return at, FoundAt(tuple(dict.fromkeys(conditions)), told)
+            return at, FoundAt(tuple(c for c in asked.conditions if not is_scope(c)), told)
     number = Message(
         "'{event}' has no formula; in numbers it is first at {x} = {p:.6g}", event=event.text, x=name, p=own
     )
     raise CannotAnswer(Message("{what}: {why}", what=number, why=asked.reason) if asked.reason else number)
-
-
-def _in_words_of(condition: str, place: str, event: PlacedEvent) -> str:
-    """A condition under which the place is reached that stands for the event, as one of the event."""
-    if place not in condition:
-        return condition
-    inequality = condition[: condition.rindex(" (", 0, condition.index(place))]
-    return with_purposes(reworded(inequality, condition), [event.comes])
 
 
 def _coordinate(setup: Setup) -> tuple[str, Measure]:
@@ -200,7 +189,12 @@ def _asked_for_place(
     document = system.document.with_value(("parameters", p), {"value": f"{own!r} {unit}", "sign": "any"})
     text = f"value of {p} for which {event.phrase} = {event.value_text} when {name} = {p}"
     document = document.with_value(("questions",), [{"find": text}])
-    return solve(System.from_text(document.dumps(), system.file)).answers[0]
+    found = System.from_text(document.dumps(), system.file)
+    (question,) = found.questions
+    assert isinstance(question.event, QuestionEvent)
+    # conditions name the event that is asked about, not the place that stands for it here
+    named = replace(question, event=replace(question.event, text=event.text))
+    return solve(replace(found, questions=(named,))).answers[0]
 
 
 def _free_name(system: System) -> str:

@@ -25,8 +25,10 @@ class LoosePulley(WarningKind, name="loose pulley"):
             is_light = all(own == ZERO for own in (body.mass, body.inertia, *body.tensor))
             if body.radius is None or not is_light or body.name in pulled:
                 continue
+            from freebody.connections.string.connection import String  # imported where a model has what may be a pulley
+
             joints = {row.connection for row in system.rows if body.name in set(row.measure.bodies())}
-            if len(joints) == 1 and system.connections[string := joints.pop()].kind == "string":
+            if len(joints) == 1 and isinstance(system.connections[string := joints.pop()], String):
                 told = Message(
                     "{body} is light, nothing holds it and nothing hangs on it, so {string} pulls at nothing: hold "
                     "it, e.g. axle: {{pin: [ground.A, {body}]}} with the point A under ground",

@@ -29,15 +29,16 @@ class TiedAtTheAxle(WarningKind, name="tied at the axle"):
         ]
         if not ways:
             return
-        from freebody.connections.string.way import is_tied_to, runs_round  # imported where a model has one
+        from freebody.connections.heavy_rope import HeavyRope  # imported where a model has a string
+        from freebody.connections.string.way import is_tied_to, runs_round
 
         used = {place for _section, _name, way in ways for place in runs_round(way)}
-        used |= {wound for _section, _name, way in ways if (wound := getattr(way, "wound_on", ""))}
+        used |= {way.wound_on for _section, _name, way in ways if isinstance(way, HeavyRope) and way.wound_on}
         drums = {b.name for b in system.moving if b.radius is not None and b.name not in used and _is_borne(system, b)}
         for section, name, way in ways:
             for end, field in is_tied_to(way):
                 if end in drums:
-                    written = "wound_on: {0}" if hasattr(way, "wound_on") else "wound on {0}"
+                    written = "wound_on: {0}" if isinstance(way, HeavyRope) else "wound on {0}"
                     told = Message(
                         "{string} is tied to the centre of {body}, which stays where it is while {body} turns. If the "
                         "rim is meant, on which it is wound, write {wound} in place of {body}; else {body}.center",

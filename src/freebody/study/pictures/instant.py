@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -40,24 +39,21 @@ def start_of(system: System, *, at_rest: bool = False) -> Instant:
     where it cannot be assembled."""
     try:
         reference = _reference(system)
-        q, velocities = _touching_at_start(reference) if system.bounds else _at_start(reference)
-        v = np.zeros_like(q) if at_rest else velocities()
+        assembled, velocities = _of_start(system)
+        q = assembled(reference)
+        v = np.zeros_like(q) if at_rest else velocities(reference, q)
     except CannotAnswer as error:
         raise ModelError([Problem((), str(error))], system.file) from error
     return Instant(reference.snapshot(q, v))
 
 
-def _at_start(reference: Reference) -> tuple[Array, Callable[[], Array]]:
-    """The pose, and what finds the velocities in it."""
-    q = reference.assemble()
-    return q, partial(reference.velocities, q)
-
-
-def _touching_at_start(reference: Reference) -> tuple[Array, Callable[[], Array]]:
+def _of_start(system: System) -> tuple[Callable[[Reference], Array], Callable[[Reference, Array], Array]]:
+    """What finds the pose at the start, and the velocities in it."""
+    if not system.bounds:
+        return Reference.assemble, Reference.velocities
     from freebody.numeric.contact.start import assembled_touching, start_velocities  # a room that few models need
 
-    q = assembled_touching(reference)
-    return q, partial(start_velocities, reference, q)
+    return assembled_touching, start_velocities
 
 
 def _reference(system: System) -> Reference:
