@@ -223,6 +223,8 @@ def test_a_wheel_on_a_hump_can_be_asked_how_fast_it_stays_on_the_road() -> None:
     answer = system.solve("largest v so that wheel never leaves road").answers[0]
     assert answer.value == pytest.approx(math.sqrt(9.81 * (1 / (0.1 * 1.5**2) + 0.3)), rel=1e-9), answer.reason
     assert answer.evidence is not None
+    # on a steeper hump it leaves the flank before the top: the formula is not said to be that of all parameters
+    assert answer.conditions == ("near the given numbers: at others other ends may count",)
 
 
 # -- points of a table beside the model ---------------------------------------------------------------

@@ -223,7 +223,9 @@ class RangeSearch(TruthInNumbers):
             end.value is not None and not end.is_in for interval in found for end in interval
         ):
             notes.append(Message("the end itself is the limit between two cases, and is not decided here"))
-        if self.is_seen_in_numbers:
+        says = list[str]()
+        if self.is_seen_in_numbers:  # which other ends there may be at other numbers, no formula says
+            says.append(Message("near the given numbers: at others other ends may count"))
             notes.append(
                 Message(
                     "for some values of {name} no case has formulas: whether it is so there was looked at in numbers",
@@ -232,7 +234,7 @@ class RangeSearch(TruthInNumbers):
             )
         if self.parameter.value is not None:
             notes.append(Message("the number that the file gives for {name} is left out", name=name))
-        return Finding(element, evidence, conditions, notes, has_value=self.setup.has_values, is_complete=True)
+        return Finding(element, evidence, conditions, notes, says, has_value=self.setup.has_values, is_complete=True)
 
     def _confirmed(self, found: list[Interval], own: Draw) -> tuple[list[Interval], list[Condition], Evidence]:
         """The intervals with what they need. Of ends that coincide at the model's own numbers, as those of a linkage
