@@ -137,3 +137,12 @@ def test_what_goes_on_beyond_the_phases_that_are_told_is_not_claimed() -> None:
     elastic = THROWN.replace("restitution: 0.5, friction: 0.2", "restitution: 1")
     found = posed(elastic, "is total energy conserved")
     assert found.conditions == ("conserved in the phases and impacts that are told; others follow",)
+
+
+def test_what_stays_the_same_along_a_motion_is_searched_beside_a_question_about_the_blow() -> None:
+    asked = BULLET + "questions: [{find: is linear momentum along right conserved in the blow}]\n"
+    found = fb.System.from_text(asked).conserved()
+    assert found.is_search
+    assert any(v.is_conserved for v in found.quantities)
+    with pytest.raises(fb.ModelError, match="is no question of what stays the same along a motion; ask it with solve"):
+        fb.System.from_text(BULLET).conserved("is kinetic energy conserved in the blow")

@@ -68,6 +68,16 @@ MISTAKES = {
         f"{BLOCK}loads: {{F: {{force: {{on: block, along: right, magnitude: 10 N}}}}}}",
         "force has no on. Did you mean at?",
     ),
+    "a force and what belongs to it side by side": (
+        f"{BLOCK}loads: {{F: {{force: 10 N, on: block, direction: right}}}}",
+        "what belongs to force stands inside of it, not beside it: on and direction, so force: {at: block, along: "
+        "right, magnitude: 10 N}",
+    ),
+    "a spring and its ends side by side": (
+        f"{BLOCK}loads: {{s: {{spring: 50 N/m, between: [ground, block]}}}}",
+        "what belongs to spring stands inside of it, not beside it: between, so spring: {first: ground, second: block, "
+        "stiffness: 50 N/m}",
+    ),
     "where a body is": (
         "bodies: {ball: {particle: {mass: 1 kg}, position: [0, 1 m]}}",
         "a body has no position. Did you mean at?",

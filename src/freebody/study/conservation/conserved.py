@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from freebody.errors import ModelError, Problem
 from freebody.language.expression import free_symbols
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
@@ -45,10 +46,8 @@ def conserved(system: System, question: str | None = None) -> Conservation:
         )
         told = tuple(replace(v, notes=(*v.notes, note)) if v.is_answered else v for v in found.quantities)
         return replace(found, quantities=told)
-    if question is None:
-        asked = tuple(q for q in system.questions if q.quantity.scope == "every motion")
-    else:
-        asked = (_question(system, question),)
+    given = system.questions if question is None else (_question(system, question),)
+    asked = tuple(filter(_is_of_motions, given))
     setup = Setup(system, N_MOTIONS if asked else N_IN_SEARCH)
     if asked:
         judge = Judge(setup)
@@ -69,7 +68,18 @@ def _question(system: System, text: str) -> Question:
     words = text.strip()
     if "conserved" not in words and not words.startswith("conservation"):
         words = f"is {words} conserved"
-    return system.question(words)
+    found = system.question(words)
+    if not _is_of_motions(found):
+        told = Message(
+            "{question} is no question of what stays the same along a motion; ask it with solve", question=text
+        )
+        raise ModelError([Problem((), told)], system.file)
+    return found
+
+
+def _is_of_motions(question: Question) -> bool:
+    """Whether it asks what stays the same along every motion, and not only in a blow."""
+    return question.quantity.scope == "every motion" and question.quantity.jump is None
 
 
 # -- the search -------------------------------------------------------------------------------

@@ -111,6 +111,16 @@ def _fields_of_example(kind: type[Spec]) -> Any:
     return None
 
 
+def _put_inside(kind: type[Spec], own: Any, beside: dict[str, Any]) -> dict[str, Any]:
+    """The fields of a kind, some of which somebody wrote beside it. What stands behind the kind, `F` in
+    `force: F`, is its first field if that does not stand beside, else the one that is left to give."""
+    inside = kind.from_plain(own)
+    if own is None or isinstance(own, list | dict) or not inside.keys() & beside.keys():
+        return {**inside, **beside}
+    left = [f.alias or name for name, f in kind.model_fields.items() if f.is_required() and name not in beside]
+    return {**beside, left[0]: own} if len(left) == 1 else beside
+
+
 class Source:
     """A document, what its names mean so far, and what it leaves open."""
 
@@ -339,11 +349,13 @@ class Source:
             if key not in (word, *beside) and (key in fields or kind.meant(key) or key in kind.elsewhere)
         ]
         if inside:
-            own: Any = entry[word]
             example = _example_of(kind)
             if not any(key in kind.elsewhere for key in inside):
-                whole = {**kind.from_plain(own), **{key: entry[key] for key in inside}}
-                example = Message(", so {entry}", entry=flow_text({word: whole})[1:-1])
+                meant = {key: found[0] if len(found := kind.meant(key)) == 1 else key for key in inside}
+                if len({*meant.values()}) == len(inside):
+                    given = kind.from_plain({meant[key]: entry[key] for key in inside})
+                    whole = _put_inside(kind, entry[word], given)
+                    example = Message(", so {entry}", entry=flow_text({word: whole})[1:-1])
             told = Message(
                 "what belongs to {kind} stands inside of it, not beside it: {keys}{example}",
                 kind=kind.kind,
@@ -383,7 +395,7 @@ class Source:
                 if isinstance(value, dict):
                     entry = cast("dict[str, Any]", value)
                     value = {key: fields for key, fields in entry.items() if key not in beside}
-                    if len(own := [key for key in value if key in kinds]) == 1 < len(value) and beside:
+                    if len(own := [key for key in value if key in kinds]) == 1 < len(value):
                         self._beside_a_kind(name, kinds[own[0]], own[0], entry, beside)
                         continue
                 if (
