@@ -19,6 +19,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
+from posed import posed
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 G = 9.81
@@ -375,3 +376,45 @@ def test_a_draw_whose_event_the_numeric_route_does_not_see_says_nothing() -> Non
     (fastest,) = (answer for answer in answers if answer.id == "fastest")
     # F = m v^2/rho with rho = A^2/L
     assert fastest.value == pytest.approx((5089.1 * 66.906**2 / 134.93 / 712.45) ** 0.5, rel=1e-9)
+
+
+# -- at any pose ------------------------------------------------------------------------------
+DRIVEN_ROD = """
+parameters: {m: 2 kg, L: 0.8 m, M: 3 N m, g: 9.81 m/s^2, beta: 30 deg, F: 4 N}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {pin: {pin: [ground.O, rod.start]}}
+measures: {theta: {angle of rod from down}}
+start: {theta: 20 deg}
+loads:
+  weight: {gravity: g}
+  motor: {torque: {on: rod, magnitude: M}}
+  pull: {force: {at: rod.end, along: beta, magnitude: F}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("parameter", "value"),
+    [  # the moments about the pin: M + F L cos(theta - beta) = m g L/2 sin(theta)
+        ("M", "m*g*L/2*sin(theta) - F*L*cos(theta - beta)"),
+        ("F", "(m*g*L/2*sin(theta) - M)/(L*cos(theta - beta))"),
+        ("beta", "theta + pi - acos((M - m*g*L/2*sin(theta))/(F*L))"),
+    ],
+)
+def test_a_value_may_change_with_the_pose(parameter: str, value: str) -> None:
+    """The value is put in where it is made, not with the angle of the start at another."""
+    found = posed(DRIVEN_ROD, f"value of {parameter} for which angular acceleration of rod is zero")
+    assert isinstance(found.expression, Expr), found.reason
+    here = {"m": 2.3, "L": 0.9, "M": 1.2, "g": 9.7, "beta": 0.4, "F": 3.1, "theta": 0.3}
+    a, b = (evaluate(x, here, FLOAT_FUNCTIONS) for x in (found.expression, parse(value)))
+    assert a == pytest.approx(b, rel=1e-12)
+    assert any("at every pose of the motion" in told for told in found.conditions)
+
+
+def test_a_range_that_the_given_numbers_leave_without_ends_is_told_of_them_alone() -> None:
+    found = posed(DRIVEN_ROD, "range of M for which angular acceleration of rod > 0")
+    assert found.reason.startswith(
+        "with the given numbers at the start that is so for every positive value of M: the end of the range, "
+    )
+    pulled_less = DRIVEN_ROD.replace("F: 4 N", "F: 0.5 N")
+    at_start = posed(pulled_less, "range of M for which angular acceleration of rod > 0").value
+    assert at_start == pytest.approx(0.8 * (9.81 * math.sin(math.radians(20)) - 0.5 * math.cos(math.radians(10))))

@@ -22,7 +22,7 @@ from freebody.symbolic.relations import radicand_of, shortest
 NEVER = Message("for no values of the parameters")
 TAKEN = Message("as at the start")  # a sign that the formulas take as it is at the first sample
 _MOST = 24  # conditions of which each is compared with all others
-_MOVING = ("coordinate", "speed", "acceleration", "time")
+MOVING = ("coordinate", "speed", "acceleration", "time")
 
 
 def validity(conditions: Sequence[Condition]) -> list[Condition]:
@@ -60,7 +60,7 @@ def _is_never(c: Condition) -> bool:
     """A number on the wrong side of zero: no parameter can change that."""
     field = c.element.field
     kinds = {field.generators[g].kind for g in field.ingredients(c.element) - {field.index(field.pi)}}
-    return not kinds & {"parameter", *_MOVING} and decide(c.element, c.relation) is False
+    return not kinds & {"parameter", *MOVING} and decide(c.element, c.relation) is False
 
 
 def texts(conditions: Sequence[Condition], *, until_event: bool = False) -> list[str]:
@@ -170,7 +170,7 @@ def _text(c: Condition, until_event: bool) -> str:
 
 def _placed(x: Ratio, condition: str, until_event: bool) -> str:
     """A condition with what is said before it where it is not one on parameters alone."""
-    kinds = {x.field.generators[g].kind for g in x.field.ingredients(x)} & set(_MOVING)
+    kinds = {x.field.generators[g].kind for g in x.field.ingredients(x)} & set(MOVING)
     if not kinds:
         return condition
     if until_event:

@@ -39,6 +39,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import solutions
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.validity import MOVING
 from freebody.symbolic.zeros import zeros_of
 
 _SAME = 1e-9  # of their size: two ends that are one
@@ -210,7 +211,7 @@ class RangeSearch(TruthInNumbers):
         if not found:
             raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
         if len(found) == 1 and found[0][0].value is None and found[0][1].value is None:
-            raise CannotAnswer(for_every(self.parameter))
+            raise CannotAnswer(self._for_every())
         found, conditions, evidence = self._confirmed(found, own)
         element, notes = self._asked(found), list[str]()
         told = joined([self._told(interval) for interval in found], " or ")
@@ -235,6 +236,20 @@ class RangeSearch(TruthInNumbers):
         if self.parameter.value is not None:
             notes.append(Message("the number that the file gives for {name} is left out", name=name))
         return Finding(element, evidence, conditions, notes, says, has_value=self.setup.has_values, is_complete=True)
+
+    def _for_every(self) -> str:
+        """That no value of the parameter is excepted: of all numbers only where no end is left that others may move."""
+        told = for_every(self.parameter)
+        if not self.ends:
+            return told
+        where = Message("with the given numbers")
+        if any(x.field.generators[g].kind in MOVING for x in self.ends for g in x.field.ingredients(x)):
+            where = Message("with the given numbers at the start")
+        if len(self._below) != 1:
+            return Message("{where} {told}", where=where, told=told)
+        end = to_text(tidy(self._below[0]))
+        why = Message("{where} {told}: the end of the range, {end}, is negative", where=where, told=told, end=end)
+        return reworded(why, end)
 
     def _confirmed(self, found: list[Interval], own: Draw) -> tuple[list[Interval], list[Condition], Evidence]:
         """The intervals with what they need. Of ends that coincide at the model's own numbers, as those of a linkage

@@ -58,7 +58,9 @@ from freebody.system.system import System
 _NEAR = 1e-6  # of the size of its parts: a quantity that is smaller is zero at the value that was put in
 TIME = 0.37  # [s] at which drivers are looked at
 _ENOUGH = 2 * MIN_DRAWS  # numbers at which a value is one: some of them may say nothing more
-_WIDE, _BATCHES = 2.5, 6  # draws beyond the usual ones: their spread, and how many lots of them
+_ROUNDS, _SETTLED = 6, 1e-12  # rounds in which a value and the pose that it is put in come to agree, relative
+# further draws: their spread, how many lots of them, and how many where the value may change with the pose
+_WIDE, _BATCHES, _OF_POSES = 2.5, 6, 24
 # of the file's number: values with which a motion may get there
 _OTHERS = (1.25, 0.8, 2.0, 0.5, 3.0, 1 / 3, 10.0, 0.1, 30.0, 1 / 30)
 _ANGLES = (0.2, 0.5, 0.8, 1.1, 1.4)  # [rad] the same for acute angles
@@ -236,19 +238,32 @@ class _Turned:
     def _put_back(self, value: Ratio) -> Iterator[PutBack]:
         """The draws with the value in place of their own, where it is within the range of the parameter and the system
         can be assembled with it."""
-        system = self.setup.system
         for k, draw in enumerate(self._draws()):
             with suppress(CannotAnswer, ArithmeticError, ValueError):
-                (number,) = element_at(self.setup, value, draw, draw.start())
-                if math.isfinite(number) and is_within(self.parameter, number):
-                    values = draw.values | {self.parameter.name: number}
-                    made = draw.with_values(values, system)
+                if (made := self._made(k, draw, value)) is not None:
                     yield PutBack(k, made, max(self._size(draw), self._size(made)) or 1.0)
+
+    def _made(self, k: int, draw: Draw, value: Ratio) -> Draw | None:
+        """A draw with the value, which may change with the pose, and the pose with the value; None where there is none
+        within the range of the parameter, or they were not found to agree."""
+        made, last = draw, math.nan
+        for _ in range(_ROUNDS):
+            (number,) = element_at(self.setup, value, made, self._instant(k, made))
+            if not math.isfinite(number) or not is_within(self.parameter, number):
+                return None
+            if abs(number - last) <= _SETTLED * abs(number):
+                return made
+            values = draw.values | {self.parameter.name: number}
+            made, last = draw.with_values(values, self.setup.system), number
+        return None
+
+    def _instant(self, k: int, draw: Draw) -> Snapshot:
+        return instant_of(self.question, self.quantity.of, PutBack(k, draw, 1.0))
 
     def _draws(self) -> Iterator[Draw]:
         """Those that all answers are compared at; then others further away, for values that are there only."""
         yield from self.setup.draw_stream()
-        for k in range(_BATCHES):
+        for k in range(_OF_POSES if _is_of_any(self.question, self.quantity.of) else _BATCHES):
             yield from draws(self.setup.system, N_DRAWS, seed=SEED + 20 + k, widest=_WIDE, near=self.setup.draws[0])
 
     def _size(self, draw: Draw) -> float:
@@ -258,10 +273,10 @@ class _Turned:
     def _is_so(self, made: PutBack, value: Ratio) -> bool:
         """Whether the formula has the value there, and is true."""
         try:
-            start, room = made.draw.start(), _NEAR * made.size
-            (number,) = element_at(self.setup, self.element, made.draw, start)
+            here, room = self._instant(made.number, made.draw), _NEAR * made.size
+            (number,) = element_at(self.setup, self.element, made.draw, here)
             needed = [self._with_value(c, value) for c in self.formula.needed if c.relation != "!="]
-            return abs(number) <= room and all(holds(self.setup, c, made.draw, start, round_off=room) for c in needed)
+            return abs(number) <= room and all(holds(self.setup, c, made.draw, here, round_off=room) for c in needed)
         except (CannotAnswer, ArithmeticError, ValueError):
             return False
 
@@ -323,8 +338,12 @@ def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formu
 
 def instant_of(question: Question, of: Quantity, made: PutBack) -> Snapshot:
     """Where a formula is looked at: at the start, from which an event is reached, or at any instant."""
-    is_of_any = of.is_of_state and question.event is None and not question.at_start
+    is_of_any = _is_of_any(question, of)
     return made.draw.anywhere(SEED + made.number, TIME, 0.1) if is_of_any else made.draw.start()
+
+
+def _is_of_any(question: Question, of: Quantity) -> bool:
+    return of.is_of_state and question.event is None and not question.at_start
 
 
 def _until(setup: Setup, event: AskedEvent, draw: Draw) -> float:
