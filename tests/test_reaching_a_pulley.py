@@ -7,6 +7,7 @@ import math
 import pytest
 
 import freebody as fb
+from posed import posed
 
 TABLE = """
 parameters: {{m1: 4 kg, m2: 3 kg, M: 2 kg, mu: 0.25, L: 1 m, R: 5 cm, h: 0.6 m, g: 9.81 m/s^2}}
@@ -100,3 +101,32 @@ def test_a_simulation_says_from_when_on_the_rope_is_used_up() -> None:
 def test_a_collar_that_passes_beside_the_pulley_never_reaches_it() -> None:
     with pytest.raises(fb.ModelError, match="changes its direction"):
         fb.System.from_text(BESIDE).solve("speed of collar when collar reaches edge")
+
+
+WINCH = """
+parameters: {m: 40 kg, M: 12 kg, R: 0.15 m, T0: 60 N m, beta: 20 deg, mu: 0.25, g: 9.81 m/s^2, l: 6 m}
+ground:
+  lines: {ramp: {along: beta, through: [0, 0]}}
+  points: {axle: [l*cos(beta) - R*sin(beta), l*sin(beta) + R*cos(beta)]}
+bodies: {drum: {disk: {mass: M, radius: R}}, crate: {particle: {mass: m}, at: [0, 0]}}
+connections:
+  ramp: {contact: {between: [crate, ramp], friction: mu}}
+  axle: {pin: [ground.axle, drum.center]}
+  rope: {string: {from: crate, to: wound on drum counterclockwise}}
+loads: {weight: {gravity: g}, motor: {torque: {on: drum, magnitude: T0}}}
+measures: {s: {travel of crate along ramp}}
+"""
+
+
+def test_a_crate_on_the_line_of_its_rope_has_not_left_it_and_beyond_the_drum_nothing_is_told() -> None:
+    """The crate is on the line but for round-off. It is at the drum after sqrt(2 l/a); later numbers are of no motion
+    that there is. a = (T0/R - m g (sin(beta) + mu cos(beta)))/(m + M/2)."""
+    beta, pull = math.radians(20), 60 / 0.15
+    a = (pull - 40 * 9.81 * (math.sin(beta) + 0.25 * math.cos(beta))) / (40 + 12 / 2)
+    system = fb.System.from_text(WINCH)
+    ((purpose, time),) = system.simulate(2.0).not_valid
+    assert purpose == "crate has not reached drum"
+    assert time == pytest.approx(math.sqrt(2 * 6 / a), rel=1e-8)
+    asked = "power of motor after {t} s"
+    assert posed(WINCH, asked.format(t=1)).value == pytest.approx(60 * a * 1.0 / 0.15)
+    assert posed(WINCH, asked.format(t=2)).value is None

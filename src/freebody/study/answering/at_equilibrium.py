@@ -27,6 +27,7 @@ from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, as_parts,
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import nearest_equilibrium
+from freebody.study.where_true import left_at
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import GYROSCOPIC
 from freebody.symbolic.field import Ratio
@@ -169,9 +170,8 @@ def _numbers_about(setup: Setup, draw: Draw) -> Array:
         v = np.zeros_like(q)
         found = draw.reference.frequencies(q)
     there = draw.reference.snapshot(q, v, 0.0)
-    for limit in setup.system.validities:
-        if limit.sign * (float(there.value(limit.measure)) - draw.reference.number(limit.limit)) < 0.0:
-            raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=limit.purpose))
+    if (left := left_at(setup.system, draw.reference, there)) is not None:
+        raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=left.purpose))
     if not all(holds(setup, c, draw, draw.reference.snapshot(q, v)) for c in setup.clearances(setup.state, ">")):
         raise CannotAnswer(Message("there is no room to move about the equilibrium"))
     return found

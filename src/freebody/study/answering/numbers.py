@@ -28,6 +28,7 @@ from freebody.study.answering.passage import smooth_numbers
 from freebody.study.answering.witness import TOLERANCE, motion_to, patience, states_at
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
+from freebody.study.where_true import insist_on_truth
 from freebody.system.modes import depends_on_time
 
 N_PANELS = 16
@@ -129,7 +130,10 @@ def _number(quantity: Quantity, setup: Setup, event: AskedEvent | None, draw: Dr
     elif _rests(setup):
         raise CannotAnswer(Message("it starts at rest, and only round-off accelerates it: numbers would follow that"))
     else:
-        values = as_parts(at_event(setup, quantity, draw, start, patience(start, LONGEST), event))
+        until = patience(start, LONGEST)
+        if setup.system.validities:
+            insist_on_truth(setup.system, draw.reference, motion_to(draw.reference, start, until, event).links)
+        values = as_parts(at_event(setup, quantity, draw, start, until, event))
     return values[0] if len(values) == 1 else values
 
 

@@ -40,6 +40,7 @@ from freebody.study.simulation.instant import SimulatedInstant, with_all_held
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
 from freebody.study.simulation.simulator import Simulator
+from freebody.study.where_true import is_no_longer
 from freebody.system.system import System
 
 _STEPS = 20_000  # of a motion in which contacts change
@@ -87,6 +88,8 @@ def number_with_changes(system: System, question: Question, *, is_single: bool =
     if is_of_end and course.status is not (Status.EVENT if is_watched else Status.FINISHED):
         return None
     motion, k = SimulatedMotion(system, simulator, course, options), -1 if is_of_end else 0
+    if is_of_end and (left := [purpose for purpose, time in motion.not_valid if time < course.times[-1]]):
+        raise is_no_longer(left[0])
     if quantity.watched is not None:  # angles are counted along the motion
         measure, order = quantity.watched
         return float(observed(motion, {"it": measure})["it"][order][k])

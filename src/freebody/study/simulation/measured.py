@@ -88,20 +88,6 @@ class MeasuredMotion(SimulatedMotion):
         """The meshes whose teeth come to bear on another flank than the one that the model says, and when first [s]."""
         return tuple((row, float(self.course.times[away[0]])) for _k, row, away in left_sides(self))
 
-    @property
-    def not_valid(self) -> tuple[tuple[str, float], ...]:
-        """What the model takes for granted that the motion leaves, in words, and when first [s]."""
-        found: list[tuple[str, float]] = []
-        start = self.simulator.value_at_start
-        number = self.simulator.reference.number
-        for validity in self.system.validities:
-            times = [e.time for e in self.events if e.name == validity.left]
-            if validity.sign * (start(validity.measure) - number(validity.limit)) < 0.0:
-                times.insert(0, 0.0)
-            if times:
-                found.append((validity.purpose, times[0]))
-        return tuple(found)
-
     @cached_property
     def struck(self) -> tuple[BlowRecord, ...]:
         """All blows of the motion: that of its start, what closes and strikes on the way, and collisions."""

@@ -10,6 +10,7 @@ from freebody.numeric.contact.record import PhaseRecord
 from freebody.numeric.engine.course import Event, Status, Trajectory
 from freebody.numeric.options import SimulationOptions
 from freebody.study.simulation.simulator import Simulator
+from freebody.study.where_true import is_left
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -54,3 +55,16 @@ class SimulatedMotion:
     @property
     def t_end(self) -> float:
         return self.course.t_end
+
+    @property
+    def not_valid(self) -> tuple[tuple[str, float], ...]:
+        """What the model takes for granted that the motion leaves, in words, and when first [s]."""
+        found: list[tuple[str, float]] = []
+        start = self.simulator.value_at_start
+        for validity in self.system.validities:
+            times = [e.time for e in self.events if e.name == validity.left]
+            if is_left(validity, self.simulator.reference, start(validity.measure)):
+                times.insert(0, 0.0)
+            if times:
+                found.append((validity.purpose, times[0]))
+        return tuple(found)

@@ -35,6 +35,7 @@ from freebody.numeric.start_velocities import rates_not_given
 from freebody.questions.clock import Clock
 from freebody.questions.event import QuestionEvent
 from freebody.study.simulation.at_borders import border_watches, with_borders
+from freebody.study.where_true import end_and_size
 from freebody.study.worded import without_value
 from freebody.system.system import System
 
@@ -199,9 +200,6 @@ def placed_at_start(system: System, values: Mapping[str, float] | None = None) -
     return reference, assembled_touching(reference)
 
 
-_TOUCHES = 1e-8  # of the size of a measure
-
-
 def has_phases(system: System) -> bool:
     """Whether a motion may change its law on the way: something can part, touch, stick or slip."""
     return bool(system.contacts or system.limits or system.brakes or system.blows) or any(
@@ -231,12 +229,11 @@ def _watches(simulator: Simulator, events: Sequence[str]) -> list[EngineWatch]:
 
 
 def _limits_of_validity(simulator: Simulator) -> list[EngineWatch]:
-    """Where the motion leaves what the model takes for granted; what touches a limit has not left it."""
+    """Where the motion leaves what the model takes for granted."""
     found: list[EngineWatch] = []
     for v in simulator.system.validities:
-        limit = simulator.reference.number(v.limit)
-        size = max(abs(limit), _size(simulator, v.measure))
-        found.append(EngineWatch(v.left, v.measure, 0, limit - v.sign * _TOUCHES * size, -v.sign, size=size))
+        end, size = end_and_size(v, simulator.reference)
+        found.append(EngineWatch(v.left, v.measure, 0, end, -v.sign, size=size))
     return found
 
 

@@ -33,6 +33,7 @@ from freebody.numeric.vibration import Stability, stability
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import without_friction
 from freebody.study.small_motion.found import Equilibria, FoundEquilibrium, unit_of
+from freebody.study.where_true import left_at
 from freebody.study.worded import in_words
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
@@ -69,9 +70,8 @@ def refuse_out_of_bounds(system: System, reference: Reference, q: Array) -> None
     """Raises CannotAnswer for a rest in which the model is not true: beyond a stop, or where its strings, loads and
     contacts say that they end."""
     there = reference.snapshot(q, np.zeros_like(q), 0.0)
-    for v in system.validities:
-        if v.sign * (float(there.value(v.measure)) - reference.number(v.limit)) < 0.0:
-            raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=v.purpose))
+    if (left := left_at(system, reference, there)) is not None:
+        raise CannotAnswer(Message("at the equilibrium it is not so that {purpose}", purpose=left.purpose))
     for stop in system.bounds:
         if stop.within or isinstance(stop.row.measure, NonholonomicForm):
             continue
