@@ -239,11 +239,16 @@ class _Turned:
         system = self.setup.system
         for k, draw in enumerate(self._draws()):
             with suppress(CannotAnswer, ArithmeticError, ValueError):
-                (number,) = element_at(self.setup, value, draw, draw.start())
+                (number,) = element_at(self.setup, value, draw, self._instant(value, PutBack(k, draw, 1.0)))
                 if math.isfinite(number) and is_within(self.parameter, number):
                     values = draw.values | {self.parameter.name: number}
                     made = draw.with_values(values, system)
                     yield PutBack(k, made, max(self._size(draw), self._size(made)) or 1.0)
+
+    def _instant(self, value: Ratio, made: PutBack) -> Snapshot:
+        """Where a value is put in: one that depends on the pose or the speeds, where the quantity is looked at."""
+        is_of_pose = bool(self.setup.model.moving & value.field.ingredients(value))
+        return instant_of(self.question, self.quantity.of, made) if is_of_pose else made.draw.start()
 
     def _draws(self) -> Iterator[Draw]:
         """Those that all answers are compared at; then others further away, for values that are there only."""
@@ -258,7 +263,7 @@ class _Turned:
     def _is_so(self, made: PutBack, value: Ratio) -> bool:
         """Whether the formula has the value there, and is true."""
         try:
-            start, room = made.draw.start(), _NEAR * made.size
+            start, room = self._instant(value, made), _NEAR * made.size
             (number,) = element_at(self.setup, self.element, made.draw, start)
             needed = [self._with_value(c, value) for c in self.formula.needed if c.relation != "!="]
             return abs(number) <= room and all(holds(self.setup, c, made.draw, start, round_off=room) for c in needed)
