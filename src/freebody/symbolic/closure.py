@@ -171,9 +171,7 @@ class Closure:
         det = a * B - A * b
         return self._values(q, f.lowest_terms((b * D - B * d) / det), f.lowest_terms((A * d - a * D) / det))
 
-    def without(
-        self, both: tuple[Ratio, Ratio], gone: int, kept: int, *, anywhere: bool = False
-    ) -> Ratio | None:
+    def without(self, both: tuple[Ratio, Ratio], gone: int, kept: int, *, anywhere: bool = False) -> Ratio | None:
         """cos^2 + sin^2 = 1 of one angle, with its cosine and sine by the two equations. anywhere: also where these
         are divided by what is kept, as the direction of a ram by its length."""
         f = self.field
