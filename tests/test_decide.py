@@ -175,3 +175,21 @@ def test_what_is_no_power_of_a_sine_stays_as_it_is(names: dict[str, Any]) -> Non
     condition, _possible = require(x := element(names, "sin(x - y)**2 - 2*cos(x + y)"), "!=")
     assert condition is not None
     assert condition.element in (x, -x)
+
+
+def test_a_condition_on_one_name_beside_roots_of_numbers_is_solved_for_it() -> None:
+    f = SignedField()
+    mu, a = f.parameter("mu", positive=True), f.parameter("a")
+
+    def root(n: int) -> Ratio:
+        return f.sqrt(f.element(n))
+
+    told = {
+        "μ ≤ √(2)": (2 * root(3) - mu * root(6), ">="),
+        "μ > √(2)": (mu * root(6) - 2 * root(3), ">"),
+        "a ≠ -√(2)/2": (a * root(2) + 1, "!="),
+        "a·√(2) > μ": (a * root(2) - mu, ">"),  # two names: as it stands
+        "2·μ > 1": (2 * mu - 1, ">"),
+    }
+    for text, (x, relation) in told.items():
+        assert Condition(x, relation).text() == text

@@ -57,6 +57,16 @@ loads: {weight: {gravity: g}}
 measures: {theta: {angle of line from ground.O to bob from down}, x: x of bob}
 start: {theta: a}
 """
+TIPPER = """
+parameters: {a: 1.5 m, b: 2 m, c: 1 m, m: 800 kg, L: 4 m, v: 0.1 m/s, g: 9.81 m/s^2, beta: 40 deg}
+ground: {points: {O: [0, 0], A: [b, 0]}}
+bodies: {bed: {rod: {mass: m, length: L}, points: {P: [a - L/2, 0]}}}
+connections:
+  O: {pin: [ground.O, bed.start]}
+  ram: {driver: {measure: s, follows: c + v*t}}
+loads: {weight: {gravity: g}}
+measures: {s: distance from ground.A to bed.P, theta: angle of bed}
+"""
 HEAVY = COASTING.replace("crank: {rod: {length: r}}", "crank: {rod: {mass: m, length: r}}")
 ARC = "acos((X^2 + r^2 - l^2)/(2*X*r))"
 
@@ -88,6 +98,19 @@ FORMULAS = {
 @pytest.mark.parametrize("name", FORMULAS)
 def test_the_event_is_solved_for(name: str) -> None:
     is_formula(*FORMULAS[name], factors=(1.0, 1.02, 0.99))
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        # s^2 = a^2 + b^2 - 2 a b cos(theta), so s v = a b sin(theta) theta'
+        ("angular velocity of bed when theta = beta", "v*sqrt(a**2 + b**2 - 2*a*b*cos(beta))/(a*b*sin(beta))"),
+        ("time when theta = beta", "(sqrt(a**2 + b**2 - 2*a*b*cos(beta)) - c)/v"),
+    ],
+)
+def test_a_ram_that_lengthens_evenly_has_tipped_a_bed_to_an_angle(question: str, formula: str) -> None:
+    is_formula(TIPPER, question, formula)
+    is_derived(TIPPER, question)
 
 
 @pytest.mark.parametrize(

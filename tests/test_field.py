@@ -172,6 +172,18 @@ def test_an_odd_function_has_no_sign_in_front_of_its_argument() -> None:
     assert to_text(tidy(functions(f)["atan"](-a / b))) == "-atan(a/b)"
 
 
+def test_a_power_of_an_exponential_has_its_exponent_in_it_and_a_negative_logarithm_is_turned_over() -> None:
+    f = SignedField()
+    a, b = (f.parameter(name) for name in "ab")
+    exp, log = functions(f)["exp"], functions(f)["log"]
+    assert to_text(tidy(exp(a / b) ** 30)) == "exp(30⋅a/b)".replace("⋅", "·")
+    assert to_text(tidy(a - exp(a / b) ** 2 * b)) == "a - b·exp(2·a/b)"
+    turned = tidy(-a * log(a / (a + b)) / 2)
+    assert to_text(turned) == "a·log((a + b)/a)/2"
+    assert float(evaluate(turned, {"a": 1.3, "b": 0.7})) == pytest.approx(1.3 * math.log(2.0 / 1.3) / 2, rel=1e-14)
+    assert to_text(tidy(-log(a))) == "-log(a)"
+
+
 @quick
 @given(elements, st.integers(1, 3))
 def test_derivative_along_a_coordinate_follows_its_sine_and_cosine(x: Ratio, n: int) -> None:

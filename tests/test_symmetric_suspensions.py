@@ -29,6 +29,22 @@ connections:
 loads: {weight: {gravity: g}}
 measures: {x: x of trolley}
 """
+SWING = """
+parameters: {m: 4 kg, a: 1 m, b: 0.6 m, l: 0.8 m, g: 9.81 m/s^2}
+ground: {points: {A: [-a/2, 0], D: [a/2, 0]}}
+bodies:
+  left: {rod: {length: l}, near: {angle: -80 deg}}
+  plank: {rod: {mass: m, length: b}}
+  right: {rod: {length: l}, near: {angle: -100 deg}}
+connections:
+  A: {pin: [ground.A, left.start]}
+  B: {pin: [left.end, plank.start]}
+  C: {pin: [plank.end, right.end]}
+  D: {pin: [ground.D, right.start]}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of plank}
+start: {theta: 0}
+"""
 
 
 @pytest.mark.parametrize(
@@ -41,6 +57,15 @@ measures: {x: x of trolley}
         # |HP| + |HQ| is constant, so that the hook runs on an ellipse about the trolley, with the half axes
         # A^2 = h^2 + b^2/4 and h, and the radius A^2/h at its lowest point: a pendulum of that length on a cart
         (CRANE, "period of small oscillations", "2*pi*sqrt(M*(h**2 + b**2/4)/(h*g*(M + m)))"),
+        # the middle of the plank is at x = k theta, y = -h + Y theta^2/2; (d + x + b theta^2/4)^2 + (y - b theta/2)^2
+        # = l^2 with d = (a - b)/2 has k = -h b/(2 d) and h Y = k^2 + a b/4; w^2 = g Y/(k^2 + b^2/12)
+        (
+            SWING,
+            "natural frequencies",
+            "sqrt(g*(h**2*b**2/(a - b)**2 + a*b/4)/(h*(h**2*b**2/(a - b)**2 + b**2/12)))".replace(
+                "h", "sqrt(l**2 - (a - b)**2/4)"
+            ),
+        ),
     ],
 )
 def test_a_symmetric_suspension_has_the_formula_of_its_pose(text: str, question: str, formula: str) -> None:

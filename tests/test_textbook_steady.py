@@ -27,6 +27,26 @@ loads:
 measures: {x: x of b, y: y of b}
 start: {x: 0, y: 0, rate(x): 0, rate(y): 0}
 """
+# Rao & Dukkipati, Mechanism and Machine Theory, ch. on governors: balls between links of equal length, a heavy sleeve
+SLEEVE_GOVERNOR = """
+space: {up: z}
+parameters: {m: 2 kg, M: 4 kg, l: 0.3 m, g: 9.81 m/s^2, beta: 40 deg, Omega: 12 rad/s, near: 50 deg}
+bodies:
+  spindle: {body: {}, turned: [psi about z]}
+  upper: {rod: {length: l}, turned: [gamma about y], frame: spindle}
+  lower: {rod: {length: l}, turned: [180 deg - near about y]}
+  ball: {particle: {mass: m}}
+  sleeve: {particle: {mass: M}}
+connections:
+  axle: {revolute: {first: ground.O, second: spindle, about: z}}
+  top: {revolute: {first: spindle, second: upper.start, about: y}}
+  hung: {spherical: [upper.end, ball]}
+  knee: {revolute: {first: upper.end, second: lower.start, about: y}}
+  foot: {spherical: [lower.end, sleeve]}
+  guide: {point_on_line: {point: sleeve, through: ground.O, along: z}}
+loads: {weight: {gravity: g}}
+start: {psi: 0, rate(psi): Omega, gamma: 90 deg - beta}
+"""
 # Hibbeler, Dynamics, ch. 22: a metronome
 METRONOME = """
 parameters: {M: 0.05 kg, m: 0.02 kg, a: 0.04 m, b: 0.07 m, g: 9.81 m/s^2, T: 1 s}
@@ -181,6 +201,12 @@ start: {x: 0, rate(x): 0, phi: 0, rate(phi): 0}
             PENDULUM_ON_A_SPRUNG_CART,
             "natural frequency of mode 2",
             "sqrt((k/M + g/L*(M + m)/M + sqrt((k/M + g/L*(M + m)/M)**2 - 4*k*g/(M*L)))/2)",
+        ),
+        # the lower link carries M g, the upper one (M + m) g, each pulls the ball inwards by tan(beta) of that
+        (
+            SLEEVE_GOVERNOR,
+            "rate of psi in steady motion when gamma = 90 deg - beta",
+            "sqrt((m + 2*M)*g/(m*l*cos(beta)))",
         ),
     ],
 )

@@ -418,3 +418,30 @@ def test_a_range_that_the_given_numbers_leave_without_ends_is_told_of_them_alone
     pulled_less = DRIVEN_ROD.replace("F: 4 N", "F: 0.5 N")
     at_start = posed(pulled_less, "range of M for which angular acceleration of rod > 0").value
     assert at_start == pytest.approx(0.8 * (9.81 * math.sin(math.radians(20)) - 0.5 * math.cos(math.radians(10))))
+
+
+TOGGLE = """
+parameters: {L: 0.4 m, F: 300 N, Q: 1 kN, M: 5 kg, theta: 15 deg}
+bodies: {upper: {rod: {length: L}}, lower: {rod: {length: L}, near: {angle: -100 deg}}, ram: {particle: {mass: M}}}
+connections:
+  A: {pin: [ground.A, upper.start]}
+  B: {pin: [upper.end, lower.start]}
+  C: {pin: [lower.end, ram]}
+  guide: {slider: {body: ram, along: down, through: ground.A}}
+loads:
+  push: {force: {at: upper.end, along: left, magnitude: F}}
+  work: {force: {at: ram, along: up, magnitude: Q}}
+measures: {phi: angle of upper from down}
+start: {phi: theta}
+"""
+
+
+def test_a_value_that_depends_on_the_pose_is_put_in_where_the_quantity_is_looked_at() -> None:
+    # the ram is 2 L cos(phi) below A: M (2 L cos(phi))'' = F' with the power -2 Q' L sin ... of both forces:
+    # 2 L sin(phi) (Q - M y'') = F L cos(phi) with y'' = -2 L (phi'^2 cos(phi) + phi'' sin(phi)) downwards
+    answer = fb.System.from_text(TOGGLE).solve("value of Q for which acceleration of phi = 0").answers[0]
+    assert answer.expression is not None, answer.reason
+    numbers = {"F": 300.0, "L": 0.4, "M": 5.0, "phi": 0.3, "rate(phi)": 2.0}
+    expected = 300 / (2 * math.tan(0.3)) + 5 * 2 * 0.4 * 2.0**2 * math.cos(0.3)
+    assert evaluate(answer.expression, numbers, FLOAT_FUNCTIONS) == pytest.approx(expected, rel=1e-12)
+    assert answer.value == pytest.approx(300 / (2 * math.tan(math.radians(15))), rel=1e-12)

@@ -137,8 +137,9 @@ def test_usual_units_do_not_import_pint():
         ("3 ftlb", "write ft lb"),
         ("3 m/s2", r"write s\^2"),
         ("3 N m/rad s", "two ways"),
-        ("3 m^99", "whole number up to 12"),
-        ("3 m^", "whole number"),
+        ("3 m^99", "number up to 12"),
+        ("3 m^", "a power is a number"),
+        ("3 m^(1/0)", "divided by zero"),
         ("3 m/", "at its end"),
         ("3 (m", "never closed"),
         ("3 m)", "not expected"),
@@ -298,3 +299,21 @@ def test_a_printed_binary_number_is_the_simple_fraction_it_rounds(printed: str, 
 @pytest.mark.parametrize("written", ["66.667", "0.30000000000000004", "3.141592653589793", "1.000000000000001"])
 def test_any_other_decimal_is_taken_as_it_stands(written: str) -> None:
     assert parse_quantity(written).exact == Fraction(written)
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "dimension"),
+    [
+        ("2 kg/(m s)^(1/2)", 2.0, MASS / (LENGTH * TIME) ** Fraction(1, 2)),
+        ("4 N/(km)^(1/2)", 4 / math.sqrt(1000), FORCE / LENGTH ** Fraction(1, 2)),
+        ("3 mm^(-3/2)", 3 * 1000**1.5, LENGTH ** Fraction(-3, 2)),
+        ("5 kg m^-0.5", 5.0, MASS / LENGTH ** Fraction(1, 2)),
+    ],
+)
+def test_a_unit_may_have_a_broken_power_as_of_a_drag_with_the_speed_to_the_power_of_three_halves(
+    text: str, value: float, dimension: Dimension
+) -> None:
+    quantity = parse_quantity(text)
+    assert quantity.value == pytest.approx(value, rel=1e-14)
+    assert quantity.dimension == dimension
+    assert parse_unit(str(dimension)).dimension == dimension  # a dimension is read as it is written

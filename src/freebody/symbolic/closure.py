@@ -4,6 +4,8 @@ An equation a cos q + b sin q + d = 0 has w^2 = a^2 + b^2 - d^2 with w = b cos q
 
     cos q = (b w - a d)/(a^2 + b^2),    sin q = -(a w + b d)/(a^2 + b^2),    real if and only if a^2 + b^2 >= d^2.
 
+Where b = 0, at a pose with values put in, cos q = -d/a and the sign of sin q is the branch, whatever the sign of a.
+
 Two equations in two angles are such an equation where both are linear in the cosine and sine of one of them with
 coefficients that the other does not enter: these follow, and their squares add to 1 (the dyad of a four-bar linkage).
 """
@@ -32,17 +34,20 @@ _MOST_PRODUCTS = 20_000  # of the terms of its numerator and denominator: its ra
 
 
 class Closure:
-    """The closed loops of a model, as far as they can be solved one angle after the other."""
+    """The closed loops of a model, as far as they can be solved one angle after the other. given: values of independent
+    coordinates at the start, put in before that: the loops of a pose have solutions where those of the motion have
+    none, or others on either side of a change of the dimensions."""
 
-    def __init__(self, model: SymbolicModel) -> None:
+    def __init__(self, model: SymbolicModel, given: Mapping[int, Ratio] | None = None) -> None:
         self.model, self.field = model, model.field
+        self._given = dict(given or {})
         self.sides: list[Ratio] = []  # positive on the branch on which the loops are assembled
         self._turned: dict[int, Ratio] = {}  # whole turns of the angles beside their principal values
 
     @cached_property
     def _solved(self) -> tuple[dict[int, Ratio], list[Ratio], list[Coordinate]]:
         """Values of bound angles with their cosines and sines, what must not be negative, and what stays bound."""
-        values: dict[int, Ratio] = {}
+        values: dict[int, Ratio] = dict(self._given)
         needs: list[Ratio] = []
         left: list[Coordinate] = [
             d for d in self.model.dependent if any(d.index in self.inside(e.value) for e in self.model.loops)
@@ -146,7 +151,7 @@ class Closure:
             inside = self.inside(x) | self.inside(y)
             gone = others & inside
             if kept in inside and len(gone) == 1:
-                equation = self.without((x, y), gone.pop(), kept)
+                equation = self.without((x, y), gone.pop(), kept, anywhere=True)
                 if equation is not None:
                     yield equation
 
@@ -166,18 +171,21 @@ class Closure:
         det = a * B - A * b
         return self._values(q, f.lowest_terms((b * D - B * d) / det), f.lowest_terms((A * d - a * D) / det))
 
-    def without(self, both: tuple[Ratio, Ratio], gone: int, kept: int) -> Ratio | None:
-        """cos^2 + sin^2 = 1 of one angle, with its cosine and sine by the two equations."""
+    def without(self, both: tuple[Ratio, Ratio], gone: int, kept: int, *, anywhere: bool = False) -> Ratio | None:
+        """cos^2 + sin^2 = 1 of one angle, with its cosine and sine by the two equations. anywhere: also where these
+        are divided by what is kept, as the direction of a ram by its length."""
         f = self.field
         first, second = (self.linear_in(x, gone) for x in both)
         if first is None or second is None:
             return None
         (a, b, d), (A, B, D) = first, second
         det = f.lowest_terms(a * B - A * b)
-        if det.is_zero() or kept in f.ingredients(det):
+        is_kept_within = kept in f.ingredients(det)
+        if det.is_zero() or (is_kept_within and not anywhere):
             return None
         cos, sin = b * D - B * d, A * d - a * D  # times det
-        return (cos * cos + sin * sin - det * det).numerator()
+        equation = cos * cos + sin * sin - det * det
+        return (f.lowest_terms(equation / det) if is_kept_within else equation).numerator()
 
     def _angle(self, q: Coordinate, a: Ratio, b: Ratio, d: Ratio) -> tuple[dict[int, Ratio], Ratio]:
         """Its values, and what must not be negative."""
@@ -185,6 +193,9 @@ class Closure:
         c, s = f.pair_of(q.index) or (-1, -1)
         square = f.lowest_terms(a * a + b * b)
         room = f.lowest_terms(square - d * d)
+        if self._given and b.is_zero() and not a.is_zero() and not sign_of(a).is_strict:
+            cos = f.lowest_terms(-d / a)
+            return self._values(q, cos, self.side(f.variable(s)) * f.sqrt(f.lowest_terms(1 - cos * cos))), room
         w = f.sqrt(room) * self.side(b * f.variable(c) - a * f.variable(s))
         cos, sin = (b * w - a * d) / square, -(a * w + b * d) / square
         # F(q) (1 + T^2) = (d - a) T^2 + 2 b T + (d + a) with T = tan(q/2), of which the slope is 2 w

@@ -18,6 +18,7 @@ from freebody.language.expression import (
     Sum,
     Symbol,
     add,
+    evaluate,
     free_symbols,
     multiply,
     n_operations,
@@ -40,7 +41,7 @@ class Condition:
     purpose: str = ""
 
     def text(self) -> str:
-        shown = relation_text(tidy(self.element), self.relation)
+        shown = solved_for_the_one(self.element, self.relation) or relation_text(tidy(self.element), self.relation)
         return with_purposes(shown, [self.purpose] if self.purpose else [])
 
 
@@ -62,6 +63,27 @@ def relation_text(e: Expr, relation: str) -> Stated:
     """a - b > 0 as a > b, without a number in front; for people and for machines. What nobody would read is told by its
     size, and written out for machines alone."""
     return readable_or_told(_related(e, relation))
+
+
+def solved_for_the_one(x: Ratio, relation: str) -> Stated | None:
+    """2 sqrt(3) - mu sqrt(6) >= 0 as mu <= sqrt(2): what is linear in one name, beside roots of numbers alone."""
+    f = x.field
+    if x.den is not None and not x.denominator().is_constant():
+        return None
+    roots = {g for g in x.generators() if f.generators[g].kind == "root" and not f.generators[g].made_of}
+    names = x.generators() - roots
+    if not roots or len(names) != 1:
+        return None
+    (index,) = names
+    parts = x.coefficients(index)
+    if len(parts) != 2 or parts[0].is_zero():
+        return None
+    value = f.lowest_terms(-parts[0] / parts[1])
+    slope, at = (float(evaluate(tidy(c), {})) for c in (parts[1], value))
+    square = f.lowest_terms(value * value).fraction()
+    if square is not None:
+        value = f.sqrt(f.element(square)) * (1 if at > 0 else -1)
+    return compared(f.generators[index].display, relation if slope > 0 else _FLIPPED[relation], tidy(value))
 
 
 def readable_or_told(stated: Stated) -> Stated:

@@ -158,10 +158,11 @@ def _bound_at(model: SymbolicModel, at: dict[int, Ratio], start: StartState) -> 
     given = {d.index: start.values[d.index] for d in model.dependent if d.index in start.values}
     if len(given) == len(model.dependent):
         return given
-    try:
-        return Closure(model).at(at | given)
-    except (CannotAnswer, ZeroDivisionError):
-        return given
+    is_start = all((value - start.of(c)).is_zero() for c, value in at.items())
+    for closure in (Closure(model), *((Closure(model, at),) if is_start and not given else ())):
+        with suppress(CannotAnswer, ZeroDivisionError):
+            return closure.at(at | given)
+    return given
 
 
 def lies_in_family(model: SymbolicModel, at: dict[int, Ratio], measure: Measure) -> bool:

@@ -20,7 +20,7 @@ from freebody.language.expression import (
     power,
 )
 from freebody.language.notation import Stated, compared
-from freebody.symbolic.conditions import Condition, readable_or_told, relation_text, require
+from freebody.symbolic.conditions import Condition, readable_or_told, relation_text, require, solved_for_the_one
 from freebody.symbolic.decide import decide, implied, sign_given
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import Sign, sign_of
@@ -116,6 +116,8 @@ def solved_for(condition: Condition, unknowns: Sequence[int]) -> SolvedRelation:
 
 def shortest(c: Condition) -> Stated:
     """The inequality in the form with the fewest operations: as it stands, or solved for one parameter."""
+    if (beside_numbers := solved_for_the_one(c.element, c.relation)) is not None:
+        return beside_numbers
     e = readable(c.element)
     best, least = relation_text(e, c.relation), n_operations(e) - 1
     for g in _parameters(c.element.field, c.element):

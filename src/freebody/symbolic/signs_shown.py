@@ -20,6 +20,7 @@ from freebody.language.expression import (
     n_operations,
     negate,
     number,
+    power,
 )
 from freebody.symbolic.decimals_shown import decimals_of_root
 
@@ -45,6 +46,34 @@ def fraction_shown(top: Expr, bottom: Expr, *, turns: bool = True) -> Expr:
     up = multiply(number(ratio.numerator), *factors_of(rest_top))
     down = multiply(number(ratio.denominator), *factors_of(rest_bottom))
     return divide(up, down)
+
+
+def raised(base: Expr, n: int) -> Expr:
+    """base^n; exp(u)^n is exp(n u)."""
+    if n != 1 and isinstance(base, Call) and base.function == "exp":
+        return Call("exp", multiply(number(n), *factors_of(base.argument)))
+    return base if n == 1 else power(base, number(n))
+
+
+def logarithms_turned(e: Expr) -> Expr:
+    """-log(a/b) as log(b/a), in a product or in the terms of a sum."""
+    if isinstance(e, Sum):
+        return add(*map(logarithms_turned, e.terms))
+    if not is_written_negative(e):
+        return e
+    factors = list(factors_of(negate(e)))
+    logs = [k for k, f in enumerate(factors) if isinstance(f, Call) and f.function == "log"]
+    if len(logs) != 1:
+        return e
+    (k,) = logs
+    log = factors[k]
+    assert isinstance(log, Call)
+    above = [f for f in factors_of(log.argument) if not (isinstance(f, PowerOf) and f.exponent == number(-1))]
+    below = [f.base for f in factors_of(log.argument) if isinstance(f, PowerOf) and f.exponent == number(-1)]
+    if not below or is_written_negative(log.argument):
+        return e
+    factors[k] = Call("log", divide(multiply(*below), multiply(*above)))
+    return multiply(*factors)
 
 
 def with_halves(e: Expr) -> Expr:

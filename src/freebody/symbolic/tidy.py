@@ -29,7 +29,9 @@ from freebody.symbolic.signs_shown import (
     factors_of,
     fraction_shown,
     is_written_negative,
+    logarithms_turned,
     positive_first,
+    raised,
     root_shown,
     signed_product,
     with_halves,
@@ -92,9 +94,9 @@ def _quotient(x: Ratio) -> Expr:
     """Numerator and denominator, each by itself."""
     top = in_decimals(_poly(x.field, x.num))
     if x.den is None:
-        return top
+        return logarithms_turned(top)
     bottom = in_decimals(_poly(x.field, x.den))
-    return with_halves(fraction_shown(top, bottom, turns=not sign_is_positive(x.denominator())))
+    return logarithms_turned(with_halves(fraction_shown(top, bottom, turns=not sign_is_positive(x.denominator()))))
 
 
 def _root_of_a_quotient(x: Ratio) -> Expr | None:
@@ -172,7 +174,7 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
                 shown = _sum(field, base.num)
                 if is_written_negative(shown):  # of what its own order begins with a minus sign
                     shown, unit = negate(shown), unit * (-1) ** exponent
-                parts.append((_place(field, base), shown if exponent == 1 else power(shown, number(exponent))))
+                parts.append((_place(field, base), raised(shown, exponent)))
             parts.sort(key=lambda item: item[0])
             found.append(signed_product(unit, [e for _p, e in parts]))
             if by_degree is not None or sum(len(base.num) > 1 for base, _e in factors) <= 1:
@@ -226,7 +228,7 @@ def _monomials(field: Field, terms: Mapping[Monomial, int]) -> Expr:
 
 def _monomial(field: Field, monomial: Monomial, coefficient: int) -> Expr:
     parts = sorted(monomial, key=lambda item: (_PLACE[field.generators[item[0]].kind], item[0]))
-    factors = [shown(field, g) if e == 1 else power(shown(field, g), number(e)) for g, e in parts]
+    factors = [raised(shown(field, g), e) for g, e in parts]
     return multiply(number(coefficient), *factors)
 
 
@@ -247,8 +249,8 @@ def shown(field: Field, index: int) -> Expr:
         modulus = negate(modulus) if is_written_negative(modulus) else modulus  # both integrals are even in it
         return Call("elliptic_K", modulus) if phi is None else Call("elliptic_F", tidy(phi), modulus)
     name, x = field.arguments.get(index, ("", field.one))
-    if name == "exp" and (raised := _as_power(field, x)) is not None:
-        return raised
+    if name == "exp" and (root := _as_power(field, x)) is not None:
+        return root
     if index in field.arcs:
         name, x = field.arcs[index]
         return multiply(number(2), _called("atan", tidy(x))) if name == "half" else _called(name, tidy(x))
@@ -395,7 +397,7 @@ def _factored(field: Field, terms: Mapping[Monomial, int]) -> Expr:
     parts = sorted(((_place(field, b), b, e) for b, e in factors), key=lambda item: item[0])
     product = signed_product(
         unit,
-        [power(_monomials(field, field.terms(b.num)), number(e)) for _p, b, e in parts],
+        [raised(_monomials(field, field.terms(b.num)), e) for _p, b, e in parts],
     )
     return product if n_operations(product) <= n_operations(plain) else plain
 

@@ -1,7 +1,8 @@
 """From the text of a unit to the unit.
 
     unit   = part {("*" | " ") part | "/" part}       m/s^2, kg m^2, N/m
-    part   = (name | "1" | "(" unit ")") ["^" integer]
+    part   = (name | "1" | "(" unit ")") ["^" power]         kg/(m s)^(1/2)
+    power  = number | "(" number ["/" integer] ")"
 
 A name is looked up in the table, then with an SI prefix, and only then asked of pint.
 """
@@ -21,7 +22,7 @@ MAX_EXPONENT = 12
 MAX_CHARACTERS = 200
 
 _TOKEN = re.compile(
-    r"\s*(?:(?P<name>[A-Za-zµμΩ°][A-Za-z_µμ]*)|(?P<operator>\*\*|[-*/^()·⋅−+])|(?P<digits>[0-9]+)"
+    r"\s*(?:(?P<name>[A-Za-zµμΩ°][A-Za-z_µμ]*)|(?P<operator>\*\*|[-*/^()·⋅−+])|(?P<digits>[0-9]+(?:\.[0-9]+)?)"
     r"|(?P<superscript>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]))"
 )
 # To pint a Nm is a "number metre".
@@ -126,16 +127,29 @@ class _UnitReader:
             raise self._fault(Message("write {name}^{exponent} for a power", name=name, exponent=self._now))
         return _named_unit(name, with_rare=self._with_rare)
 
-    def _exponent(self) -> int:
+    def _exponent(self) -> Fraction:
+        """A power: a number, in brackets a fraction as well."""
         self._take()
         is_bracketed = self._now == "(" and bool(self._take())
         sign = -1 if self._now == "-" and self._take() else 1
-        digits = self._take()
-        if not digits.isdigit() or len(digits) > 2 or int(digits) > MAX_EXPONENT:
-            raise self._fault(Message("a power is a whole number up to {most}", most=MAX_EXPONENT))
+        power = sign * self._number()
+        if is_bracketed and self._now == "/":
+            self._take()
+            below = self._number()
+            if not below:
+                raise self._fault(Message("a power is divided by zero"))
+            power /= below
         if is_bracketed and self._take() != ")":
             raise self._fault(Message("a bracket is never closed"))
-        return sign * int(digits)
+        return power
+
+    def _number(self) -> Fraction:
+        digits = self._take()
+        if not digits.replace(".", "", 1).isdigit() or len(digits) > 4 or Fraction(digits) > MAX_EXPONENT:
+            raise self._fault(
+                Message("a power is a number up to {most}, or a fraction in brackets: m^(1/2)", most=MAX_EXPONENT)
+            )
+        return Fraction(digits)
 
 
 def _named_unit(name: str, *, with_rare: bool = True) -> Unit:

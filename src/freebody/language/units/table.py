@@ -7,6 +7,7 @@ Sources: the SI brochure, 9th ed. 2019; NIST Special Publication 811, 2008, app.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -44,15 +45,17 @@ class Unit:
             is_exact=self.is_exact and other.is_exact,
         )
 
-    def __pow__(self, exponent: int) -> Unit:
+    def __pow__(self, exponent: int | Fraction) -> Unit:
+        """A power; a broken one of a factor that is no such power of a fraction is a number of 16 digits."""
+        exponent = Fraction(exponent)
         if exponent == 1:
             return self
-        return Unit(
-            self.dimension**exponent,
-            self.factor**exponent,
-            self.pi_power * exponent,
-            is_exact=self.is_exact,
-        )
+        pi_power = self.pi_power * exponent
+        if exponent.denominator == 1 or (self.factor == 1 and pi_power.denominator == 1):
+            factor = self.factor ** int(exponent) if self.factor != 1 else self.factor
+            return Unit(self.dimension**exponent, factor, int(pi_power), is_exact=self.is_exact)
+        factor = Fraction((float(self.factor) * math.pi**self.pi_power) ** float(exponent))
+        return Unit(self.dimension**exponent, factor, is_exact=False)
 
 
 def _exactly(dimension: Dimension, factor: int | str | Fraction = 1) -> Unit:

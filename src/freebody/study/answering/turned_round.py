@@ -238,7 +238,7 @@ class _Turned:
     def _put_back(self, value: Ratio) -> Iterator[PutBack]:
         """The draws with the value in place of their own, where it is within the range of the parameter and the system
         can be assembled with it."""
-        for k, draw in enumerate(self._draws()):
+        for k, draw in enumerate(self._draws(value)):
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 if (made := self._made(k, draw, value)) is not None:
                     yield PutBack(k, made, max(self._size(draw), self._size(made)) or 1.0)
@@ -248,7 +248,7 @@ class _Turned:
         within the range of the parameter, or they were not found to agree."""
         made, last = draw, math.nan
         for _ in range(_ROUNDS):
-            (number,) = element_at(self.setup, value, made, self._instant(k, made))
+            (number,) = element_at(self.setup, value, made, self._instant(value, PutBack(k, made, 1.0)))
             if not math.isfinite(number) or not is_within(self.parameter, number):
                 return None
             if abs(number - last) <= _SETTLED * abs(number):
@@ -257,13 +257,17 @@ class _Turned:
             made, last = draw.with_values(values, self.setup.system), number
         return None
 
-    def _instant(self, k: int, draw: Draw) -> Snapshot:
-        return instant_of(self.question, self.quantity.of, PutBack(k, draw, 1.0))
+    def _instant(self, value: Ratio, made: PutBack) -> Snapshot:
+        """Where a value is put in: one that depends on the pose or the speeds, where the quantity is looked at."""
+        return instant_of(self.question, self.quantity.of, made) if self._is_of_pose(value) else made.draw.start()
 
-    def _draws(self) -> Iterator[Draw]:
+    def _is_of_pose(self, value: Ratio) -> bool:
+        return bool(self.setup.model.moving & value.field.ingredients(value))
+
+    def _draws(self, value: Ratio) -> Iterator[Draw]:
         """Those that all answers are compared at; then others further away, for values that are there only."""
         yield from self.setup.draw_stream()
-        for k in range(_OF_POSES if _is_of_any(self.question, self.quantity.of) else _BATCHES):
+        for k in range(_OF_POSES if self._is_of_pose(value) else _BATCHES):
             yield from draws(self.setup.system, N_DRAWS, seed=SEED + 20 + k, widest=_WIDE, near=self.setup.draws[0])
 
     def _size(self, draw: Draw) -> float:
@@ -273,7 +277,7 @@ class _Turned:
     def _is_so(self, made: PutBack, value: Ratio) -> bool:
         """Whether the formula has the value there, and is true."""
         try:
-            here, room = self._instant(made.number, made.draw), _NEAR * made.size
+            here, room = self._instant(value, made), _NEAR * made.size
             (number,) = element_at(self.setup, self.element, made.draw, here)
             needed = [self._with_value(c, value) for c in self.formula.needed if c.relation != "!="]
             return abs(number) <= room and all(holds(self.setup, c, made.draw, here, round_off=room) for c in needed)
@@ -338,12 +342,8 @@ def quantity_with(setup: Setup, question: Question, of: Quantity, formula: Formu
 
 def instant_of(question: Question, of: Quantity, made: PutBack) -> Snapshot:
     """Where a formula is looked at: at the start, from which an event is reached, or at any instant."""
-    is_of_any = _is_of_any(question, of)
+    is_of_any = of.is_of_state and question.event is None and not question.at_start
     return made.draw.anywhere(SEED + made.number, TIME, 0.1) if is_of_any else made.draw.start()
-
-
-def _is_of_any(question: Question, of: Quantity) -> bool:
-    return of.is_of_state and question.event is None and not question.at_start
 
 
 def _until(setup: Setup, event: AskedEvent, draw: Draw) -> float:

@@ -109,7 +109,7 @@ class SteadyMotion:
     def needed(self) -> set[int]:
         """Coordinates on which the equations depend, and those on which the speeds of these depend."""
         m = self.model
-        entries = [x for row in m.dynamics.mass_matrix for x in row] + self.forces
+        entries = [without_square_roots(m, x) for row in m.dynamics.mass_matrix for x in row] + self.forces
         needed = {g for x in entries for g in m.field.ingredients(x)}
         todo = [c for c in m.dependent if c.index in needed]
         for c in todo:
