@@ -105,7 +105,7 @@ class _Seen:
 
     @property
     def is_decided(self) -> bool:
-        """By something that came while it was followed: the time of a clock is known before the motion has got there."""
+        """By something that came while it was followed: the time of a clock is known before it has come."""
         return min(self.time, self.limit, self.fails) <= self.course.times[-1]
 
     def is_so(self) -> bool:
