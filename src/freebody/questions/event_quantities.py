@@ -1,6 +1,6 @@
 """Quantities of which an event says what they are: one, its size, or what is calculated from several.
 
-    when |horizontal reaction of hinge| = m*g        when kinetic energy = 2*potential energy
+when |horizontal reaction of hinge| = m*g        when kinetic energy = 2*potential energy
 """
 
 from __future__ import annotations
