@@ -18,6 +18,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.notation import to_text
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
+from posed import is_derived, is_formula, posed
 
 BULLET = """
 parameters: {m: 10 g, M: 1 kg, L: 1 m, b: 0.7 m, v: 300 m/s, g: 9.81 m/s^2}
@@ -368,3 +369,44 @@ def test_a_blow_that_adds_energy_says_so() -> None:
     motion = fb.simulate(System.from_text(PINNED_ROD), until=0.1)
     assert motion.to_plain()["blow"]["energy_lost"] == pytest.approx(-7.03125, rel=1e-12)
     assert "kinetic energy gained 7.03125 J" in motion.to_text()
+
+
+STRUCK_ROD = """
+parameters: {M: 4 kg, m: 20 g, L: 0.9 m, b: 0.8 m, v: 300 m/s}
+bodies:
+  rod: {rod: {mass: M, length: L}, angle: -90 deg, points: {P: [b - L/2, 0]}}
+  bullet: {particle: {mass: m}, at: [0, -b], velocity: [v, 0]}
+connections: {hinge: {pin: [ground.O, rod.start]}, stick: {pin: [rod.P, bullet], closes: at start}}
+"""
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "energy lost in the blow / kinetic energy of bullet before the blow",
+        "impulse of stick on rod along right / (m*(velocity of bullet along right before the blow))",
+    ],
+)
+def test_what_a_body_had_before_the_blow_of_the_start_stands_beside_what_the_blow_does(question: str) -> None:
+    """With I = M L^2/3 the bullet keeps m b^2/(I + m b^2) of its energy, and of its momentum."""
+    is_formula(STRUCK_ROD, question, "M*L^2/(M*L^2 + 3*m*b^2)")
+    is_derived(STRUCK_ROD, question)
+
+
+def test_before_a_blow_in_space_velocities_are_told_of_each_body() -> None:
+    """Relative speed v - w b, effective mass 1/(1/m + 1/M + b^2/I), I = M a^2/6."""
+    model = """
+space: true
+parameters: {M: 4 kg, a: 0.6 m, m: 20 g, v: 100 m/s, b: 0.2 m, w: 2 1/s}
+bodies:
+  plate: {box: {mass: M, size: [a, a, 1 cm]}, at: [0, 0, 0], angular_velocity: [0, 0, w], points: {P: [b, 0, 0]}}
+  bullet: {particle: {mass: m}, at: [b, 0, 0], velocity: [0, v, 0]}
+connections: {stick: {spherical: [plate.P, bullet], closes: at start}}
+"""
+    lost = "(v - w*b)^2/(2*(1/m + 1/M + 6*b^2/(M*a^2)))"
+    is_formula(model, "energy lost in the blow - kinetic energy of plate before the blow", f"{lost} - M*a^2*w^2/12")
+
+
+def test_no_forces_are_told_just_before_the_blow_of_the_start() -> None:
+    found = posed(STRUCK_ROD, "impulse of hinge along right / (reaction of hinge along up before the blow)")
+    assert "only places and velocities are told" in found.reason

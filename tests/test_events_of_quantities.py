@@ -49,12 +49,47 @@ loads: {weight: {gravity: g}}
 measures: {s: {travel of block along slope}}
 start: {s: 0}
 """
+LEVEL = """
+parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {th: angle of rod clockwise}
+start: {th: 0, rate(th): 0}
+"""
+THROWN = """
+parameters: {v0: 15 m/s, theta: 70 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: 1 kg}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v0*cos(theta), rate(y): v0*sin(theta)}
+"""
 CASES = {
     "where a hinge pushes no longer sideways": (ROD, "th when horizontal reaction of hinge = 0", "acos(2*cos(a)/3)"),
     "how fast it is there": (
         ROD,
         "velocity of th when horizontal reaction of hinge = 0",
         "sqrt(g*cos(a)/L)",
+    ),
+    # F = 9 m g sin(2 a)/8 from the horizontal a = 0: sin(2 a) = 8/9, a counted from there
+    "at a size": (LEVEL, "th when |horizontal reaction of hinge| = m*g", "asin(8/9)/2"),
+    "at a size in words": (LEVEL, "th when size of horizontal reaction of hinge = m*g", "asin(8/9)/2"),
+    # against V = m g (1 + 9 sin(a)^2)/4: 10 tan(a)^2 - 9 tan(a) + 1 = 0
+    "at a sum": (
+        LEVEL,
+        "th when horizontal reaction of hinge + vertical reaction of hinge = 0",
+        "atan((9 - sqrt(41))/20)",
+    ),
+    "at an equation between two": (
+        LEVEL,
+        "th when horizontal reaction of hinge = -vertical reaction of hinge",
+        "atan((9 - sqrt(41))/20)",
+    ),
+    "where energies are as one to two": (THROWN, "y when kinetic energy = 2*potential energy", "v0^2/(6*g)"),
+    "how fast it is when energies are alike": (
+        THROWN,
+        "speed of ball when kinetic energy = potential energy",
+        "v0/sqrt(2)",
     ),
     "at an energy": (ROD, "th when kinetic energy = m*g*L/4", "acos(cos(a) - 1/2)"),
     "where a string pulls with the weight": (PENDULUM, "theta when tension of rope = m*g", "acos((1 + 2*cos(a))/3)"),
@@ -142,3 +177,9 @@ def test_an_exercise_asks_for_a_change_by_its_value(language: str, said: str) ->
     system = System.from_text(f"{STONE}questions: {{it: speed of stone when y has changed by -d}}\n")
     [question] = system.questions
     assert said in Catalogue(language).plain(asking(system, question)).replace("\u2212", "-")
+
+
+def test_the_greatest_size_of_a_force_that_pushes_either_way_is_where_its_square_is() -> None:
+    """F = 9 m g sin(2 a)/8 of a rod from the horizontal, to either side."""
+    is_formula(LEVEL, "greatest size of horizontal reaction of hinge", "9*m*g/8")
+    is_formula(LEVEL, "greatest |horizontal reaction of hinge|", "9*m*g/8")

@@ -17,6 +17,7 @@ from freebody.errors import ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
+from freebody.study.phases.happening_seen import is_seen
 from posed import posed
 
 STRING = """
@@ -125,6 +126,7 @@ CASES = {
     "ball, place": (BALL, "range of d for which rolling begins before x = d", ["12*v0^2/(49*mu*g)"], ">"),
     "ball, order": (BALL, "range of mu for which x reaches d before rolling begins", ["12*v0^2/(49*g*d)"], "<"),
     "ball, clock": (BALL, "least mu so that rolling begins before t = T", ["2*v0/(7*T*g)"], ">"),
+    "ball, slides": (BALL, "range of mu for which ball slides until t = T", ["2*v0/(7*T*g)"], "<"),
     # v0^2 = 2 g d (sin(alpha) + mu cos(alpha))
     "block": (
         BLOCK,
@@ -182,6 +184,17 @@ def test_the_string_of_a_simulation_goes_slack_between_the_ends_only() -> None:
     for w0, stays in ((0.98 * first, True), (1.02 * first, False), (0.98 * second, False), (1.02 * second, True)):
         run = System.from_text(STRING.replace("w0: 9 1/s", f"w0: {w0} 1/s")).simulate(4.0)
         assert (not any(event.kind == "goes slack" for event in run.events)) == stays
+
+
+@pytest.mark.parametrize("words", ["rolling begins before t = T", "ball slides until t = T"])
+def test_a_time_of_the_clock_decides_nothing_before_it_has_come(words: str) -> None:
+    """Rolling begins at 2 v0/(7 mu g) = 0.3 s for mu = 0.291: what is asked is looked at on both sides in numbers."""
+    border = 2 * 3 / (7 * 0.3 * 9.81)
+    system = System.from_text(BALL)
+    happening = system.question(f"range of mu for which {words}").quantity.of
+    for factor in (0.5, 0.9, 1.1, 2.0):
+        seen = is_seen(system, happening, frozenset({"touch"}), {"mu": factor * border})
+        assert seen == ((factor > 1) == words.startswith("rolling"))
 
 
 def test_what_does_not_happen_is_the_opposite_of_what_does() -> None:

@@ -19,7 +19,7 @@ from freebody.errors import ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
-from posed import is_formula
+from posed import is_formula, posed
 from test_blows import BALLISTIC, STEP
 from test_blows_on_the_way import CAUGHT, KICK, TAUT
 
@@ -203,3 +203,23 @@ connections: {{hit: {{contact: {{between: [A, B], restitution: e}}}}}}
 """
     is_formula(model, "speed of B after the impact", "m1*(1 + e)*v0*cos(b)/(m1 + m2)")
     is_formula(model, "energy lost in the impact", "m1*m2*(1 - e^2)*(v0*cos(b))^2/(2*(m1 + m2))")
+
+
+def test_what_is_so_of_a_whole_range_is_said_to_be() -> None:
+    """A ball that does not slip in the impact leaves it with (5 v - 2 r w)/7, from the mu on at which the impulse
+    2 m (v + r w)/7 of friction is mu times that of the floor, m (1 + e) u."""
+    ball = """
+parameters: {m: 0.1 kg, r: 3 cm, v: 2 m/s, u: 3 m/s, w: 20 1/s, mu: 0.6, e: 0.8}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: r}}}
+connections: {floor: {contact: {between: [ball, floor], restitution: e, friction: mu}}}
+measures: {x: x of ball, y: height of ball above ground, phi: angle of ball}
+start: {x: 0, y: r, rate(x): v, rate(y): -u, phi: 0, rate(phi): w}
+"""
+    found = posed(ball, "value of mu for which velocity of x after the impact = (5*v - 2*r*w)/7")
+    assert "in a whole range of mu" in found.reason
+    is_formula(
+        ball,
+        "least mu so that velocity of x after the impact <= (5*v - 2*r*w)/7",
+        "2*(v + r*w)/(7*(1 + e)*u)",
+    )

@@ -14,6 +14,7 @@ import freebody as fb
 from example_files import FOLDER
 from freebody.errors import ModelError
 from freebody.narrative.marking.acting import free_bodies
+from posed import is_formula
 
 M1, M2, J, R, G = 1.3, 2.1, 0.45, 0.4, 9.81
 
@@ -279,3 +280,21 @@ def test_a_cable_pulls_at_a_wheel_where_it_leaves_it() -> None:
     acting = free_bodies(system, ("level_wheel",)).outside
     places = {tuple(np.round(force.at, 9).tolist()) for force in acting if force.source == "cable"}
     assert places == {(0.0, -0.5, 0.0), (0.5, 0.0, 0.0)}
+
+
+@pytest.mark.parametrize("cable", ["string: {from: boom.end, to: ground.X}", "link: [boom.end, ground.X]"])
+def test_a_cable_without_a_length_has_that_of_the_figure_as_a_formula(cable: str) -> None:
+    """2 T h/sqrt(b^2 + c^2 + h^2) = W: the vertical balance of the boom's end on two cables."""
+    system = f"""
+space: true
+parameters: {{b: 6 m, c: 3 m, h: 4 m, W: 5 kN}}
+ground: {{points: {{A: [0, 0, 0], C: [0, c, h], D: [0, -c, h]}}}}
+bodies: {{boom: {{rod: {{length: b}}, at: [b/2, 0, 0]}}}}
+connections:
+  foot: {{spherical: [ground.A, boom.start]}}
+  one: {{{cable.replace("X", "C")}}}
+  two: {{{cable.replace("X", "D")}}}
+loads: {{load: {{force: {{at: boom.end, along: [0, 0, -1], magnitude: W}}}}}}
+"""
+    is_formula(system, "tension of one", "W*sqrt(b^2 + c^2 + h^2)/(2*h)")
+    is_formula(system, "value of h for which tension of one = W", "sqrt((b^2 + c^2)/3)")

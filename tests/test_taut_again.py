@@ -14,6 +14,7 @@ import pytest
 from freebody.api import System
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.narrative.explain import explain
+from posed import is_formula
 
 BOB = """
 parameters: {m: 0.5 kg, L: 1 m, v0: 5.5 m/s, g: 9.81 m/s^2}
@@ -104,3 +105,43 @@ def test_impact_of_the_cord_is_derived_with_its_impulse():
     assert not any(derivation.reason for derivation in derivations)
     keys = [stage.title.key for derivation in derivations for stage in derivation.stages]
     assert "stage.impact" in keys  # once: the others refer to it
+
+
+ATWOOD = """
+parameters: {m1: 3 kg, m2: 2 kg, h: 1 m, g: 9.81 m/s^2, R: 0.1 m}
+ground: {points: {axle: [0, 3 m]}, lines: {floor: {along: right}}}
+bodies:
+  pulley: {disk: {radius: R}}
+  heavy: {particle: {mass: m1}, at: [-R, h]}
+  light: {particle: {mass: m2}, at: [R, 0.5 m]}
+connections:
+  axle: {pin: [ground.axle, pulley.center]}
+  rope: {string: {from: heavy, over: [pulley], to: lightGRIPS}}
+  floor: {contact: {between: [heavy, floor], restitution: 0}}
+loads: {weight: {gravity: g}}
+measures: {y1: y of heavy, y2: y of light}
+start: {y1: h, rate(y1): 0}
+"""
+
+
+@pytest.mark.parametrize("grips", ["", ", grips: []"], ids=["gripped", "free"])
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("velocity of y1 after the second impact", "m2*V/(m1 + m2)"),
+        ("(time of the second impact) - (time of the first impact)", "2*V/g"),
+        ("energy lost in the second impact", "m1*m2*V^2/(2*(m1 + m2))"),
+    ],
+)
+def test_a_string_over_a_pulley_comes_taut_again_behind_the_landing_of_one_mass(
+    grips: str, question: str, formula: str
+) -> None:
+    """The heavy mass lands with V = sqrt(2 g h (m1 - m2)/(m1 + m2)) and stays; the light one rises and falls back to
+    the same height with V, where the string jerks the heavy one up: momentum m2 V along the string for both masses."""
+    landing = "sqrt(2*g*h*(m1 - m2)/(m1 + m2))"
+    is_formula(ATWOOD.replace("GRIPS", grips), question, formula.replace("V", landing), (1.0, 1.03, 0.98))
+
+
+def test_a_string_of_several_parts_is_said_to_go_taut() -> None:
+    told = System.from_text(ATWOOD.replace("GRIPS", "")).phases().to_text()
+    assert "rope (heavy to pulley) goes taut" in told

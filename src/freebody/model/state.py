@@ -42,7 +42,7 @@ def not_beside(side: str) -> CannotAnswer:
     """Why a state says nothing of what was so beside the blow of the start."""
     if side == "start":
         return CannotAnswer(Message("the blow is at the start: say 'before the blow' or 'after the blow'"))
-    return CannotAnswer(Message("just before the blow of the start only the kinetic energy is told"))
+    return CannotAnswer(Message("of the instant just before the blow of the start only places and velocities are told"))
 
 
 def rate_not_given(name: str) -> str:
@@ -84,6 +84,10 @@ class State(Protocol[S_co]):
         """The kinetic energy just before the blow at the start [J]."""
         ...
 
+    def rate_before(self, measure: Measure | NonholonomicForm) -> S_co:
+        """The rate just before the blow at the start."""
+        ...
+
     def beside_blow(self, quantity: Any, side: str) -> S_co:
         """A quantity just `before` the blow that led to this state, or at the `start` of the motion. Raises
         CannotAnswer where that is not told."""
@@ -111,3 +115,22 @@ class State(Protocol[S_co]):
         """The angle of the vector (x, y) from the x axis, counter-clockwise, within a half turn of it. Raises
         CannotAnswer for a vector of no length."""
         ...
+
+
+class JustBefore:
+    """A state just before the blow that led to it: the same places with the rates from before. Raises CannotAnswer for
+    what forces decide."""
+
+    def __init__(self, state: State[Any]) -> None:
+        self._state = state
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._state, name)
+
+    def rate(self, measure: Measure | NonholonomicForm) -> Any:
+        return self._state.rate_before(measure)
+
+    def _not_told(self, _asked: object) -> Any:
+        raise not_beside("before")
+
+    acceleration = multiplier = impulse = law = _not_told

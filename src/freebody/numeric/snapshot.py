@@ -19,7 +19,7 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
-from freebody.model.state import direction_of_numbers, function_of_number, not_beside
+from freebody.model.state import JustBefore, direction_of_numbers, function_of_number, not_beside
 from freebody.numeric.blow import Blow, blow, impulse
 from freebody.numeric.instant import Dynamics, dynamics, held, law
 from freebody.numeric.jet_geometry import Branch, JetGeometry
@@ -111,8 +111,13 @@ class Snapshot:
         v = self._blow.before
         return 0.5 * float(v @ (self.reference.masses * v))
 
-    def beside_blow(self, quantity: Any, side: str) -> float:
-        raise not_beside(side)
+    def rate_before(self, measure: Measure | NonholonomicForm) -> float:
+        return float(self._jet(measure).row(len(self.q)) @ self._blow.before)
+
+    def beside_blow(self, quantity: Any, side: str) -> Any:
+        if side == "start":
+            raise not_beside(side)
+        return quantity.value(self.reference.system, JustBefore(self))
 
     @cached_property
     def _blow(self) -> Blow:

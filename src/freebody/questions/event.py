@@ -26,11 +26,12 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.geometry import GROUND
 from freebody.model.phrases import PHRASES, composed, measure_of
-from freebody.questions.base import FORMS, NAME, POINT, Path, Quantity
+from freebody.questions.base import NAME, POINT, Path, Quantity
 from freebody.questions.clock import ENDLESS, Clock, time_asked
 from freebody.questions.compared import compared
 from freebody.questions.ends import GREATEST, LEAST
 from freebody.questions.event_base import QuestionEvent
+from freebody.questions.event_quantities import quantity_of_instant, sides_of_equation
 from freebody.questions.final_values import read_share
 
 if TYPE_CHECKING:
@@ -149,13 +150,14 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     if found is None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
         return None
-    what = found["what"].strip()
-    if (sides := _with_measures(names, what, found["value"].strip())) is not None:
+    what, stated = sides_of_equation(names, found["what"].strip(), found["value"].strip())
+    if (sides := _with_measures(names, what, stated)) is not None:
         return QuestionEvent(sides[0], sides[1], -sides[2], text)
     if (several := _of_several(names, what)) is not None:
         measure, order, constant = several
-        value = compared(names, found["value"].strip(), measure.dimension / TIME**order, *path)
+        value = compared(names, stated, measure.dimension / TIME**order, *path)
         return QuestionEvent(measure, order, value - constant, text)
+    phrase = what
     order: Literal[0, 1] = 0
     for pattern in (r"rate\((.+)\)", r"(?:rate|velocity|speed) of (.+)", r"(.+)'", r"(.+)_dot"):
         inner = re.fullmatch(pattern, what)
@@ -164,24 +166,24 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
             break
     if order == 0 and what in names.states:  # the rate of its integral
         state = names.states[what]
-        return QuestionEvent(state.integral, 1, compared(names, found["value"].strip(), state.dimension, *path), text)
-    if (of := _quantity(names, what, found["what"].strip(), path)) is not None:
-        target, measure = found["value"].strip(), next(iter(names.measures.values()), None)
+        return QuestionEvent(state.integral, 1, compared(names, stated, state.dimension, *path), text)
+    if (of := quantity_of_instant(names, what, phrase, path)) is not None:
+        measure = next(iter(names.measures.values()), None)
         if measure is None:
             names.problem(Message("give the place of the motion a name among the measures first"), *path)
             return None
-        value = compared(names, target, of.dimension, *path)
+        value = compared(names, stated, of.dimension, *path)
         if (place := of.place_of(names, value)) is not None:
             return QuestionEvent(place[0], 0, place[1], text)
-        return QuantityEvent(measure, 0, Symbol(""), text, of, value, found["what"].strip(), target)
+        return QuantityEvent(measure, 0, Symbol(""), text, of, value, phrase, stated)
     measure = measure_of(names, what, *path)
     if measure is None:
         return None
-    if (other := _other_side(names, found["value"].strip(), order)) is not None:
+    if (other := _other_side(names, stated, order)) is not None:
         between = _between(names, measure, *other, path)
         return None if between is None else QuestionEvent(between, order, ZERO, text)
     dimension = measure.dimension / TIME**order
-    return QuestionEvent(measure, order, compared(names, found["value"].strip(), dimension, *path), text)
+    return QuestionEvent(measure, order, compared(names, stated, dimension, *path), text)
 
 
 _EXTREME = re.compile(
@@ -201,7 +203,7 @@ def _extreme(names: Names, text: str, found: re.Match[str], path: Path) -> Extre
     if what in names.measures or any(p.pattern.match(what) for p in PHRASES):
         measure = measure_of(names, what, *path)
         return None if measure is None else ExtremeEvent(measure, 0, Symbol(""), text, end, what, None)
-    of, measure = _quantity(names, what, what, path), next(iter(names.measures.values()), None)
+    of, measure = quantity_of_instant(names, what, what, path), next(iter(names.measures.values()), None)
     if of is None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
         return None
@@ -302,14 +304,3 @@ def _meeting(names: Names, text: str, path: Path) -> Meeting | Message | None:
         names.problem(room, *path)
         return room
     return None if room is None else Meeting(room, 0, ZERO, text, found["who"], found["place"])
-
-
-def _quantity(names: Names, measure: str, phrase: str, path: Path) -> Quantity | None:
-    """The quantity of an instant that a phrase names, where what it is of is no measure."""
-    if measure in names.measures or measure in names.broken or any(p.pattern.match(measure) for p in PHRASES):
-        return None
-    for form in FORMS:
-        if (found := form.found_in(phrase, names)) is not None:
-            quantity = form.read(names, found, path)
-            return quantity.sized(space=names.space) if quantity is not None and quantity.scope == "instant" else None
-    return None

@@ -9,7 +9,7 @@ Questions turned round ask for the values of a parameter for which it is so.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
@@ -115,7 +115,7 @@ _NO_SLIP = re.compile(r"^(?:there is no slip(?:ping)?|no slip(?:ping)?|without s
 _NEVER = re.compile(
     rf"^(?P<who>it|the motion|(?:the )?{NAME}) (?:does not|do not|never|will not) (?P<verb>\w+)(?P<rest>.*)$"
 )
-_BEFORE = re.compile(r"^(?P<what>.+?) (?:before|until|up to(?: where)?|as long as not) (?P<before>.+)$")
+_BEFORE = re.compile(r"^(?P<what>.+?) (?P<word>before|until|up to(?: where)?|as long as not) (?P<before>.+)$")
 _AT_ONCE = re.compile(
     r"^(?P<what>.+?),? (?:at once|immediately|straight away|at the (?:very )?(?:start|beginning)|at start|"
     r"from the (?:very )?(?:start|beginning)(?: on)?|from start|just after the start)$"
@@ -155,6 +155,8 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
     if found is None:
         return None
     what, is_so = found
+    if parts is not None and parts["word"] != "before" and isinstance(what, Transition) and what.kind == "slips":
+        what, is_so = replace(what, kind="rolls"), not is_so  # what slides until then has not come to hold before
     before: Transition | AskedEvent | None = None
     if limit is not None:
         before = read_transition(names, limit, path)

@@ -98,8 +98,16 @@ def _goes_on(names: Names, tail: str) -> bool:
     has_value = re.search(r"=|\breaches\b|\bequals\b|\bis\b|\bby\b", tail)
     if re.search(r"=\s*0\s*[-+*/^]", tail) or (has_value is None and len(_runs_of(tail)) > 1):
         return True
-    further = _operands(names, tail).phrases.items()
-    return any(k > 0 and " " in operand.phrase and _is_quantity(names, operand.phrase) for k, operand in further)
+    behind = tail if has_value is None else tail[has_value.end() :]  # what stands before is what the event is of
+    found = _operands(names, behind)
+    first = next((k for k, run in enumerate(found.runs) if run not in _OPERATOR_SIGNS), 0)
+    is_of_words = has_value is not None and " " in tail[: has_value.start()].strip()
+    for k, operand in found.phrases.items():
+        if " " in operand.phrase and _is_quantity(names, operand.phrase):
+            is_compared = is_of_words and not operand.at_start and operand.condition is None
+            if k > first and not is_compared:  # a quantity is compared with others in words
+                return True
+    return False
 
 
 def operands_of(names: Names, phrase: str) -> Operands | None:

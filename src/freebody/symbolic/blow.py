@@ -72,6 +72,14 @@ class Blow:
                     total = total + p * self._velocity_before(body.name, slot) / 2
         return self.field.lowest_terms(total)
 
+    def rate_before(self, measure: Measure | NonholonomicForm) -> Ratio:
+        """The rate of a measure just before the blow."""
+        slots = {column: slot for slot, column in self._columns.items()}
+        total = self.field.zero
+        for column, slope in self._row_of(measure).items():
+            total = total + slope * self._velocity_before(*slots[column])
+        return self.field.lowest_terms(total)
+
     def _velocity_before(self, body: str, slot: str) -> Ratio:
         if self._known is not None:
             return self._here(self._known.get((body, slot), self.field.zero))

@@ -26,7 +26,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
-from freebody.model.state import no_direction, not_beside
+from freebody.model.state import JustBefore, no_direction, not_beside
 from freebody.symbolic.blow import Blow
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import IsNegative, atan2, functions
@@ -114,8 +114,13 @@ class SymbolicState:
     def energy_before(self) -> Ratio:
         return self.blow.energy_before
 
-    def beside_blow(self, quantity: Any, side: str) -> Ratio:
-        raise not_beside(side)
+    def rate_before(self, measure: Measure | NonholonomicForm) -> Ratio:
+        return self.blow.rate_before(measure)
+
+    def beside_blow(self, quantity: Any, side: str) -> Any:
+        if side == "start":
+            raise not_beside(side)
+        return quantity.value(self.model.system, JustBefore(self))
 
     @property
     def is_struck(self) -> bool:

@@ -56,6 +56,8 @@ def as_equation(text: str) -> str:
     left, equals, right = (part.strip() for part in text.partition("="))
     try:
         if _WORDS.search(left):
+            if _WORDS.search(right):  # a quantity in words on either side
+                return text
             return f"{left} = {TEXT.write(parse(right))[0]}" if equals and not _WITH_UNIT.search(right) else text
         if _WITH_UNIT.search(right) is None:
             return compared(parse(left), "=", parse(right))

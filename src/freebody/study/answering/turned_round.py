@@ -129,7 +129,7 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
         try:
             turned.append(_turned(setup, question, quantity, formula))
         except CannotAnswer as error:
-            why_not = why_not or error
+            why_not = error if isinstance(error, SoInRange) else why_not or error
     if not turned:
         assert why_not is not None
         raise why_not
@@ -141,6 +141,8 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
     possible = [c for c in candidates if c.at]
     if not possible and (told := _of_other_sign(setup.system.parameters[name], candidates)) is not None:
         raise NoneFound(told)
+    if not possible and isinstance(why_not, SoInRange):
+        raise why_not
     if not possible:
         raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
     return _chosen(possible)
@@ -178,11 +180,18 @@ def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula
     index = model.field.index(model.geometry.scalar(Symbol(name)))
     if element.is_zero():
         if any(index in model.field.ingredients(c.element) for c in formula.needed):
-            raise CannotAnswer(Message("that is so in a whole range of {name}, and not elsewhere", name=name))
+            told = Message(
+                "that is so in a whole range of {name}; ask with <= or >= in place of = for its end", name=name
+            )
+            raise SoInRange(told)
         raise CannotAnswer(for_every(setup.system.parameters[name]))
     if index not in model.field.ingredients(element):
         raise CannotAnswer(Message("that does not depend on {name}", name=name))
     return _Turned(setup, question, quantity, setup.system.parameters[name], index, element, formula)
+
+
+class SoInRange(CannotAnswer):
+    """It is so wherever one of the cases is: a ball that does not slip in an impact leaves it by one formula."""
 
 
 @dataclass(frozen=True)

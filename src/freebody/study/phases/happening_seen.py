@@ -56,6 +56,8 @@ def is_seen(system: System, happening: Happening, touching: frozenset[str], valu
     with suppress(CannotAnswer):
         seen = _Seen(system, happening, slow * _LATE, touching, values)
     assert seen is not None
+    if seen.limit < np.inf and not seen.is_decided:
+        raise CannotAnswer(Message("the time that is asked about comes later than the simulated motion was followed"))
     return seen.is_so() == happening.is_so
 
 
@@ -103,7 +105,8 @@ class _Seen:
 
     @property
     def is_decided(self) -> bool:
-        return min(self.time, self.limit, self.fails) < np.inf
+        """By something that came while it was followed: the time of a clock is known before it has come."""
+        return min(self.time, self.limit, self.fails) <= self.course.times[-1]
 
     def is_so(self) -> bool:
         """With the same looks for all that is compared."""

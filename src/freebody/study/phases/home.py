@@ -21,7 +21,7 @@ from freebody.numeric.jets import Array
 from freebody.study.phases.at_start import as_put, closed_at_start, parted_at_start
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.numbers import Chosen, Sets
-from freebody.study.phases.phase import Phase, has_lines
+from freebody.study.phases.phase import Phase, has_lines, straight_of
 from freebody.study.phases.placed import Placed
 from freebody.study.phases.together import slip_rates
 from freebody.study.phases.words import at_start
@@ -314,6 +314,8 @@ class Home:
         symbols = {model.field.index(symbol) for symbol in model.samples.start_symbols.values()}
         for row in ideal_bounds(self.system):
             length = self.constants.get(_symbol_of(row))
+            if length is None and row.target is None and (straight := straight_of(row)) is not None:
+                length = self.home.start_instant.value(straight)
             if length is not None and not model.field.ingredients(length) & (moving | symbols):
                 found[row.name] = model.field.expression(length)
         return found

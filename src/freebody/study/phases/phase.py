@@ -286,7 +286,7 @@ class Phase:
         for row in ideal_bounds(self.base):
             if row.name in self.mode.closed or row.name in together:
                 continue
-            straight = distance_of(row)
+            straight = distance_of(row) or straight_of(row)
             length = self.placed.lengths.get(row.name) if row.target is None else row.target
             if straight is not None and length is not None:
                 found[row.name] = replace(row, measure=straight, target=length)
@@ -363,6 +363,15 @@ def distance_of(row: ConstraintRow) -> Distance | None:
     if isinstance(measure, Lead) and measure.rho == ZERO:
         return Distance(measure.start, measure.end)
     return measure if isinstance(measure, Distance) else None
+
+
+def straight_of(row: ConstraintRow) -> Combination | None:
+    """The length of a string whose ends run up and down, or along guides, and of what its wheels take: displacements
+    and angles alone, whose changes a row holds."""
+    measure = row.measure
+    if not isinstance(measure, Combination):
+        return None
+    return measure if all(isinstance(part, (Displacement, Angle)) for _factor, part in measure.terms) else None
 
 
 def has_lines(system: System) -> bool:

@@ -182,14 +182,16 @@ def _by_connection(found: dict[str, str]) -> dict[str, str]:
 def happening(watch: PhaseWatch, after: Phase | None) -> str:
     """An event in words."""
     name = label(watch.name)
+    rows = () if after is None else after.base.constraint_rows
+    pulls = watch.name.endswith(".length") or any(r.name == watch.name and r.reaction == "tension" for r in rows)
     match watch.kind:
         case "opens":
-            if watch.name.endswith(".length"):
+            if pulls:
                 return Message("{contact} goes slack", contact=name)
             if watch.name.endswith(f".{GAP_OF_BUFFER}"):
                 return Message("{contact} is relaxed again", contact=name)
             return Message("{contact} opens", contact=name)
-        case "touches" if watch.name.endswith(".length"):
+        case "touches" if pulls:
             return Message("{contact} goes taut", contact=name)
         case "touches" if watch.name.endswith(f".{GAP_OF_BUFFER}"):
             return Message("{contact} is reached", contact=name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import suppress
 
 from freebody.errors import CannotAnswer
@@ -10,10 +11,11 @@ from freebody.measures.geometry import GROUND, SpatialPose, Vector
 from freebody.model.elements import RigidBody
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.geometry import FieldGeometry, straight_tangent
+from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
 from freebody.symbolic.given_start import GivenStart
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.spatial.bodies import SpatialBodies
+from freebody.symbolic.start_pose import recognised
 from freebody.symbolic.unknowns import Coordinate
 
 
@@ -42,7 +44,18 @@ class SpatialGivenStart(GivenStart):
             return None if self.unknowns.inside(value) else value  # of a place nobody gave
         return None
 
-    def _geometry(self, poses: dict[str, SpatialPose[Ratio]]) -> FieldGeometry:
+    def _unturned(self, measure: Measure) -> Ratio | None:
+        """A measure at the start, where angles that nobody gives are multiples of a right angle at all samples."""
+        poses = {name: self._pose(name) or self.bodies.poses[name] for name in measure.bodies() if name != GROUND}
+        with suppress(CannotAnswer, ZeroDivisionError):
+            value = measure.value(self._geometry(poses))
+            open_ = self.unknowns.inside(value) & self.unknowns.angles
+            found = {i: recognised(self.field, self.samples.start_numbers(i), is_angle=True) for i in open_}
+            value = self.field.follow(value, {i: x for i, x in found.items() if x is not None})
+            return None if self.unknowns.inside(value) else value
+        return None
+
+    def _geometry(self, poses: Mapping[str, AnyPose]) -> FieldGeometry:
         tangent = straight_tangent(self.field, self.samples.is_negative)
         return self.bodies.geometry(poses, tangent, None, self.samples.is_negative)
 
@@ -67,6 +80,7 @@ class SpatialGivenStart(GivenStart):
 
     def of_measure(self, measure: Measure, name: str) -> Ratio | None:
         value = self._value(measure)
+        value = self._unturned(measure) if value is None else value
         return value if value is not None and self.samples.is_start_value(value, name) else None
 
     def places(self) -> dict[int, Ratio]:
