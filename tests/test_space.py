@@ -196,7 +196,7 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
             load["gravity"] = given | {"along": f"lab.{given.get('along', 'down')}"}
         if "force" in load and isinstance(load["force"]["along"], list):  # components of the ground
             load["force"]["along"] = [float(c) for c in Q @ np.array(load["force"]["along"], dtype=float)]
-        elif "force" in load and load["force"]["along"] in ("x", "y", "z"):
+        elif "force" in load and load["force"]["along"] in ("x", "y", "z", "up", "down"):
             load["force"]["along"] = f"lab.{load['force']['along']}"
         if "torque" in load and "." not in load["torque"]["about"]:
             load["torque"]["about"] = f"lab.{load['torque']['about']}"
@@ -319,10 +319,14 @@ def anywhere() -> tuple[Array, Array]:
     return rng.uniform(-2.0, 2.0, 3), rng.standard_normal(3)
 
 
-# a rope with mass runs along directions of the ground; what rolls on a surface has a foot there, which is no body here
+# a rope with mass runs along directions of the ground; what rolls on a surface has a foot there, which is no body here;
+# polar coordinates are counted from an axis of the ground
 BOUND_TO_THE_GROUND = {"heavy_rope", "rolling_on_surface"}
 ON_THE_GROUND = [
-    name for name in SPATIAL if any(BOUND_TO_THE_GROUND & {*c} for c in spatial(name).get("connections", {}).values())
+    name
+    for name in SPATIAL
+    if any(BOUND_TO_THE_GROUND & {*c} for c in spatial(name).get("connections", {}).values())
+    or any("from the z axis" in str(text) for text in spatial(name).get("measures", {}).values())
 ]
 
 
