@@ -298,3 +298,14 @@ loads: {{load: {{force: {{at: boom.end, along: [0, 0, -1], magnitude: W}}}}}}
 """
     is_formula(system, "tension of one", "W*sqrt(b^2 + c^2 + h^2)/(2*h)")
     is_formula(system, "value of h for which tension of one = W", "sqrt((b^2 + c^2)/3)")
+
+
+def test_what_hangs_hangs_straight_down_where_gravity_is_given_on_a_fixed_body() -> None:
+    """m2 g = (m1 + m2 + M1/2 + M2/2) a for the example, whichever fixed body the direction of gravity is named on."""
+    text = (FOLDER / "cable_round_a_corner.yaml").read_text()
+    text = text.replace("along: -z}", "along: lab.y}")
+    text = text.replace(
+        "bodies:\n", "bodies:\n  lab: {body: {}, fixed: true, at: [1 m, 0, 0], turned: [-90 deg about x]}\n", 1
+    )
+    found = values_of(fb.System.from_text(text))
+    assert found["acceleration"] == pytest.approx(10 * G / (30 + 10 + 4 + 2), rel=1e-9)

@@ -7,6 +7,7 @@ import json
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import freebody as fb
@@ -754,6 +755,35 @@ def test_a_moment_that_a_joint_does_not_transmit_is_told_in_german() -> None:
     assert found.reason == "„M_y um y bei hinge“ ist zu viel: hinge überträgt um diese Achse kein Moment"
 
 
+HUB = """freebody: 1
+title: Shaft with two cross pins
+space: true
+bodies:
+  shaft: {body: {mass: 2 kg, inertia: [1, 1, 1]}, points: {left: [-1, 0, 0], right: [1, 0, 0]}}
+  one: {body: {mass: 1 kg, inertia: [1, 1, 1]}}
+  other: {body: {mass: 1 kg, inertia: [1, 1, 1]}}
+connections:
+  bearing: {revolute: {first: ground.O, second: shaft, about: x}}
+  left: {revolute: {first: shaft.left, second: one, about: y}}
+  right: {revolute: {first: shaft.right, second: other, about: z}}
+"""
+
+
+def test_a_couple_at_a_name_of_a_point_and_of_a_joint_is_that_of_the_joint() -> None:
+    """A revolute about y transmits moments about x and z, one about z those about x and y: four on the shaft beside the
+    bearing's two, each drawn once at its own joint, in any order."""
+    moments = ["about y at right", "about x at right", "about x at left", "about z at left"]
+    rest = "A at bearing; moment M any at bearing; L at left; R at right"
+    drawn = "; ".join(f"M_{k} {one}" for k, one in enumerate(moments))
+    found = fb.System.from_text(HUB).check(answer=f"{rest}; {drawn}", free_body="shaft")
+    assert found.verdict == "correct", found.reason
+    found = fb.System.from_text(HUB).check(
+        answer=f"{rest}; {drawn.replace('about z at left', 'about y at left')}", free_body="shaft"
+    )
+    assert found.verdict == "incorrect"
+    assert "left transmits no moment" in found.reason
+
+
 # -- reading ----------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("text", "name", "way", "of", "place"),
@@ -842,12 +872,21 @@ def test_what_acts_is_correct_and_neither_less_nor_against_it(example: str) -> N
             continue
         assert verdict_of(example, body.name, entries) == "correct", entries
         for k, a in enumerate(acting):
-            if a.is_known:
+            if a.is_known and not any(is_either_way(a, b) for b in acting):
                 turned = [*entries[:k], written(a, k, -1.0), *entries[k + 1 :]]
                 assert verdict_of(example, body.name, turned) == wrong, turned
             others = [b for b in acting if b is not a and b.source == a.source]
             if a.is_needed and not others and len(entries) > 1:
                 assert verdict_of(example, body.name, [e for e in entries if e != entries[k]]) == wrong
+
+
+def is_either_way(a: Acting, b: Acting) -> bool:
+    """Whether b is of the connection of a, along it, with either sense: of entries that name no line but the connection
+    one is a and one b, whichever is which. So pulls a rope level at a sheave, while what hangs on it is kept below the
+    sheave as that travels."""
+    if b.is_known or b.source != a.source or b.is_couple != a.is_couple:
+        return False
+    return bool(np.allclose(abs(a.way @ b.way), 1.0))
 
 
 def verdict_of(example: str, body: str, entries: list[str]) -> str:

@@ -15,6 +15,7 @@ from freebody.connections.standing import (
     is_parallel,
     is_zero,
 )
+from freebody.connections.standing_in_space import axes_at_start
 from freebody.connections.string.node import StringNode
 from freebody.language.expression import Call, Expr, add, multiply, negate
 from freebody.language.sentences import Message
@@ -24,6 +25,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.model.elements import NonholonomicForm, RigidBody
+from freebody.model.rotations import applied
 from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
@@ -249,13 +251,21 @@ def _is_askew(names: Names, pushed: Measure | NonholonomicForm) -> bool:
     """Whether the force of a load has a part along the level: by its direction, or in the plane by where the ends of
     its line are put."""
     if isinstance(pushed, Displacement):
-        return not is_parallel(names, pushed.along, Direction(GROUND, names.up, "up"))
+        return not is_parallel(names, _as_on_ground(names, pushed.along), Direction(GROUND, names.up, "up"))
     if not isinstance(pushed, Distance) or names.space:
         return False
     start, end = _place(names, pushed.start), _place(names, pushed.end)
     if start is None or end is None:
         return False
     return abs(end[0] - start[0]) > ROUND_OFF * math.dist(start, end)
+
+
+def _as_on_ground(names: Names, along: Direction) -> Direction:
+    """A direction of a fixed body in space as one of the ground."""
+    body = names.known(along.body)
+    if not names.space or not body.fixed or along.body == GROUND:
+        return along
+    return Direction(GROUND, applied(axes_at_start(body), along.components), along.name)
 
 
 def hangs_straight(names: Names, body: RigidBody, point: Point) -> bool:

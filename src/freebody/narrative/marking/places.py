@@ -59,12 +59,12 @@ class Places:
         self.action = Action(free.snapshot)
 
     # -- places -------------------------------------------------------------------------------
-    def place(self, text: str) -> Place:
-        """What stands behind `at`."""
+    def place(self, text: str, *, is_couple: bool = False) -> Place:
+        """What stands behind `at`. A couple acts anywhere: of a point and a joint of one name the joint is meant."""
         word = text.lower()
         own = [self.system.bodies[name] for name in self.free.bodies]
         named = [self._point(body.point(text)) for body in own if text in body.points]
-        if named:
+        if named and not (is_couple and any(a.source == text for a in self.free.outside)):
             return Place(tuple(named))
         for source in dict.fromkeys(a.source for a in (*self.free.outside, *self.free.inside)):
             if source.lower() == word:

@@ -45,7 +45,7 @@ def entries_of(free: FreeBodies, text: str) -> Iterator[Entry]:
     vocabulary = Vocabulary({*free.system.parameters, *free.system.measures})
     places = Places(free, vocabulary)
     for typed in read_forces(text):
-        place = places.place(typed.place) if typed.place else None
+        place = places.place(typed.place, is_couple=typed.is_couple) if typed.place else None
         entry = Entry(typed, place, places.heading(typed, place), _magnitude(typed.name, vocabulary))
         _check(free, entry)
         yield entry
