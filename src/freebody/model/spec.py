@@ -62,9 +62,11 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "l": ("length",),
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
-SAME: frozenset[str] = frozenset(
-    ["from", "to", "direction", "rest_length", "natural_length", "free_length", "unstretched_length", "k", "spring_constant", "spring_rate", "c", "damping_constant", "omega", "mu", "on", "at", "value", "center", "com"]
-)
+SAME: frozenset[str] = frozenset((
+    "from", "to", "on", "at", "direction", "value", "omega", "mu", "center", "com",
+    "k", "spring_constant", "spring_rate", "c", "damping_constant",
+    "rest_length", "natural_length", "free_length", "unstretched_length",
+))  # fmt: skip
 _ModelClass: Any = type(BaseModel)
 
 
