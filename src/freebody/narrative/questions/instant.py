@@ -105,8 +105,8 @@ def finish(
                 script.say(reason.key, **reason.args)
             shown, unsolved = written(general), written(parts)
             # the components have symbols of their own: the vector needs no second name
-            has_names = len(parts) > 1 and found and not question.at_start
-            has_names = has_names and all(isinstance(part, Symbol) for part in unsolved)
+            are_named = isinstance(unsolved, tuple) and all(isinstance(part, Symbol) for part in unsolved)
+            has_names = are_named and bool(found) and not question.at_start
             sides: list[Expr | tuple[Expr, ...]] = []
             if not has_names:
                 script.add(asked_entry(name, question, n=len(parts)))
