@@ -64,8 +64,8 @@ MISTAKES = {
         f"ground: {{points: {{A: [1,5 m, 2 m]}}}}\n{ROD}connections: {{p: {{pin: [ground.A, rod.start]}}}}",
         "a comma separates entries; write a point: 1.5 m",
     ),
-    "a force on a body": (
-        f"{BLOCK}loads: {{F: {{force: {{on: block, along: right, magnitude: 10 N}}}}}}",
+    "a force on a body, twice": (
+        f"{BLOCK}loads: {{F: {{force: {{on: block, at: block, along: right, magnitude: 10 N}}}}}}",
         "force has no on. Did you mean at?",
     ),
     "a force and what belongs to it side by side": (
@@ -187,6 +187,54 @@ def test_a_mistake_is_one_message_that_says_what_to_write(mistake: str) -> None:
     with pytest.raises(fb.ModelError) as refused:
         fb.System.from_text(text)
     assert [problem.message for problem in refused.value.problems] == [told]
+
+
+ON_A_FLOOR = (
+    "ground: {points: {A: [0, 2 m]}, lines: {floor: {along: right}}}\n"
+    "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}, angle: 30 deg}, ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}\n"
+)
+SAME = {
+    "a contact of what lies on something": ("contact: {body: ball, on: floor}", "contact: {between: [ball, floor]}"),
+    "a contact of a point": ("contact: {at: rod.start, on: floor, mu: 0.3}",
+                             "contact: {between: [rod.start, floor], friction: 0.3}"),
+    "a contact of a first and a second": ("contact: {first: ball, second: floor}", "contact: {between: [ball, floor]}"),
+    "a point of the ground": ("pin: [A, rod.start]", "pin: [ground.A, rod.start]"),
+    "the direction of a rod": ("slot: {pin: ball, along: rod}", "slot: {pin: ball, along: rod.x}"),
+    "a support on rollers": ("roller: {at: rod.end, on: floor}", "slot: {pin: rod.end, along: floor}"),
+    "a spring from a point to another": (
+        "spring: {from: A, to: rod.end, k: 5 N/m, rest_length: 1 m}",
+        "spring: {first: ground.A, second: rod.end, stiffness: 5 N/m, length: 1 m}",
+    ),
+    "a damper from a point to another": (
+        "damper: {from: A, to: rod.end, c: 5 N s/m}", "damper: {first: ground.A, second: rod.end, damping: 5 N s/m}"
+    ),
+    "a force on a point": (
+        "force: {on: rod.end, direction: down, value: 3 N}", "force: {at: rod.end, along: down, magnitude: 3 N}"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("words", SAME)
+def test_words_that_can_mean_one_thing_only_are_read_as_it(words: str) -> None:
+    written, meant = (_read(text) for text in SAME[words])
+    assert written == meant
+
+
+def _read(entry: str) -> list[str]:
+    """What holds and what pushes in a model with one connection, or one load."""
+    section = "loads" if entry.partition(":")[0] in ("spring", "damper", "force") else "connections"
+    system = fb.System.from_text(f"{ON_A_FLOOR}{section}: {{it: {{{entry}}}}}")
+    return [*map(str, system.constraint_rows), *map(str, system.applied_loads), *map(str, system.contacts)]
+
+
+def test_a_body_goes_before_a_point_of_the_ground_of_its_name() -> None:
+    """`A` is the body where there is one."""
+    text = (
+        "ground: {points: {A: [0, 0], B: [1 m, 0]}}\nbodies: {A: {particle: {mass: 1 kg}}}\n"
+        "connections: {c: {link: [A, B]}}"
+    )
+    (row,) = fb.System.from_text(text).constraint_rows
+    assert {*row.measure.bodies()} == {"A", "ground"}
 
 
 def test_a_symbol_may_have_the_unit_that_another_one_is_called() -> None:

@@ -25,6 +25,7 @@ from freebody.present import video
 from freebody.present.animation import film_of, resampled, write_animation
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Heading, Node, Place, Rope, hull, positions
+from freebody.present.guides import Guides
 from freebody.present.layout import Layout, headings, sweep
 from freebody.present.picture.label import equation
 from freebody.present.plots import plot, save
@@ -382,6 +383,32 @@ def test_a_rack_is_drawn_with_its_edge_at_the_pinion() -> None:
     scene, poses = example("rack_and_pinion_drive")
     rack = Layout.of(scene, poses).poses[0, 1]
     assert rack[1] + 0.025 == pytest.approx(-0.05)
+
+
+@pytest.mark.parametrize("alpha", [0.0, 0.4])
+def test_a_tooth_of_the_pinion_stands_in_a_gap_of_the_rack_and_both_have_one_pitch(alpha: float) -> None:
+    scene, poses = posed(f"""
+bodies:
+  pinion: {{body: {{inertia: 0.02 kg m^2, radius: 0.05 m}}}}
+  rack: {{rectangle: {{mass: 5 kg, width: 0.4 m, height: 0.03 m}}, angle: {alpha} rad}}
+connections:
+  axle: {{pin: [ground.O, pinion]}}
+  guide: {{slider: {{body: rack, along: {alpha} rad}}}}
+  teeth: {{rack_and_pinion: {{pinion: pinion, rack: rack}}}}
+""")
+    guides = Guides(scene, Layout.of(scene, poses).poses, 0.01)
+    pinion, rack = (next(f for f in scene.figures if f.name == name) for name in ("pinion", "rack"))
+    wheel = guides.edge(pinion, 0.05)
+    down = np.array((np.sin(alpha), -np.cos(alpha)))
+    tip = wheel[(wheel @ down) > 0.05 * 0.98].mean(axis=0)
+    assert tip / np.hypot(*tip) == pytest.approx(down, abs=1e-9)
+    (teeth,) = (stroke for stroke in guides.strokes() if isinstance(stroke, Outline) and stroke.color == rack.number)
+    feet = teeth.points[(teeth.points[:, 1] < 1e-9)][1:-1, 0]  # of the teeth, along the rack
+    along = float(-guides.poses[0, rack.index, :2] @ (np.cos(alpha), np.sin(alpha)))  # the pinion is at the origin
+    pitch = 2 * np.pi * 0.05 / (len(wheel) / 4)
+    assert np.diff(feet[::2]) == pytest.approx(pitch)
+    nearest = float(np.abs(feet - along).min())
+    assert nearest == pytest.approx(0.16 * pitch, rel=1e-6)  # half of a gap
 
 
 def test_the_direction_of_a_lead_fixed_in_a_body_turns_with_it() -> None:

@@ -32,6 +32,7 @@ from freebody.present.picture.sketch import Sketch
 from freebody.present.scene import Scene
 from freebody.present.space import solids
 from freebody.present.space.animation import write_animation
+from freebody.present.space.bodies import body_pieces, reach
 from freebody.present.space.drawing import SpatialDrawing
 from freebody.present.space.motion import at_times, between, quaternions
 from freebody.present.space.order import back_to_front, overlap, seen_ball, seen_solid
@@ -733,3 +734,33 @@ def test_a_rod_pulls_at_its_own_end_of_a_body() -> None:
     assert "T" in {word.label.text for word in with_rod.words}
     wide, tall = with_rod.corners[1] - with_rod.corners[0]
     assert max(wide, tall) < 2 * float(np.ptp(alone.corners, axis=0).max())  # nothing acts far from it
+
+
+DUMB_BELL = """
+space: true
+parameters: {m: 2 kg, L: 0.4 m}
+bodies:
+  shaft: {cylinder: {length: 0.6 m, radius: 0.02 m}}
+  bell:
+    composite:
+      parts:
+        - {sphere: {radius: 0.06 m, mass: m}, at: [L/2, 0, 0]}
+        - {sphere: {radius: 0.03 m, mass: 2*m}, at: [-L/2, 0, 0]}
+connections:
+  bearing: {revolute: {first: ground, second: shaft, about: up}}
+  weld: {weld: [shaft, bell]}
+"""
+
+
+def test_the_parts_of_a_composite_body_are_drawn_as_the_solids_that_they_are() -> None:
+    """The mass centre is at -L/6 from the middle."""
+    system = fb.System.from_text(DUMB_BELL)
+    scene = Scene.of(system, Reference(system).number)
+    (bell,) = (form for form in scene.figures if form.name == "bell")
+    pieces = list(body_pieces(bell, (), 0.01, is_fixed=False))
+    balls = sorted((piece.place.x, piece.radius) for piece in pieces if piece.radius)
+    assert balls == [pytest.approx((-0.4 / 3, 0.03)), pytest.approx((0.8 / 3, 0.06))]
+    (bar,) = (piece for piece in pieces if not piece.radius)
+    ends = bar.solid.points[:, 0]
+    assert (ends.min(), ends.max()) == pytest.approx((-0.4 / 3, 0.8 / 3))
+    assert reach(bell) == pytest.approx(0.8 / 3 + 0.06)

@@ -108,3 +108,19 @@ def test_the_parts_of_a_bent_bar_meet_in_the_planes_that_halve_its_angles() -> N
         last, first = one.points[12:], other.points[:12]
         apart = np.linalg.norm(last[:, None] - first[None], axis=2).min(axis=1)
         assert apart.max() < 0.2 * (1.0 - math.cos(math.pi / 12)) + 1e-9  # rims of the same circle, turned in it
+
+
+def test_a_plane_from_which_a_part_of_a_body_sticks_out_is_not_that_of_the_drawing() -> None:
+    """Both axes are in the plane of y and z, the balls of the dumb-bell at both sides of it."""
+    system = fb.System.from_text("""
+space: true
+bodies:
+  shaft: {cylinder: {length: 0.6 m, radius: 0.02 m}}
+  bell:
+    composite:
+      parts: [{particle: {mass: 1 kg}, at: [0.2 m, 0, 0]}, {particle: {mass: 1 kg}, at: [-0.2 m, 0, 0]}]
+connections:
+  bearing: {revolute: {first: ground, second: shaft, about: up}}
+  weld: {weld: [shaft, bell]}
+""")
+    assert angles(system) == (AZIMUTH, ELEVATION)

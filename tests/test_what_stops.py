@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
@@ -47,3 +49,24 @@ def test_what_stops_relative_to_a_driven_truck_is_no_stop_of_the_truck() -> None
     system = fb.System.load("examples/can_on_a_truck.yaml")
     (asked,) = system.asked("time when truck stops")
     assert asked.understood == "time when rate(x) = 0"
+
+
+SHOE = """
+parameters: {J: 5 kg m^2, R: 0.4 m, mu: 0.35, F: 200 N, a: 0.3 m, b: 1 m, n: 300 rpm}
+ground: {points: {O: [0, 0], P: [-a, R]}}
+bodies:
+  wheel: {flywheel: {inertia: J, radius: R}, angular_velocity: n}
+  lever: {rod: {length: b}, at: {start: [-a, R]}, angle: 0}
+connections:
+  bearing: {pin: [O, wheel]}
+  hinge: {pin: [P, lever.start]}
+  shoe: {contact: {between: [wheel, lever], friction: mu}}
+loads: {hand: {force: {at: lever.end, along: down, magnitude: F}}}
+"""
+
+
+def test_a_wheel_stops_under_the_shoe_of_a_hinged_lever() -> None:
+    """N a = F b about the hinge, so J dw/dt = -mu R F b/a, and J n^2/2 becomes heat."""
+    j, r, mu, f, a, b, n = 5.0, 0.4, 0.35, 200.0, 0.3, 1.0, 10 * math.pi
+    assert seconds(SHOE, "time until wheel stops") == pytest.approx(j * a * n / (r * mu * f * b), rel=1e-9)
+    assert seconds(SHOE, "energy lost until wheel stops") == pytest.approx(j * n**2 / 2, rel=1e-9)

@@ -33,6 +33,18 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_WHAT_TOUCHES = (
+    "body",
+    "first",
+    "from",
+    "point",
+    "at",
+    "on",
+    "with",
+    "surface",
+    "second",
+    "to",
+)  # the first, the second
 _IN_SPACE = """
 space: true
 ground: {{planes: {{floor: {{normal: up}}}}}}
@@ -82,6 +94,15 @@ class Contact(Connection, kind="contact"):
             Message("two coefficients are friction: {{static: mu_s, kinetic: mu_k}}"),
         ),
     }
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`{body: ball, on: floor}` and the like, as of what rolls: two that touch."""
+        given = super().from_plain(value)
+        two = [given[word] for word in _WHAT_TOUCHES if isinstance(given.get(word), str)]
+        if len(two) != 2 or "between" in given or "among" in given:
+            return given
+        return {"between": two, **{key: each for key, each in given.items() if key not in _WHAT_TOUCHES}}
 
     between: list[str] | None = None
     among: list[str] | str | None = None

@@ -26,7 +26,7 @@ class Slot(Connection, kind="slot"):
     times the normal force."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
-    also: ClassVar[tuple[str, ...]] = ("guide", "groove")
+    also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
 
     pin: str
     along: Heading
@@ -43,6 +43,16 @@ class Slot(Connection, kind="slot"):
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {slot: {pin: rod.end, along: up}}}
 """
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """A support on rollers is `{at: beam.end, on: floor}`: what it is on is the direction in which it is free."""
+        given = super().from_plain(value)
+        if "at" in given and "pin" not in given:
+            given["pin"] = given.pop("at")
+        if "on" in given and "along" not in given:
+            given["along"] = given.pop("on")
+        return given
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         point = names.point(self.pin, "pin")

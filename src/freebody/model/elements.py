@@ -135,6 +135,19 @@ class BodyPart:
 
 
 @dataclass(frozen=True)
+class SolidPart:
+    """What is drawn of a part of a composite body in space: a solid with its sizes and the axis along which it is
+    round, about its reference point, which is at `center`; axes: its own, along those of the body."""
+
+    kind: SolidKind
+    sizes: Components
+    axis: Components
+    center: Components
+    axes: tuple[Components, Components, Components]
+    is_particle: bool = False
+
+
+@dataclass(frozen=True)
 class RigidBody:
     """A body: mass, moment of inertia about the mass centre, and points by components from the mass centre."""
 
@@ -155,6 +168,7 @@ class RigidBody:
         Edge[Components], ...
     ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon
     parts: tuple[BodyPart, ...] = ()  # in the plane: of which it is composed
+    solid_parts: tuple[SolidPart, ...] = ()  # in space: what is drawn of these, from the mass centre
     copies: tuple[str, ...] = ()  # the further ones of equal bodies on one carrier, of which this one is written
     tensor: Components = ()  # in space: of inertia about the mass centre in body axes, xx, yy, zz, xy, xz, yz
     round: str = ""  # what of it can roll: "disk" (its rim), "sphere", "cone"

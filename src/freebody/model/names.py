@@ -283,11 +283,13 @@ class Names(Formulas):
     @reads
     def point(self, text: Any, *path: str | int) -> Point:
         """`body.point`, or `body` for its reference point, that of the ground its origin. A ground point that is not
-        declared is the origin."""
+        declared is the origin; one that is declared also has its plain name, as a line has, if no body is called so."""
         if not isinstance(text, str):
             self.problem(Message("expected a point such as rod.end, found {text}", text=repr(text)), *path)
             return self.bodies[GROUND].point("origin")
         body_name, _, point_name = text.strip().partition(".")
+        if body_name not in self.bodies and not point_name and self._is_ground_point(body_name):
+            body_name, point_name = GROUND, body_name
         body = self.body(body_name, *path)
         if body_name not in self.bodies or body.is_placeholder:
             return body.point()
@@ -310,6 +312,9 @@ class Names(Formulas):
             *path,
         )
         return body.point()
+
+    def _is_ground_point(self, name: str) -> bool:
+        return GROUND in self.bodies and name in self.bodies[GROUND].points
 
     def line(self, text: Any, *path: str | int) -> Line | None:
         """`body.line`; of the ground also plain `line`."""
@@ -399,6 +404,8 @@ class Names(Formulas):
             return self.fixed_in(owner, compass[axis].components, text)
         if text in self.bodies and self.axis_of(text):
             return Direction(text, self.axis_of(text), f"{text}.axis")
+        if text in self.bodies and self.bodies[text].corners == ("start", "end"):  # along a rod is one direction alone
+            return Direction(text, UNIT[0][: len(self.origin)], f"{text}.x")
         return None
 
     def fixed_in(self, owner: str, along: Components, name: str = "") -> Direction:

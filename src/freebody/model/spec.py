@@ -36,7 +36,8 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "direction": ("along",),
     "axis": ("along", "about"),
     "rest_length": ("length",),
-    "natural_length": ("length",),
+    **dict.fromkeys(("natural_length", "free_length", "unstretched_length"), ("length",)),
+    **dict.fromkeys(("center", "com", "centre_of_mass"), ("center_of_mass",)),
     "initial_position": ("at",),
     **dict.fromkeys(("k", "constant", "spring_constant", "spring_rate"), ("stiffness",)),
     **dict.fromkeys(("c", "damping_constant", "coefficient"), ("damping",)),
@@ -60,6 +61,12 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "m": ("mass",),
     "l": ("length",),
 }
+# Of these the words that can mean nothing else where there is such a field: they are read as it.
+SAME: frozenset[str] = frozenset((
+    "from", "to", "on", "at", "direction", "value", "omega", "mu", "center", "com",
+    "k", "spring_constant", "spring_rate", "c", "damping_constant",
+    "rest_length", "natural_length", "free_length", "unstretched_length",
+))  # fmt: skip
 _ModelClass: Any = type(BaseModel)
 
 
@@ -117,11 +124,8 @@ class Spec(BaseModel, metaclass=_Described):
         (`between: [a, b]`) as these; a list by position, anything else as the first field."""
         fields = list(cls.model_fields)
         if isinstance(value, dict):
-            return {
-                k: cls._as_list(k, v)
-                for key, each in cast("dict[str, Any]", value).items()
-                for k, v in cls._meant(key, each)
-            }
+            entries = cast("dict[str, Any]", value)
+            return {k: cls._as_list(k, v) for key, each in entries.items() for k, v in cls._meant(key, each, entries)}
         if value is None:
             return {}
         if isinstance(value, list):
@@ -136,11 +140,17 @@ class Spec(BaseModel, metaclass=_Described):
         return {fields[0]: value}
 
     @classmethod
-    def _meant(cls, key: str, value: Any) -> list[tuple[str, Any]]:
-        """A field with its value, or those that a list under one word gives."""
-        fields = () if key in cls.model_fields else cls.meant(key)
+    def _meant(cls, key: str, value: Any, beside: Mapping[str, Any]) -> list[tuple[str, Any]]:
+        """A field with its value, also under a word that means the same, or those that a list under one word gives.
+        beside: all that is given."""
+        known = {field.alias or name for name, field in cls.model_fields.items()}
+        fields = () if key in known else cls.meant(key)
         items = cast("list[Any]", value) if isinstance(value, list) else []
-        return list(zip(fields, items, strict=True)) if len(fields) == len(items) > 1 else [(key, value)]
+        if len(fields) == len(items) > 1:
+            return list(zip(fields, items, strict=True))
+        others = {field for other in beside if other != key for field in ({other} & known or cls.meant(other))}
+        is_same = key in SAME and key not in cls.elsewhere and not {*fields} & others
+        return [(fields[0], value)] if len(fields) == 1 and is_same else [(key, value)]
 
     @classmethod
     def _as_list(cls, key: str, value: Any) -> Any:

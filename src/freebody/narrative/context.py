@@ -15,7 +15,7 @@ from freebody.narrative.contact.settings import changes_at_borders_alone, first_
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.acting import Acting
-from freebody.narrative.principles.newton import Newton, Solved
+from freebody.narrative.principles.newton import AT_REST_WORDS, Newton, Solved
 from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.questions.reading import Question
@@ -62,8 +62,10 @@ class Context:
 
     @cached_property
     def newton(self) -> Newton:
-        """Principles of the plane."""
-        return Newton(self.acting, self.glossary, self.rates, self.rates.symmetry)
+        """Principles of the plane; where nothing can move they are the conditions of equilibrium."""
+        is_driven = any(row.is_driven for row in self.system.constraint_rows)
+        words = None if is_driven or self.setup.model.degrees_of_freedom else AT_REST_WORDS
+        return Newton(self.acting, self.glossary, self.rates, self.rates.symmetry, words=words)
 
     def script(self) -> Script:
         """A derivation of its own, with numbers that go on."""

@@ -76,6 +76,15 @@ class Heading(NamedTuple):
 
 
 @dataclass(frozen=True)
+class FigurePart:
+    """A part of a composite body of space, about its own reference point; the rows of axes (3, 3) are its axes."""
+
+    form: Figure
+    axes: tuple[Triple, Triple, Triple]
+    at: Triple
+
+
+@dataclass(frozen=True)
 class Figure:
     """A body: its named points, its form. In the plane a rim and its hubs (radii of further circles about the rim's
     centre) or corners; in space a solid with sizes [m] about its centre."""
@@ -106,6 +115,7 @@ class Figure:
     sizes: tuple[float, ...] = ()
     axis: Triple | None = None
     faces: tuple[tuple[Place, ...], ...] = ()  # of a convex body, counter-clockwise as seen from outside
+    parts: tuple[FigurePart, ...] = ()  # of a composite body
 
     @cached_property
     def outline(self) -> Array:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from freebody.present.figures import GROUND, Array, Figure, Groove, Heading, Pla
 from freebody.present.layout import extent_across, travel
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path, Stroke
-from freebody.present.symbols import capsule, circle, hatched
+from freebody.present.symbols import TOOTH, capsule, circle, hatched, n_teeth, toothed
 
 _RAIL = 6.0  # half of the rail of what is short, in sizes of symbols
 _SHORT = 5.0  # what is shorter, in sizes of symbols
@@ -103,8 +104,42 @@ class Guides:
         sharing = [other for other in self.scene.tracks if self._share_line(track, other)]
         runs = [self._rolled(other) for other in sharing]
         low, high, level = min(run[0] for run in runs), max(run[1] for run in runs), runs[0][2]
+        if track.is_toothed:
+            yield self._teeth(track, level, low, high)
+            return
         if sharing[0] is track and not self._is_drawn(track.along, level):
             yield from self._edge(track.along, level, low, high, -side)
+
+    def _teeth(self, track: Track, level: float, low: float, high: float) -> Stroke:
+        """The teeth of a rack, as long as its body; at the start a gap faces the pinion."""
+        rack = self.scene.figure_of(track.along.body)
+        if rack is not None and len(rack.outline) > 1:
+            back, ahead = self._lengths(rack, rack.mass_center, track.along)
+            at = rack.mass_center.x * track.along.x + rack.mass_center.y * track.along.y
+            low, high = at - back, at + ahead
+        pitch = 2 * math.pi * abs(track.radius) / n_teeth(abs(track.radius), self.u)
+        facing = float(travel(track.center, track.along, self.poses)[0][0])
+        first, last = (math.floor((end - facing) / pitch + 0.5 * way) for end, way in ((low, 1.0), (high, -1.0)))
+        side = math.copysign(1.0, track.radius)
+        teeth = [
+            np.array(TOOTH) * (pitch, side * pitch) + (facing + (k + 0.5) * pitch, 0.0) for k in range(first, last)
+        ]
+        points = np.concatenate(([(low, 0.0)], *teeth, [(high, 0.0)]))
+        moves = rack is not None and track.along.body != GROUND
+        path = self._on_line(track.along, level, points, "body" if moves else "surface", is_closed=moves)
+        return replace(path, color=-1 if rack is None else rack.number)
+
+    def edge(self, wheel: Figure, rim: float) -> Array:
+        """(n, 2) that of a wheel: a circle of a radius, or on a rack its teeth, of which one faces it at the start."""
+        radius = wheel.radius or 0.0
+        tracks = (track for track in self.scene.tracks if track.is_toothed and track.center == wheel.center)
+        track = next((each for each in tracks if abs(abs(each.radius) - radius) < 1e-9 * radius), None)
+        if track is None or wheel.index == GROUND:
+            return circle(rim, 24)
+        facing = track.along.angle - math.copysign(np.pi / 2, track.radius)
+        for body, sense in ((track.along.body, 1.0), (wheel.index, -1.0)):
+            facing += 0.0 if body == GROUND else sense * float(self.poses[0, body, 2])
+        return turned(facing, *toothed(radius, n_teeth(radius, self.u)).T)
 
     def _rolled(self, track: Track) -> tuple[float, float, float]:
         """From where to where one circle needs its line, and how far on the left of the origin that is [m]."""

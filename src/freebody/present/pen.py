@@ -57,12 +57,11 @@ class Pen:
 
     def __init__(self, scene: Scene, layout: Layout) -> None:
         self.scene = scene
-        self.poses = layout.poses
-        self.ropes = layout.ropes
-        self.u = layout.symbol
+        self.poses, self.ropes, self.u = layout.poses, layout.ropes, layout.symbol
+        self.guides = Guides(self.scene, self.poses, self.u)
 
     def strokes(self) -> Iterator[Stroke]:
-        yield from Guides(self.scene, self.poses, self.u).strokes()
+        yield from self.guides.strokes()
         yield from self._supports()
         bodies = sorted(self.scene.figures, key=self._layer)
         for figure in bodies:
@@ -288,7 +287,7 @@ class Pen:
             yield from self._ring(figure, rim, fill, edge)
         else:
             pitch = self._is_pitch(figure, figure.radius or 0.0) and turn != GROUND
-            yield Path(place, turn, circle(rim, 24), "gear" if pitch else fill, True, color)
+            yield Path(place, turn, self.guides.edge(figure, rim), "gear" if pitch else fill, True, color)
             if pitch:
                 yield Path(place, turn, circle(rim, 24), "pitch circle", True, color)
             if turn != GROUND:

@@ -12,7 +12,7 @@ import numpy as np
 from freebody.language.expression import ZERO, Expr
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Point
-from freebody.model.elements import Edge, RigidBody
+from freebody.model.elements import Edge, RigidBody, SolidPart
 from freebody.model.glyphs import (
     Ball,
     Belt,
@@ -39,7 +39,7 @@ from freebody.model.glyphs import (
 )
 from freebody.model.solids import DISK
 from freebody.present import figures
-from freebody.present.figures import GROUND, Array, Drawn, Figure, Heading, Pair, Place, ShownGlyph, Wall
+from freebody.present.figures import GROUND, Array, Drawn, Figure, FigurePart, Heading, Pair, Place, ShownGlyph, Wall
 from freebody.present.places import Places
 from freebody.system.system import System
 
@@ -304,7 +304,26 @@ class _Reader:
             axis=self.places.vector(body.axis) if body.axis else None,
             faces=tuple(tuple(plain.points[name] for name in corners) for _name, corners in body.faces),
             is_toothed=plain.index in toothed,
+            parts=tuple(self._part(plain, part) for part in body.solid_parts),
         )
+
+    def _part(self, whole: Figure, part: SolidPart) -> FigurePart:
+        """A part of a composite body, as a figure about its own reference point."""
+        middle = Place(whole.index, 0.0, 0.0)
+        form = Figure(
+            whole.name,
+            whole.number,
+            whole.index,
+            middle,
+            {},
+            middle,
+            is_particle=part.is_particle,
+            solid=part.kind,
+            sizes=tuple(self.number(size) for size in part.sizes),
+            axis=self.places.vector(part.axis) if part.axis else None,
+        )
+        x, y, z = (self.places.vector(column) for column in part.axes)
+        return FigurePart(form, (x, y, z), self.places.vector(part.center))
 
     def _wheel(self, plain: Figure, body: RigidBody, rim: float) -> Figure:
         """A round body: with what touches its circles, and whether there is room inside."""

@@ -8,6 +8,22 @@ import numpy as np
 
 from freebody.present.figures import Array, Pair
 
+TOOTH = ((-0.34, 0.0), (-0.16, 0.44), (0.16, 0.44), (0.34, 0.0))  # on its foot, by the pitch
+
+
+def n_teeth(radius: float, size: float) -> int:
+    """Of a wheel that is drawn with teeth: such as are seen, and not too many. size: of symbols"""
+    return min(40, max(12, round(2 * np.pi * radius / (1.5 * size))))
+
+
+def toothed(radius: float, n: int) -> Array:
+    """(m, 2) points of a wheel with teeth, whose tips are on a circle; the x axis goes through a tooth."""
+    pitch = 2 * np.pi / n
+    shape = np.array([(-0.42, 0.44), (-0.2, 0.0), (0.2, 0.0), (0.42, 0.44)])  # round the circle and below it
+    around = (pitch * (np.arange(n)[:, None] + shape[:, 0])).ravel()
+    r = radius * (1.0 - pitch * np.tile(shape[:, 1], n))
+    return np.stack((r * np.cos(around), r * np.sin(around)), axis=-1)
+
 
 def circle(radius: float, n_quarter: int = 6) -> Array:
     """(n, 2) points of a circle about the origin."""

@@ -232,6 +232,7 @@ _NAME = r"(?P<of>[A-Za-z_]\w*)"
 _SUBJECT = rf"(?:it|the motion|(?:the )?{_NAME})"
 _ON = r"(?: (?:on |against )?(?:the )?(?P<on>[A-Za-z_]\w*))?"
 _BEGINS = r"(?:begins?|starts?|sets? in|is established)"
+_HINGED = 2  # rows that leave a body of the plane one way to move
 _ENDS = r"(?:ends?|stops?|ceases?)"
 _SLIDING = r"(?:slip|slipping|sliding|to slip|to slide)"
 _WORDS: tuple[tuple[str, TransitionKind], ...] = (
@@ -323,8 +324,25 @@ def can_change(names: Names) -> bool:
 def sticking(names: Names, body: str, of: Iterable[str]) -> tuple[str, ...]:
     """The connections that stick a body to the ground where it stops, and to nothing else that may move on."""
     rows = [row for row in names.constraint_rows if row.unilateral or row.reaction.startswith("friction")]
-    grounded = {row.connection for row in rows if {*row.measure.bodies()} <= {body, GROUND}}
+    still = {body, GROUND} | _shoes_of(names, body)
+    grounded = {row.connection for row in rows if {*row.measure.bodies()} <= still}
     return tuple(connection for connection in of if connection in grounded)
+
+
+def _shoes_of(names: Names, body: str) -> set[str]:
+    """What is pressed on a wheel whose axle stays where it is, and is itself hinged to the ground: a lever with a shoe.
+    While they touch it cannot move, however the wheel turns."""
+    wheel = names.bodies[body]
+    if wheel.radius is None or not wheel.turns or not _is_on_a_fixed_axle(names, wheel):
+        return set()
+    joined = [{*row.measure.bodies()} - {GROUND} for row in names.constraint_rows if not row.unilateral]
+    pressed = {
+        other
+        for row in names.constraint_rows
+        if row.reaction == "normal force" and row.unilateral and body in row.measure.bodies()
+        for other in row.measure.bodies()
+    }
+    return {other for other in pressed if other != body and joined.count({other}) == _HINGED}
 
 
 def _runs_off(names: Names, name: str) -> bool:

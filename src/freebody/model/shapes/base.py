@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import PI, Call, Expr, divide, number, power
 from freebody.measures.geometry import ZERO, Components
-from freebody.model.elements import BodyPart, Edge
+from freebody.model.elements import BodyPart, Edge, SolidPart
 from freebody.model.kinds import Kinds
 from freebody.model.solids import NO_SOLID, SolidKind
 from freebody.model.spec import Spec
@@ -38,6 +38,7 @@ class Build:
     edges: tuple[Edge[Components], ...] = ()  # what is drawn of it, where that is no full circle and not straight
     # in space
     parts: tuple[BodyPart, ...] = ()  # in the plane: of which it is composed
+    solid_parts: tuple[SolidPart, ...] = ()  # in space: what is drawn of these
     tensor: Components = ()  # about the mass centre: xx, yy, zz, xy, xz, yz
     round: str = ""
     axis: Components = ()

@@ -14,7 +14,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.chains import read_chain
-from freebody.model.elements import BodyPart, Edge
+from freebody.model.elements import BodyPart, Edge, SolidPart
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, columns_of
 from freebody.model.shapes.base import Build, Shape, circle
@@ -47,6 +47,7 @@ class Composite(Shape, kind="composite"):
         moment: Components = names.origin
         placed: list[Placed] = []
         composed: list[BodyPart] = []
+        solids: list[SolidPart] = []
         points: dict[str, Components] = {"origin": names.origin}
         edges: list[Edge[Components]] = []
         for field, key, name, value in (*_listed("parts", self.parts), *_listed("holes", self.holes)):
@@ -66,6 +67,8 @@ class Composite(Shape, kind="composite"):
                     )
                     names.problem(told)
                 build = _taken_away(build)
+            elif names.space:
+                solids.append(SolidPart(build.solid, build.sizes, build.axis, at, axes, is_particle=not build.turns))
             center = tuple(a + c for a, c in zip(at, _turned(axes, build.center_of_mass, len(at)), strict=True))
             points[name] = at
             edges += _edges(build, at, axes, is_hole=field == "holes")
@@ -86,7 +89,15 @@ class Composite(Shape, kind="composite"):
         inertia = tensor[2] if tensor else _polar(placed, middle)
         parts = () if names.space else tuple(composed)
         return Build(
-            mass, inertia, middle, points, default_point="origin", tensor=tensor, edges=tuple(edges), parts=parts
+            mass,
+            inertia,
+            middle,
+            points,
+            default_point="origin",
+            tensor=tensor,
+            edges=tuple(edges),
+            parts=parts,
+            solid_parts=tuple(solids),
         )
 
 

@@ -13,7 +13,7 @@ from itertools import combinations
 from operator import attrgetter
 from typing import Protocol
 
-from freebody.language.expression import Symbol
+from freebody.language.expression import ZERO, Symbol
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Pose
 from freebody.model.elements import ConstraintRow
@@ -162,13 +162,17 @@ class PlanarPlaces:
 
     # -- points -------------------------------------------------------------------------------
     def centres(self, bodies: tuple[str, ...]) -> list[MomentCentre]:
-        """Mass centres, and where the lines of action of two reactions from outside meet."""
+        """Mass centres, and where the lines of action of two reactions from outside meet. A body without mass has no
+        mass centre worth naming, unless no lines meet."""
         f = self.field
         found: list[MomentCentre] = []
+        middle: MomentCentre | None = None
         if len(bodies) == 1:
             place = self.position(bodies[0])
             words = Sentence("point.mass_center", {"body": bodies[0]})
-            found.append(MomentCentre(place, words, self._is_still(place), bodies[0]))
+            middle = MomentCentre(place, words, self._is_still(place), bodies[0])
+        if middle is not None and self.system.material[bodies[0]].mass != ZERO:
+            found.append(middle)
         rows = self.acting.rows
         for (row_a, a), (row_b, b) in sorted(
             combinations(self._lines_of_action(bodies), 2),
@@ -182,7 +186,7 @@ class PlanarPlaces:
             y = f.lowest_terms((a[1] * b[2] - b[1] * a[2]) / determinant)
             if not any(c.place == (x, y) for c in found):
                 found.append(MomentCentre((x, y), self._point_words(row_a, row_b), self._is_still((x, y))))
-        return found
+        return found or ([] if middle is None else [middle])
 
     def _is_still(self, place: Vector) -> bool:
         return self.acting.is_at_rest or all(self.model.samples.vanishes(self.model.rate(x)) for x in place)

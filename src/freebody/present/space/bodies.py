@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Collection, Iterator
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -149,6 +150,7 @@ def reach(form: Figure) -> float:
     """[m] how far a body goes from its mass centre at most, by its solid and its points."""
     solid = convex(form, 0.0)
     far = max((float(np.linalg.norm(p.at)) for p in form.points.values()), default=0.0)
+    far = max([far, *(float(np.linalg.norm(part.at)) + reach(part.form) for part in form.parts)])
     if solid is not None:
         far = max(far, float(np.linalg.norm(solid.points, axis=1).max()))
     if form.solid.has_radius_from_center:
@@ -161,7 +163,9 @@ def body_pieces(form: Figure, used: Collection[Triple], u: float, *, is_fixed: b
     look, color = ("fixed body", -1) if is_fixed else ("body", form.number)
     middle = Place(form.index, 0.0, 0.0, 0.0)
     solid = convex(form, u)
-    if form.is_particle:
+    if form.parts:
+        yield from _composed(form, u, look, color, is_fixed=is_fixed)
+    elif form.is_particle:
         yield ball(middle, 0.9 * u, "dot" if not is_fixed else look, color)
     elif form.solid.is_ball:
         yield ball(form.center, form.sizes[0], look, color, has_circles=True)
@@ -183,6 +187,19 @@ def body_pieces(form: Figure, used: Collection[Triple], u: float, *, is_fixed: b
         yield from _skeleton(form, u, look, color)
         return
     yield from _arms(form, solid, used, u, look, color)
+
+
+def _composed(form: Figure, u: float, look: str, color: int, *, is_fixed: bool) -> Iterator[Piece]:
+    """The parts of a body at their places; balls alone have bars from one to the next, as a dumb-bell has."""
+    for part in form.parts:
+        axes, place = np.array(part.axes), Place(form.index, *part.at)
+        for piece in body_pieces(part.form, (), u, is_fixed=is_fixed):
+            lines = tuple(line @ axes for line in piece.lines)
+            yield replace(piece, solid=piece.solid.moved(axes), lines=lines, place=place)
+    if all(part.form.is_particle or part.form.solid.is_ball for part in form.parts):
+        for first, second in pairwise(form.parts):
+            if _apart(first.at, second.at) > u:
+                yield _bar(form, first.at, second.at, 0.5 * u, look, color)
 
 
 def _skeleton(form: Figure, u: float, look: str, color: int) -> Iterator[Piece]:

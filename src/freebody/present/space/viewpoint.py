@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from freebody.model.glyphs import MomentArrow
-from freebody.present.figures import Array
+from freebody.present.figures import Array, Place
 from freebody.present.scene import Scene
 from freebody.present.space.figures import Poses, joints_of, poses_of
 from freebody.present.view import AZIMUTH, ELEVATION, horizontals
@@ -42,6 +42,9 @@ def _normal(scene: Scene, poses: Poses) -> Array | None:
     turned += [poses.axes[0, form.index] @ np.array(form.axis) for form in own]
     places = [poses.place(place, 0) for joint in joints for place in (joint.first, joint.second)]
     places += [poses.place(place, 0) for form in scene.figures for place in (form.center, *form.path)]
+    places += [poses.place(end, 0) for form in scene.figures if len(form.corners) == 2 for end in form.corners]
+    parts = [(form, part) for form in scene.figures for part in form.parts]
+    places += [poses.place(Place(form.index, *part.at), 0) for form, part in parts]
     if len(turned) < 2 or len(joints) < 2:
         return None
     across = np.cross(turned[0], np.array(turned[1:]))
