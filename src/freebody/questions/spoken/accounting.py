@@ -33,6 +33,9 @@ PLACED = ("high", "far")  # how high, how far, something acts: where
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
 TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
+_RANGE = Word("degree", "range")
+_HIGHEST = (Word("instant", "at the top"), Word("instant", "at the bottom"))
+_HELD_THROUGHOUT = re.compile(r" (?:never leaves|stays on)\b")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
 _OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
 _MOVED = re.compile(_OF_MOTION.pattern + r"(?P<body>\w+)(?! relative)")
@@ -59,6 +62,10 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
     if turned := TURNED_ROUND.match(text):
+        if _RANGE in words and text.startswith(("least ", "largest ")):  # between which values
+            return False
+        if _HELD_THROUGHOUT.search(text) and any(word in _HIGHEST for word in words):  # at the top is not always
+            return False
         if _is_of_another_force(names, words, text):
             return False
         return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)
