@@ -229,7 +229,8 @@ def _spelling(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
 
 
 def spelt(text: str, language: str) -> str:
-    """A text in which names are marked, spelt as the phrases are."""
+    """A text in which names are marked, spelt as the phrases are, without the mark at its end."""
+    text = re.sub(r"(?<![.?! ])[.?! ]+$", "", text) if not text.rstrip().endswith("..") else text
     for pattern, replacement in _spelling(language):
         text = pattern.sub(replacement, text)
     return " ".join(text.split())

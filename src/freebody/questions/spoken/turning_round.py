@@ -67,7 +67,9 @@ def _leaving_at_top(names: Names, clause: Clause) -> Groups:
     is_speed = clause.all("quantity") in (["speed"], ["velocity"]) or clause.has("ask", "fast")
     named = [name for _, name in clause.names if name in names.parameters]
     is_speed |= len(named) == 1 and named == given.started_with(names, lookup.massive(names))
-    clause = Clause([word for word in clause.without("part", "only").words if word.what not in named])  # it only just leaves
+    clause = Clause(
+        [word for word in clause.without("part", "only").words if word.what not in named]
+    )  # it only just leaves
     known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", "not", *SILENT)
     doing = {"leave" if verb == "fall" else verb for verb in clause.all("verb") if verb not in ("move", "roll")}
     if not (is_speed and known and doing in ({"leave"}, {"stay_on"}) and clause.all("instant") == ["at the top"]):
