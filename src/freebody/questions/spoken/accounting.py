@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from itertools import takewhile
+from itertools import pairwise, takewhile
 from typing import TYPE_CHECKING
 
 from freebody.language.units import LENGTH
@@ -33,6 +33,10 @@ PLACED = ("high", "far")  # how high, how far, something acts: where
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
 TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
+_CHANGES = ("fall", "rise", "grow", "shrink", "change")
+_RANGE = Word("degree", "range")
+_HIGHEST = (Word("instant", "at the top"), Word("instant", "at the bottom"))
+_HELD_THROUGHOUT = re.compile(r" (?:never leaves|stays on)\b")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|time|change|energy|work|turns) ")
 _OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
 _MOVED = re.compile(_OF_MOTION.pattern + r"(?P<body>\w+)(?! relative)")
@@ -59,6 +63,10 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
     if turned := TURNED_ROUND.match(text):
+        if _RANGE in words and text.startswith(("least ", "largest ")):  # between which values
+            return False
+        if _HELD_THROUGHOUT.search(text) and any(word in _HIGHEST for word in words):  # at the top is not always
+            return False
         if _is_of_another_force(names, words, text):
             return False
         return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)
@@ -66,6 +74,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     if _NO_QUANTITY.match(text):
         return True
+    if _is_extreme(text) and _is_of_change(words):
+        return False
     if Word("filler", "may") in words:  # what can be reached by choice is none of this motion
         if joining.is_still(names) and _OF_MOTION.match(text):
             return False
@@ -112,6 +122,15 @@ def _is_of_another_force(names: Names, words: Sequence[Word], text: str) -> bool
 
 def _is_extreme(text: str) -> bool:
     return text.startswith(("greatest ", "least "))
+
+
+def _is_of_change(words: Sequence[Word]) -> bool:
+    """Whether by how much a quantity grows, or falls, is asked for: not how large it is at most."""
+    said = [word for word in words if word.kind != "filler"]
+    falls = any(
+        one.kind == "quantity" and after.kind == "verb" and after.what in _CHANGES for one, after in pairwise(said)
+    )
+    return falls and said[0] in (Word("ask", what) for what in ("with", "far", "much", "large"))
 
 
 def _is_to_be_so(words: Sequence[Word], text: str) -> bool:

@@ -290,7 +290,7 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
     free = {row.connection for row in names.constraint_rows if row.unilateral or row.reaction == "tension"}
     if any(name in names.connections and name not in free for name in (who, other)):
         return  # it holds on both sides
-    if who or other:
+    if (who or other) and free:
         yield [f"{who or 'it'} leaves {other}".strip()]
         yield [f"{who or other} opens"]
     elif any(row.unilateral for row in names.constraint_rows):

@@ -1,13 +1,15 @@
 """Verbs of the lexicon in all their forms: a file writes ~tug, and tugs, tugged, tugging are meant as well.
 
 English verbs end in s, ing and ed by the rules of spelling; German ones are written as their infinitive, with a bar
-behind a prefix that may stand apart (~ab|rutschen: es rutscht ab). What is irregular a file writes out.
+behind a prefix that may stand apart (~ab|rutschen: es rutscht ab). The forms of strong verbs are in strong_verbs.py.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+
+from freebody.questions.spoken.strong_verbs import ENGLISH, GERMAN
 
 MARK = "~"
 _MARKED_VERB = re.compile(rf"{MARK}([^\W\d_]+)(?:\|([^\W\d_]+))?")
@@ -44,7 +46,7 @@ def _english(verb: str) -> list[str]:
     elif _DOUBLED.search(verb) and len(re.findall(r"[aeiou]+", verb)) == 1:
         stem = f"{verb}{verb[-1]}"
         past = f"{stem}ed"
-    return [verb, third, past, f"{stem}ing"]
+    return [verb, third, *([] if verb in ENGLISH else [past]), f"{stem}ing", *ENGLISH.get(verb, ())]
 
 
 def _german(verb: str, *, is_parted: bool) -> list[str]:
@@ -52,13 +54,16 @@ def _german(verb: str, *, is_parted: bool) -> list[str]:
     stem = _stem(verb)
     te = f"{stem}e" if stem.endswith(("t", "d")) else stem
     keeps = re.match(r"(?:be|ver|zer|ent|er|miss)", verb) or verb.endswith("ieren")
-    participle = f"{te}t" if keeps else f"ge{te}t"
+    participle = GERMAN[verb][-1] if verb in GERMAN else f"{te}t" if keeps else f"ge{te}t"
     return [*_finite(verb), participle, f"{verb}d", *([f"zu{verb}"] if is_parted else [])]
 
 
 def _finite(verb: str) -> list[str]:
     stem = _stem(verb)
     te = f"{stem}e" if stem.endswith(("t", "d")) else stem
+    if verb in GERMAN:
+        present, past, _ = GERMAN[verb]
+        return list(dict.fromkeys([verb, present, past, f"{past}en", f"{stem}e"]))
     return list(dict.fromkeys([verb, f"{te}t", f"{te}te", f"{te}ten", f"{stem}e"]))
 
 

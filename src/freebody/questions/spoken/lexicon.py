@@ -126,12 +126,16 @@ def tables(language: str) -> dict[str, dict[str, list[str]]]:
     found = {kind: table for kind, table in _file(language).items() if kind not in _NO_WORDS}
     families = cast("dict[str, list[str]]", _file(language).get("families", {}))
 
-    def spread(text: str) -> str:
-        return re.sub(r"<(\w+)>", lambda family: f"({'|'.join(families[family[1]])})", text)
+    def spread(text: str) -> Iterator[str]:
+        if (prefixes := re.search(r"(?<=~)<(\w+)>(?=\|)", text)) is not None:  # a verb with each of some prefixes
+            for one in families[prefixes[1]]:
+                yield from spread(f"{text[: prefixes.start()]}{one}{text[prefixes.end() :]}")
+        else:
+            yield re.sub(r"<(\w+)>", lambda family: f"({'|'.join(families[family[1]])})", text)
 
     return {
         kind: {
-            what: [form for text in written for form in inflected(spread(text), language)]
+            what: [form for text in written for one in spread(text) for form in inflected(one, language)]
             for what, written in table.items()
         }
         for kind, table in found.items()
@@ -225,7 +229,8 @@ def _spelling(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
 
 
 def spelt(text: str, language: str) -> str:
-    """A text in which names are marked, spelt as the phrases are."""
+    """A text in which names are marked, spelt as the phrases are, without the mark at its end."""
+    text = re.sub(r"(?<![.?! ])[.?! ]+$", "", text) if not text.rstrip().endswith("..") else text
     for pattern, replacement in _spelling(language):
         text = pattern.sub(replacement, text)
     return " ".join(text.split())

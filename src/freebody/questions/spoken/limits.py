@@ -143,7 +143,7 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         return None
     bodies = [name for _, name in state.names if name in names.bodies and not lookup.is_all_that_moves(names, name)]
     verbs = verbs - {"start"} or verbs
-    is_moved = verbs == {"move"} and not state.has("part") and not state.has("updown")
+    is_moved = verbs in ({"move"}, {"start"}) and not state.has("part") and not state.has("updown")
     bodies = [] if is_moved and n_freedoms(names) == 1 else bodies  # where one moves, all do
     joints = [
         name for _, name in state.names if "." in name or (name in names.connections and name not in names.bodies)
@@ -181,7 +181,9 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         )
         return _NO_TIP if ends <= {"tip", "start", "move"} and alone else None
     if "slide" in ends:
-        return _NO_SLIP if all(joining.is_all_that_slips(names, body) for body in bodies) else None
+        if all(joining.is_all_that_slips(names, body) for body in bodies):
+            return _NO_SLIP
+        return _REST if n_freedoms(names) == 1 and "start" in state.all("verb") else None  # all moves with it
     return _REST if not bodies or ("rise" in ends and not is_denied) else None
 
 

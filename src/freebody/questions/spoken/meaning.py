@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining, lookup, rewording, turning_round
+from freebody.questions.spoken import beginning, given, joining, lookup, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
 from freebody.questions.spoken.between_events import time_between
@@ -76,7 +76,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(said)))
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
-    said = rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said)))
+    said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said))))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):

@@ -247,6 +247,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who} begins to roll" if who else "rolling begins"]
     elif (verbs == {"roll"} and not negated) or (verbs == {"roll", "slide"} and negated):
         yield [f"{who or 'it'} rolls without slipping"]
+    elif verbs == {"leave"} and not negated and not any(row.unilateral for row in names.constraint_rows):
+        return  # it holds on both sides
     elif verbs == {"leave"} and not negated:
         yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
         yield [f"{joint} opens" for joint in joining.joints(names, who, other, "normal force")] if who else []

@@ -28,6 +28,31 @@ _FARTHEST = re.compile(
     r"höchst|tiefst|größt|umkehr|wie (?:weit|hoch)|amplitude|ausschlag|wurfweite)",
     re.IGNORECASE,
 )
+_LEADING = 2  # of what a text may mean, and of the file's own questions, before others
+# what a text is about, in any language, and what questions of the grammar about it have
+_KINDS = tuple(
+    (re.compile(said, re.IGNORECASE), re.compile(asked))
+    for said, asked in (
+        (
+            r"\b(?:must|may|can|could|need|needed|required|at most|at least|at (?:what|which) .*\b(?:does|do|will)\b|"
+            r"(?:from|above|below|up to|for) (?:what|which)|m(?:ax|in)|damit|muss|darf|kann|soll|mindestens|höchstens|"
+            r"(?:ab|bei|bis zu|für|mit) welche|nötig|erforderlich|größt|kleinst|maximal|minimal)",
+            r"^(?:value|range|least|largest) ",
+        ),
+        (r"\b(?:when|how (?:long|soon)|what time|time|wann|wie lange|zeit|dauer)", r"^time "),
+        (r"\b(?:fast|speed|velocity|quick)|schnell|geschw|drehzahl|\brpm", r"\b(?:speed|velocity|rate)\b"),
+        (
+            r"\b(?:far|high|deep|where|place|position)\b|weit|hoch|höhe|tief|\bwo\b|\blage",
+            r"^greatest |^\w+ when |height",
+        ),
+        (r"force|tension|pull|push|press|load\b|reaction|kraft|zug|last|druck|lager", r"force|tension|reaction"),
+        (r"energy|work|heat|dissipat|energie|arbeit|wärme", r"energy|work"),
+        (r"accelerat|decelerat|beschleunig|verzöger|brems", r"acceleration"),
+        (r"equilib|settle|balance|at rest|gleichgewicht|ruhelage|stellt sich|pendelt sich", r"equilibrium|at rest"),
+        (r"period|frequen|oscillat|vibrat|swing|schwing|periode|eigen", r"period|frequenc"),
+        (r"steady|uniform|constant|stationär|gleichförm|umlauf|läuft .* um|revol", r"steady motion|terminal"),
+    )
+)
 _COMMON = frozenset(  # words that say nothing of what is meant
     {
         "a",
@@ -77,7 +102,9 @@ def suggestions(names: Names, text: str, near: Iterable[str], read: Callable[[st
     found: dict[str, object] = {}
     first = [*_time_ratios(names, text), *_ratios(names, text), *_advantages(names, text)]
     first += [*_efficiencies(names, text), *_stability(names, text), *_fastest(names, text)]
-    for question in (*first, *near, *_limits(names, text), *_turning_points(names, text), *others):
+    nearest = iter(near)
+    leading = (*first, *islice(nearest, _LEADING), *_usual(names, text, typed), *nearest)
+    for question in (*leading, *_limits(names, text), *_turning_points(names, text), *others):
         if len(found) >= MOST:
             break
         asked = None if question in found else read(question)
@@ -119,6 +146,14 @@ def not_understood(parameters: Container[str], elements: Elements, text: str) ->
                 found.append(typed or strange)
     fewest = min(found, key=len, default=set[str]())
     return [word for word in dict.fromkeys(re.findall(r"[^\W\d_][\w’'-]*", text)) if word in fewest] or sorted(fewest)
+
+
+def _usual(names: Names, text: str, typed: list[str]) -> list[str]:
+    """The file's own questions that are about what a text is about, and have most of its words."""
+    about = [asked for said, asked in _KINDS if said.search(text)]
+    found = {one: sum(asked.search(one) is not None for asked in about) for one in names.usual_questions}
+    fitting = [one for one, n in found.items() if n]
+    return sorted(fitting, key=lambda one: -(found[one] + _likeness(typed, _words(one))))[:_LEADING]
 
 
 def _askable(names: Names) -> Iterator[str]:

@@ -65,9 +65,13 @@ def _leaving_at_top(names: Names, clause: Clause) -> Groups:
     """At what speed does the car leave the road at the top: with which nothing presses there. With which it does not
     leave it is one end of the speeds with which something presses."""
     is_speed = clause.all("quantity") in (["speed"], ["velocity"]) or clause.has("ask", "fast")
-    clause = clause.without("part", "only")  # at which it only just leaves
+    named = [name for _, name in clause.names if name in names.parameters]
+    is_speed |= len(named) == 1 and named == given.started_with(names, lookup.massive(names))
+    clause = Clause(
+        [word for word in clause.without("part", "only").words if word.what not in named]
+    )  # it only just leaves
     known = clause.only("ask", "quantity", "name", "verb", "instant", "degree", "mark", "not", *SILENT)
-    doing = {"leave" if verb == "fall" else verb for verb in clause.all("verb") if verb != "move"}
+    doing = {"leave" if verb == "fall" else verb for verb in clause.all("verb") if verb not in ("move", "roll")}
     if not (is_speed and known and doing in ({"leave"}, {"stay_on"}) and clause.all("instant") == ["at the top"]):
         return
     bodies = [name for _, name in clause.names if name in lookup.moving(names)] or lookup.massive(names)

@@ -135,7 +135,10 @@ def words_of(text: str, language: str, *, guess: bool = False, parameters: Conta
         line, begins = " ".join(tokens), list(accumulate((len(t) + 1 for t in tokens), initial=0))
         meant = [] if _is_letter(token) and k > 0 else phrases_at(line, begins[k], language)
         meant = meant or _of_singular(line, begins[k], token, language)
-        is_telling = _is_after_article(found, k) and places(token, language)  # the lower rope is lowered by none
+        is_telling = _is_after_article(found, k) and (  # the lower rope is lowered by none, and the hoist no verb
+            places(token, language) or (not token.endswith("ing") and any(m[0] == _SYSTEM for m in meant))
+        )
+        is_telling |= found[k - 1 : k] == ["of"] and any(m[0] == _SYSTEM for m in meant)
         means = next((m for m in meant if _fits(m[0], words) and not (is_telling and m[0].kind in _BARE)), None)
         if means is None and (
             _describes(found, k, language) or is_adverb(token, language) or _is_title(found, k, language, parameters)
