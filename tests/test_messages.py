@@ -583,10 +583,10 @@ questions: [reaction of A, reaction of B]
         (
             "{slot: {pin: bar.end, along: right}}",
             "{roller: [ground.B, bar.end]}",
-            ["Did you mean slot, e.g. slot: {pin: rod.end, along: up}?"],
+            ["bar.end is no direction. There is: down, left, right, up, x, y. Write right, left, up, down, an angle"],
         ),
         ("{slot: {pin: bar.end, along: right}}", "{joint: [ground.B, bar.end]}", ["Did you mean pin, e.g. pin: "]),
-        ("first: ground.B, second", "from: ground.B, to", ["Did you mean first?", "Did you mean second?"]),
+        ("first: ground.B, second", "from: ground.B, to", []),
         ("first: ground.B, second: bar.end", "between: [ground.B, bar.end]", []),
         ("first: ground.B, second: bar.end", "between: ground.B", ["Did you mean first and second?"]),
         (
