@@ -44,6 +44,11 @@ class Parameter:
     is_angle: bool = False
     form: Expr | None = None
 
+    @property
+    def is_bare(self) -> bool:
+        """Whether neither a number nor a unit is given for it."""
+        return self.value is None and self.form is None and not self.unit
+
 
 @dataclass(frozen=True)
 class Line:

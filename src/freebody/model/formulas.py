@@ -65,6 +65,7 @@ class Formulas(Noting):
             set()
         )  # parameters whose numbers were asked for: with others a model may read otherwise
         self.used = set[str]()  # names that formulas of the model have
+        self.units_of_use: dict[str, Dimension] = {}  # of parameters that have neither number nor unit, by their use
         self.space = False
         self.taken: Mapping[str, object] = {}  # what names stand for that are no parameters: bodies
 
@@ -162,6 +163,7 @@ class Formulas(Noting):
         if found != dimension and expr != ZERO:
             if self.is_broken_in(value):
                 return ZERO
+            self._note_unit_of_use(expr, found, dimension, known)
             told = _unit_differs(value, found, dimension)
             own = self.parameters.get(value)
             if (
@@ -203,6 +205,18 @@ class Formulas(Noting):
         found = None if fits(text) is not None else fits(named)
         values = {name: quantity_expression(q) for name, q in quantities.items()}
         return None if found is None else substitute(found, values)
+
+    def _note_unit_of_use(
+        self, expr: Expr, found: Dimension, wanted: Dimension, known: Mapping[str, Dimension]
+    ) -> None:
+        """The unit with which the one parameter in a formula that has neither number nor unit makes it fit."""
+        names = [name for name in free_symbols(expr) if name in self.parameters and self.parameters[name].is_bare]
+        if len(names) != 1:
+            return
+        unit = wanted / found
+        with suppress(UnitError):
+            if dimension_of(expr, {**known, names[0]: unit}) == wanted:
+                self.units_of_use.setdefault(names[0], unit)
 
     def _quantity(self, text: str, dimension: Dimension, path: tuple[str | int, ...], why_not: str) -> Expr:
         quantity = None

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from freebody.connections.base import Connection
+from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.language.expression import ZERO
 from freebody.language.natural import natural
 from freebody.language.plain_text import plain
-from freebody.language.units import ENERGY
+from freebody.language.units import ENERGY, Dimension
 from freebody.loads.base import Load
 from freebody.questions.reading import read_questions
 from freebody.system.blows import gathered
@@ -40,8 +41,22 @@ from freebody.system.reading.validity import read_validities
 
 
 def read_system(document: Document, file: str | None) -> SystemDescription:
-    """What a document describes. Raises ModelError with all its problems."""
-    source = Source(document, file)
+    """What a document describes. A parameter with neither number nor unit has the unit with which it is used: read
+    once more with the units that were missed, until none is found. Raises ModelError with all its problems."""
+    units: dict[str, Dimension] = {}
+    while True:
+        source = Source(document, file)
+        source.names.units_of_use.update(units)
+        try:
+            return _read(source, document, file)
+        except ModelError:
+            found = source.names.units_of_use
+            if found.keys() == units.keys():
+                raise
+            units = dict(found)
+
+
+def _read(source: Source, document: Document, file: str | None) -> SystemDescription:
     names = source.names
     names.folders = document.folders
     check_sections(source)

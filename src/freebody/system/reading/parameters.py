@@ -100,8 +100,9 @@ def read_parameter(names: Names, name: str, value: Any) -> Parameter:
         unit, value = entry.get("unit"), entry.get("value")
     try:
         if value is None:
-            dimension = parse_unit(unit).dimension if unit else DIMENSIONLESS
-            return Parameter(name, dimension, None, sign, unit=unit or "")
+            used = None if unit else names.units_of_use.get(name)
+            dimension = used or (parse_unit(unit).dimension if unit else DIMENSIONLESS)
+            return Parameter(name, dimension, None, sign, unit=unit or str(used or ""))
         text = f"{value} {unit}" if unit else value
         quantity = parse_quantity(text)
     except (InputError, TypeError) as error:
