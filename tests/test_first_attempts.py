@@ -73,6 +73,12 @@ MISTAKES = {
         "what belongs to force stands inside of it, not beside it: on and direction, so force: {at: block, along: "
         "right, magnitude: 10 N}",
     ),
+    "a rope that ends on the drum over which it runs": (
+        f"{BLOCK.replace('bodies: {', 'bodies: {drum: {disk: {mass: 2 kg, radius: 1 m}}, ')}connections: "
+        "{p: {pin: [ground, drum]}, r: {string: {from: block, over: drum, to: drum}}}",
+        "the string runs over the rim of drum and ends in its middle; what is fastened to a drum is wound on it: to: "
+        "wound on drum, with nothing over it",
+    ),
     "a spring and its ends side by side": (
         f"{BLOCK}loads: {{s: {{spring: 50 N/m, between: [ground, block]}}}}",
         "what belongs to spring stands inside of it, not beside it: between, so spring: {first: ground, second: block, "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from freebody.connections.standing import (
@@ -79,7 +79,25 @@ def is_way_given(names: Names, of: GivenWay) -> bool:
     if len(places_given(of)) < 2 or not (of.path or (of.start and of.to)):
         names.problem(Message("a string needs two ends: from and to"))
         return False
-    return True
+    return not any([*_ends_within_its_wheel(names, places_given(of))])
+
+
+def _ends_within_its_wheel(
+    names: Names, places: Sequence[tuple[str, tuple[str | int, ...]]]
+) -> Iterator[tuple[str | int, ...]]:
+    """Where an end is tied to the middle of the wheel over which the string comes; a problem is noted."""
+    for (end, field), (beside, _field) in ((places[0], places[1]), (places[-1], places[-2])):
+        wheel, found = place_named(beside), _NODE.fullmatch(" ".join(beside.split()))
+        is_tied = end.strip() in (wheel, f"{wheel}.center") and found is not None and found["way"]
+        if len(places) > 2 and is_tied and wheel in names.bodies:
+            told = Message(
+                "the string runs over the rim of {wheel} and ends in its middle; what is fastened to a drum is wound "
+                "on it: {field}: wound on {wheel}, with nothing over it",
+                wheel=wheel,
+                field=str(field[0]),
+            )
+            names.problem(told, *field)
+            yield field
 
 
 def place_named(text: str) -> str:
