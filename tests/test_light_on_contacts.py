@@ -15,6 +15,7 @@ from freebody.errors import ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
+from posed import is_formula
 
 STEPLADDER = """
 parameters: {W: 700 N, L: 3 m, b: 1 m, s: 1.8 m, al: 65 deg}
@@ -136,3 +137,51 @@ def test_a_frame_stands_where_its_cord_is_below_the_top() -> None:
     answer = asked(STEPLADDER, "does it stay at rest")
     assert "it holds" in answer.verdict
     assert [c for c in answer.conditions if "slack" in c] == []
+
+
+SMOOTH_FRAME = """
+parameters: {L: 3 m, a: 20 deg, W: 800 N, s: 2 m, d: 1 m}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  left:
+    rod: {length: L}
+    at: {start: [-L*sin(a), 0]}
+    angle: 90 deg - a
+    points: {man: [s - L/2, 0], tie: [d - L/2, 0]}
+  right: {rod: {length: L}, at: {start: [L*sin(a), 0]}, angle: 90 deg + a, points: {tie: [d - L/2, 0]}}
+connections:
+  hinge: {pin: [left.end, right.end]}
+  rope: {string: {from: left.tie, to: right.tie}}
+  f1: {contact: {between: [left.start, ground.floor]}}
+  f2: {contact: {between: [right.start, ground.floor]}}
+loads: {man: {force: {at: left.man, along: down, magnitude: W}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("tension of rope", "W*s*tan(a)/(2*(L - d))"),
+        ("normal force of f1 / normal force of f2", "(2*L - s)/s"),
+    ],
+)
+def test_a_frame_without_mass_stands_on_a_smooth_floor_on_which_nothing_moves_it(question: str, formula: str) -> None:
+    """Moments about the foot of the other leg: N2 2 L sin(a) = W s sin(a); of the right leg about the hinge:
+    N2 L sin(a) = T (L - d) cos(a)."""
+    is_formula(SMOOTH_FRAME, question, formula)
+
+
+def test_a_ratio_is_told_where_what_stands_below_acts() -> None:
+    """A plank on two posts, A at its end: N_B c = W L/2 + P x. Where it tips about B nothing acts at A."""
+    plank = """
+parameters: {W: 2 kN, L: 6 m, c: 4 m, P: 500 N, x: 5 m, g: 9.81 m/s^2}
+bodies:
+  plank: {rod: {mass: W/g, length: L}, at: {start: [0, 0]}, angle: 0, points: {man: [x - L/2, 0]}}
+  A: {particle: {mass: 1 kg}, at: [0, 0], fixed: true}
+  B: {particle: {mass: 1 kg}, at: [c, 0], fixed: true}
+connections: {a: {contact: {between: [A, plank]}}, b: {contact: {between: [B, plank], friction: 0.5}}}
+loads: {weight: {gravity: g}, man: {force: {at: plank.man, along: down, magnitude: P}}}
+"""
+    ratio = "(W*L/2 + P*x)/(W*(c - L/2) - P*(x - c))"
+    found = is_formula(plank, "normal force of b / normal force of a", ratio)
+    assert found.value == pytest.approx(2125 / 375)

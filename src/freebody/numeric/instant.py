@@ -76,18 +76,27 @@ def gyroscopic(reference: NumericSystem, g: JetGeometry) -> Array:
 
 def free_motion(reference: NumericSystem, N: Array, push: Array) -> Array:
     """The accelerations (n,) along the free directions N (n, k) by generalized forces (n,), or the change of the
-    velocities by impulses. A thin rod may turn about itself without inertia: where no load
-    turns it, it does not begin to."""
+    velocities by impulses. A thin rod may turn about itself without inertia, and a frame without mass lie on a smooth
+    floor: where no load moves it so, it does not begin to."""
     inertia, force = N.T @ (reference.masses[:, None] * N), N.T @ push
-    if reference.system.space:
-        values, vectors = np.linalg.eigh(inertia)
-        idle = values <= RANK_CUT
-        pushed = np.abs(vectors.T @ force)[idle]
-        if idle.any() and pushed.max() <= RANK_CUT * max(1.0, float(np.linalg.norm(force))):
-            inverse = np.where(idle, 0.0, 1.0 / np.where(idle, 1.0, values))
-            return N @ (vectors @ (inverse * (vectors.T @ force)))
+    values, vectors = np.linalg.eigh(inertia)
+    idle = values <= RANK_CUT
+    pushed = np.abs(vectors.T @ force)[idle]
+    is_pushed = idle.any() and pushed.max() > RANK_CUT * max(1.0, float(np.linalg.norm(force)))
+    if idle.any() and not is_pushed and _is_held(reference, N @ vectors[:, idle]):
+        inverse = np.where(idle, 0.0, 1.0 / np.where(idle, 1.0, values))
+        return N @ (vectors @ (inverse * (vectors.T @ force)))
     check_inertia(reference, N, inertia)
     return N @ np.linalg.solve(inertia, force)
+
+
+def _is_held(reference: NumericSystem, idle: Array) -> bool:
+    """Whether what moves along directions (n, k) is joined to something: of a body alone in the plane that has no mass
+    nothing is told."""
+    if reference.system.space:
+        return True
+    joined = {body for row in reference.system.constraint_rows for body in row.measure.bodies()}
+    return all(reference.most_moved(direction) in joined for direction in idle.T)
 
 
 def held(reference: NumericSystem, split: Split, multipliers: Array, row: ConstraintRow) -> float:

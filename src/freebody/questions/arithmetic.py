@@ -72,13 +72,17 @@ class Joined(Quantity):
         return any(q.may_jump for q in self.inner)
 
 
+class NoValue(CannotAnswer):
+    """What is asked for has no value there."""
+
+
 def quotient(top: Any, bottom: Any) -> Any:
     """One value over another. Raises CannotAnswer for vectors, and where the lower one is zero."""
     refuse_vectors((top, bottom))
     try:
         return top / bottom
     except ZeroDivisionError:
-        raise CannotAnswer(Message("the ratio has no value, because what stands below is zero")) from None
+        raise NoValue(Message("the ratio has no value, because what stands below is zero")) from None
 
 
 def refuse_vectors(values: tuple[Any, ...]) -> None:

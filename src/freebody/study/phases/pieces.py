@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterator, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any, cast
@@ -12,6 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.questions.arithmetic import NoValue
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
 from freebody.questions.reading import AskedEvent, Question
@@ -71,7 +72,7 @@ def pieces(tree: PhaseTree, question: Question, behind: Transition | None = None
     elif question.event is not None:
         found = list(_at_event(tree, question, question.event, roots, met, is_first=True))
     else:
-        found = [_at_instant(tree, question, way) for way in roots]
+        found = list(_at_instants(tree, question, roots))
     if not found:
         raise NotHere(_not_found(tree, question, met))
     found.sort(key=lambda p: int(p.sets[0]))
@@ -124,6 +125,18 @@ def _untold(tree: PhaseTree) -> tuple[list[str], list[str]]:
 
 
 # -- one instant ------------------------------------------------------------------------------
+def _at_instants(tree: PhaseTree, question: Question, roots: Sequence[WayToPhase]) -> Iterator[AnswerBranch]:
+    """In all phases in which the motion may begin. One that is not the model's own may have no value: the ratio of two
+    normal forces where one contact has opened."""
+    own = next((way for way in roots if 0 in way.last.sets), None) if tree.system.has_values else None
+    for way in roots:
+        try:
+            yield _at_instant(tree, question, way)
+        except NoValue:
+            if own is None or way is own:
+                raise
+
+
 def _at_instant(tree: PhaseTree, question: Question, way: WayToPhase) -> AnswerBranch:
     """In the phase in which the motion begins."""
     phase = way.last.phase

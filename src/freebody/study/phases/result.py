@@ -261,7 +261,9 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
     equations: list[tuple[Expr, Expr]] = []
     for c, a in zip(model.coordinates, model.accelerations, strict=True):
         second = Call("rate", Call("rate", Symbol(c.name)))
-        x = model.dynamics.solved_accelerations[a]
+        x = model.dynamics.open_accelerations[a]
+        if (x - model.field.variable(a)).is_zero():  # nothing with mass moves with it, and nothing pushes it
+            continue
         equations.append((second, _with_places(tree, readable(x if course is None else course.plain(x)))))
     motion: list[tuple[Expr, Expr]] = []
     if isinstance(course, UniformMotion):
