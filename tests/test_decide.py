@@ -193,3 +193,19 @@ def test_a_condition_on_one_name_beside_roots_of_numbers_is_solved_for_it() -> N
     }
     for text, (x, relation) in told.items():
         assert Condition(x, relation).text() == text
+
+
+def test_a_difference_of_squares_with_the_sine_of_an_acute_angle_is_the_difference_of_what_is_squared() -> None:
+    # a cylinder with an eccentric weight rests on a slope where m^2 r^2 > (M + m)^2 R^2 sin^2 a: m r > (M + m) R sin a
+    f = SignedField()
+    m, M, r, R = (f.parameter(name, positive=True) for name in ("m", "M", "r", "R"))
+    a = f.parameter("alpha", positive=True)
+    f.acute_angles.add(f.index(a))
+    sine = functions(f)["sin"](a)
+    condition, possible_ = require(m**2 * r**2 - (M + m) ** 2 * R**2 * sine**2, ">")
+    assert possible_
+    assert condition is not None
+    assert (condition.element - (m * r - (M + m) * R * sine)).is_zero()
+    turned, _ = require((M + m) ** 2 * R**2 * sine**2 - m**2 * r**2, ">")
+    assert turned is not None
+    assert (turned.element + condition.element).is_zero()

@@ -337,3 +337,14 @@ def test_sines_and_cosines_of_equally_spaced_angles_sum_to_zero(n: int) -> None:
     for k, (a, b) in enumerate(parts):
         assert float(f.evaluate(a, values)) == pytest.approx(math.cos(2 * k * math.pi / n), abs=1e-14)
         assert float(f.evaluate(b, values)) == pytest.approx(math.sin(2 * k * math.pi / n), abs=1e-14)
+
+
+def test_a_sum_of_squares_under_a_root_is_shown_as_one() -> None:
+    f = SignedField()
+    m, k, c, w, Y = (f.parameter(name, positive=True) for name in ("m", "k", "c", "Omega", "Y"))
+    amplitude = tidy(m * Y * w**2 / f.sqrt((k - m * w**2) ** 2 + c**2 * w**2))
+    assert to_text(amplitude) == "m·Ω²·Y/√((m·Ω² - k)² + c²·Ω²)"
+    numbers = {"m": 1.3, "k": 4.1, "c": 0.7, "Omega": 1.9, "Y": 0.2}
+    wanted = 1.3 * 0.2 * 1.9**2 / math.hypot(4.1 - 1.3 * 1.9**2, 0.7 * 1.9)
+    assert float(evaluate(amplitude, numbers)) == pytest.approx(wanted, rel=1e-14)
+    assert to_text(tidy(f.sqrt(m**2 + c**2))) == "√(m² + c²)"

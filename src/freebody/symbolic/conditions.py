@@ -5,6 +5,7 @@ Factors whose sign is known are dropped; what is then true for all admissible va
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -244,7 +245,7 @@ def _by_arguments(base: Ratio) -> Ratio:
     """What has the sign of a function that only rises or falls, against a value that it has, by where its argument is:
     log u as u - 1, atan u - atan v as u - v, asin u - pi/6 as u - 1/2, pi/3 - acos u as u - 1/2 (and acute angles)."""
     field = base.field
-    if (angles := _by_acute_angles(base)) is not None:
+    if (angles := _by_acute_angles(base) or _by_a_sine(base)) is not None:
         return angles
     used = sorted(base.generators() & field.arguments.keys())
     names = {field.arguments[g][0] for g in used}
@@ -287,6 +288,41 @@ def _by_acute_angles(base: Ratio) -> Ratio | None:
         if base == sign * total:
             return sign * (field.pi / 2 - a - b)
     return None
+
+
+def _by_a_sine(base: Ratio) -> Ratio | None:
+    """p^2 - q^2 sin^2 a of an acute angle, which written by cos^2 a has no factors, as p - q sin a; p, q positive."""
+    field = base.field
+    pairs = field.pairs(base.generators())
+    if len(pairs) != 1 or base.den is not None or not all(field.generators[g].positive for g in pairs[0]):
+        return None
+    cosine, sine = pairs[0]
+    parts = base.coefficients(cosine)
+    if sine in base.generators() or len(parts) != 3 or not parts[1].is_zero():
+        return None
+    p_squared, q_squared = parts[0] + parts[2], parts[2]
+    for sign in (1, -1):
+        p, q = _positive_root(sign * p_squared), _positive_root(sign * q_squared)
+        if p is not None and q is not None:
+            return sign * (p - q * field.variable(sine))
+    return None
+
+
+def _positive_root(x: Ratio) -> Ratio | None:
+    """p > 0 of a polynomial p^2 that is a square."""
+    if x.is_zero() or x.den is not None:
+        return None
+    unit, factors = x.field.factor(x.num)
+    front = math.isqrt(max(unit, 0))
+    if front == 0 or front * front != unit or any(exponent % 2 for _base, exponent in factors):
+        return None
+    root = x.field.element(front)
+    for base, exponent in factors:
+        sign = sign_given(base)
+        if not sign.is_strict:
+            return None
+        root = root * (base if sign is Sign.POSITIVE else -base) ** (exponent // 2)
+    return root
 
 
 def _signed(x: Ratio) -> Ratio:

@@ -36,6 +36,7 @@ from freebody.symbolic.signs_shown import (
     signed_product,
     with_halves,
 )
+from freebody.symbolic.squares_shown import as_sum_of_squares
 from freebody.symbolic.waves import Monomial, Terms, fourier, n_waves, square_variants
 
 # order in which factors of a product are written
@@ -126,10 +127,18 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
         return None
     front, upside_down = tidy(outside), field.lowest_terms(1 / inside)
     if upside_down.den is None:  # 1/sqrt(a), not sqrt(1/a)
-        return divide(front, root_shown(tidy(upside_down)))
-    root = root_shown(tidy(inside))
+        return divide(front, root_shown(_radicand(upside_down)))
+    root = root_shown(_radicand(inside))
     found = root if front == number(1) else multiply(*factors_of(front), root)
     return found if len(roots) == 1 or n_operations(found) < n_operations(_quotient(x)) else None
+
+
+def _radicand(x: Ratio) -> Expr:
+    """What stands under a root: sums of squares as such, where that is shorter."""
+    plain, field = tidy(x), x.field
+    parts = [as_sum_of_squares(field, p, lambda q: _poly(field, q)) for p in (x.num, x.denominator().num)]
+    squares = fraction_shown(parts[0], parts[1], turns=not sign_is_positive(x.denominator()))
+    return min(plain, squares, key=n_operations)
 
 
 def _over_a_root(x: Ratio) -> Expr | None:
@@ -237,7 +246,7 @@ def shown(field: Field, index: int) -> Expr:
     generator = field.generators[index]
     if generator.kind == "root" and generator.made_of:
         if index not in field.shown_roots:  # it stands in most of the terms
-            field.shown_roots[index] = root_shown(tidy(field.radicand(index)))
+            field.shown_roots[index] = root_shown(_radicand(field.radicand(index)))
         return field.shown_roots[index]
     if generator.kind in ("cos", "sin"):
         angle = field.angles.get(index if generator.kind == "cos" else index - 1)
