@@ -19,6 +19,7 @@ from freebody.present.report.formats.terminal import terminal_text
 from freebody.questions.reading import Question
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.expressed import kinds_without_entry
+from freebody.questions.spoken.inflecting import inflected
 from freebody.questions.spoken.lexicon import languages, phrases_at, spelt_out, tables
 from freebody.questions.spoken.words import respelt
 from freebody.system.system import System
@@ -342,6 +343,58 @@ def test_what_cannot_be_read_is_answered_with_questions_of_this_model() -> None:
     for question in suggested:
         assert system.question(question).understood == question
     assert any(question.startswith("tension of rope at ") for question in suggested)
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "meant"),
+    [
+        (
+            "valve_spring",
+            "At what cam speed does the valve begin to lift off?",
+            "value of Omega for which driving force of cam at t = pi/Omega = 0",
+        ),
+        (
+            "valve_spring",
+            "Bei welcher Drehzahl beginnt das Ventil abzuheben?",
+            "value of Omega for which driving force of cam at t = pi/Omega = 0",
+        ),
+        (
+            "loop_the_loop",
+            "Up to what height may the car start if the track only bears S at the bottom?",
+            "largest h so that tension of track <= S at start",
+        ),
+        ("conical_pendulum", "Wie schnell läuft das Pendel um?", "rate of psi in steady motion at start"),
+        (
+            "throw_at_target",
+            "At what launch angle does the ball strike the target?",
+            "value of theta for which y = h when x = s",
+        ),
+    ],
+)
+def test_a_question_of_the_file_that_is_about_the_same_is_among_those_suggested(
+    name: str, said: str, meant: str
+) -> None:
+    with pytest.raises(ModelError) as error:
+        example(name).question(said)
+    suggested = [line.strip() for line in str(error.value).splitlines()[1:]]
+    assert len(suggested) <= 5
+    assert meant in suggested
+
+
+@pytest.mark.parametrize(
+    ("written", "language", "form"),
+    [
+        ("~ab|sinken", "de", "abgesunken"),
+        ("~ab|sinken", "de", "sank _ ab"),
+        ("~verlassen", "de", "verliess"),
+        ("~hinauf|steigen", "de", "hinaufzusteigen"),
+        ("~slide off", "en", "slid off"),
+        ("~fall", "en", "fallen"),
+        ("~leave", "en", "leaving"),
+    ],
+)
+def test_strong_verbs_have_all_their_forms(written: str, language: str, form: str) -> None:
+    assert form in {said for phrase in inflected(written, language) for said in spelt_out(phrase)}
 
 
 @pytest.mark.parametrize(

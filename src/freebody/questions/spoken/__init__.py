@@ -19,10 +19,11 @@ that instant describes it (stated.py); up to which value of a parameter rest las
 What a model has for words that name nothing stands in lookup.py, joining.py (connections), poses.py (what hangs,
 stands, lies level), strings.py, losing.py (what takes energy away) and given.py (parameters by what they are of).
 A speed for that of something else is a ratio (geared.py); words put as others put them are told before clauses are
-parted (rewording.py), and where something is meant within a clause in within.py. What is said of other values than the
-file gives is told in other_values.py, with its wording in a file of its own (xx.values.toml); forces that nobody
-chooses are told from others in unchosen.py, and what is assumed in assumed.py. One quantity at two instants is
-compared in at_two_instants.py. Parts that no reading has taken as they stand are put in the order of the grammar
-(recomposing.py). Nothing that is said is dropped, but words that lead to a question, adjectives that tell no thing from
-another, and adverbs of manner.
+parted (rewording.py; beginning.py: what begins, varies, settles), and where something is meant within a clause in
+within.py. What is said of other values than the file gives is told in other_values.py, with its wording in a file of
+its own (xx.values.toml); forces that nobody chooses are told from others in unchosen.py, and what is assumed in
+assumed.py. One quantity at two instants is compared in at_two_instants.py. Parts that no reading has taken as they
+stand are put in the order of the grammar (recomposing.py). Verbs of a file stand for all their forms (inflecting.py,
+strong_verbs.py). Nothing that is said is dropped, but words that lead to a question, adjectives that tell no thing
+from another, and adverbs of manner.
 """

@@ -23,7 +23,7 @@ _ASKS = (["for"], ["with"], ["where"], ["what"])
 
 def told(names: Names, words: list[Word]) -> list[Word]:
     """The words without what says no more."""
-    return _settled(names, _varying(_at_once(_led(words))))
+    return _settled(names, _varying(_at_once(_led(_reached(words)))))
 
 
 def _at_once(words: list[Word]) -> list[Word]:
@@ -33,6 +33,18 @@ def _at_once(words: list[Word]) -> list[Word]:
     is_one = len(verbs) == 2 and not any(word.kind == "mark" for word in words[verbs[0] : verbs[1]])
     begins = is_one and doing == [False, True] and _START in words
     return [word for word in words if word != _START] if begins else words
+
+
+def _reached(words: list[Word]) -> list[Word]:
+    """Which greatest height it reaches is its greatest height."""
+    kinds = [word.kind for word in words]
+    if (
+        words[1:2] != [Word("verb", "top")]
+        or words[0] != Word("ask", "what")
+        or kinds[2:] not in (["name"], ["pronoun"])
+    ):
+        return words
+    return [Word("degree", "greatest"), Word("quantity", "height"), Word("preposition", "of"), *words[2:]]
 
 
 def _led(words: list[Word]) -> list[Word]:
