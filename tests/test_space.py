@@ -202,6 +202,8 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
             load["torque"]["about"] = f"lab.{load['torque']['about']}"
     data["frames"] = {key: {"on": "lab", **entry} for key, entry in data.get("frames", {}).items()}
     for k, body in enumerate(home.system.moving):
+        if body.name not in data["bodies"]:
+            continue  # a copy stands where its first one says
         entry = data["bodies"][body.name]
         if body.chain:
             entry.setdefault("frame", "lab")
