@@ -239,7 +239,9 @@ loads: {drive: {torque: {on: motor, magnitude: T1}}, brake: {torque: {on: drum, 
 
 
 @pytest.mark.parametrize(
-    ("crossed", "beta"), [(False, 2.0 * math.acos(0.12 / 0.6)), (True, math.tau - 2.0 * math.acos(0.28 / 0.6))]
+    ("crossed", "beta"),
+    [(False, 2.0 * math.acos(0.12 / 0.6)), (True, math.tau - 2.0 * math.acos(0.28 / 0.6))],
+    ids=["open", "crossed"],
 )
 def test_the_angle_of_wrap_is_that_of_the_pulley_on_which_it_slips_first(crossed: bool, beta: float) -> None:
     """At the smaller pulley of an open belt cos(beta/2) = (R - r)/c; a crossed one embraces both by more than half a
