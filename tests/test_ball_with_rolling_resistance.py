@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import freebody as fb
+from freebody.errors import ModelError
 
 R, F, G, V0 = 0.1, 0.002, 9.81, 1.0
 BALL = """
@@ -35,3 +36,14 @@ def test_without_resistance_it_rolls_on_at_its_speed() -> None:
     assert found["q1"].value == pytest.approx(2 / V0, rel=1e-9)
     assert found["q2"].value == pytest.approx(V0, rel=1e-9)
     assert all(found[q].expression is not None for q in ("q1", "q2"))
+
+
+def test_rolling_resistance_of_a_rolling_joint_is_told_to_belong_to_a_contact() -> None:
+    text = """
+parameters: {f: 3 mm}
+ground: {lines: {floor: {along: right}}}
+bodies: {wheel: {disk: {mass: 1 kg, radius: 0.3 m}}}
+connections: {track: {rolling: {body: wheel, on: ground.floor, rolling_resistance: f}}}
+"""
+    with pytest.raises(ModelError, match="a contact takes it"):
+        fb.System.from_text(text)

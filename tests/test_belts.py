@@ -236,3 +236,64 @@ loads: {drive: {torque: {on: motor, magnitude: T1}}, brake: {torque: {on: drum, 
     w2 = (F * 0.15 - 1.0) / 0.2
     assert largest == pytest.approx(0.01 * w2 * 0.15 / 0.05 + F * 0.05, rel=1e-9)
     assert system.solve("range of T1 for which the belt does not slip")["q1"].value == pytest.approx(largest, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("crossed", "beta"),
+    [(False, 2.0 * math.acos(0.12 / 0.6)), (True, math.tau - 2.0 * math.acos(0.28 / 0.6))],
+    ids=["open", "crossed"],
+)
+def test_the_angle_of_wrap_is_that_of_the_pulley_on_which_it_slips_first(crossed: bool, beta: float) -> None:
+    """At the smaller pulley of an open belt cos(beta/2) = (R - r)/c; a crossed one embraces both by more than half a
+    turn, cos(pi - beta/2) = (R + r)/c. Euler and Eytelwein: S_1/S_2 = e^(mu beta) where it is about to slip."""
+    system = fb.System.from_text(f"""
+parameters: {{r: 80 mm, R: 200 mm, c: 600 mm, mu: 0.4, F_0: 500 N}}
+ground: {{points: {{A: [0, 0], B: [c, 0]}}}}
+bodies: {{motor: {{disk: {{mass: 1 kg, radius: r}}}}, fan: {{disk: {{mass: 1 kg, radius: R}}, at: [c, 0]}}}}
+connections:
+  p: {{pin: [ground.A, motor]}}
+  q: {{pin: [ground.B, fan]}}
+  drive: {{belt: {{first: motor, second: fan, friction: mu, pretension: F_0, crossed: {str(crossed).lower()}}}}}
+questions:
+  - {{id: wrap, find: angle of wrap of drive}}
+  - {{id: force, find: greatest belt force of drive}}
+""")
+    wrap, force = system.solve().answers
+    assert wrap.value == pytest.approx(beta, rel=1e-9)
+    assert wrap.unit == "rad"
+    ratio = math.exp(0.4 * beta)
+    assert force.value == pytest.approx(2.0 * 500.0 * (ratio - 1.0) / (ratio + 1.0), rel=1e-9)
+
+
+def test_a_given_angle_of_wrap_is_told_again_and_a_chain_has_none() -> None:
+    text = """
+parameters: {mu: 0.3, F_0: 200 N}
+ground: {points: [A, B]}
+bodies: {a: {disk: {mass: 1 kg, radius: 0.1 m}}, b: {disk: {mass: 1 kg, radius: 0.2 m}}}
+connections:
+  p: {pin: [ground.A, a]}
+  q: {pin: [ground.B, b]}
+  drive: {belt: {first: a, second: b, friction: mu, pretension: F_0, wrap: 160 deg}}
+questions: {it: angle of wrap of drive}
+"""
+    (answer,) = fb.System.from_text(text).solve().answers
+    assert answer.value == pytest.approx(math.radians(160.0), rel=1e-12)
+    chain = "{chain: {first: a, second: b, pitch: 12.7 mm, teeth: [19, 57]}}"
+    text = text.replace("{belt: {first: a, second: b, friction: mu, pretension: F_0, wrap: 160 deg}}", chain)
+    with pytest.raises(fb.errors.ModelError, match="angle of wrap"):
+        fb.System.from_text(text)
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["how large is the angle of wrap?", "wrap angle of the belt drive", "Umschlingungswinkel des Riemens drive"],
+)
+def test_the_angle_of_wrap_is_understood_in_peoples_words(words: str) -> None:
+    text = """
+ground: {points: {A: [0, 0], B: [0.6 m, 0]}}
+bodies: {a: {disk: {mass: 1 kg, radius: 0.1 m}}, b: {disk: {mass: 1 kg, radius: 0.1 m}, at: [0.6 m, 0]}}
+connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, drive: {belt: [a, b]}}
+questions: {it: "WORDS"}
+"""
+    (answer,) = fb.System.from_text(text.replace("WORDS", words)).solve().answers
+    assert answer.value == pytest.approx(math.pi)

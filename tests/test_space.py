@@ -320,13 +320,14 @@ def anywhere() -> tuple[Array, Array]:
 
 
 # a rope with mass runs along directions of the ground; what rolls on a surface has a foot there, which is no body here;
-# polar coordinates are counted from an axis of the ground
+# polar coordinates are counted from an axis of the ground; a copy of a gear may begin at any angle about its own axis
 BOUND_TO_THE_GROUND = {"heavy_rope", "rolling_on_surface"}
 ON_THE_GROUND = [
     name
     for name in SPATIAL
     if any(BOUND_TO_THE_GROUND & {*c} for c in spatial(name).get("connections", {}).values())
     or any("from the z axis" in str(text) for text in spatial(name).get("measures", {}).values())
+    or any("copies" in body for body in spatial(name)["bodies"].values())
 ]
 
 

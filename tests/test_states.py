@@ -202,3 +202,15 @@ def test_an_exercise_gives_the_states_with_their_start() -> None:
     text = terminal_text(sheet([system]).report())
     assert "u' = (T - u)/τ" in text
     assert "u = 0" in text
+
+
+def test_an_integral_in_a_formula_is_told_to_be_a_state() -> None:
+    text = """
+parameters: {k: 5 N/m}
+bodies: {block: {particle: {mass: 1 kg}}}
+connections: {rail: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+loads: {hold: {force: {at: block, along: right, magnitude: -k*integral(x)}}}
+"""
+    with pytest.raises(ModelError, match=r"an integral is a state of its own, .* states: \{z: x - x_d\}"):
+        fb.System.from_text(text)

@@ -223,6 +223,8 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
         found: dict[str, Transmitted] = {}
         if (length := self._loop(names).length) is not None:
             found["length"] = Transmitted(length, LENGTH)
+        if (wrap := self._wrap(names)) is not None:
+            found["angle of wrap"] = Transmitted(wrap, DIMENSIONLESS)
         if self.pretension is not None:
             pretension, half = names.positive(self, "pretension", FORCE), divide(ONE, number(2))
             found["tight tension"] = Transmitted(pretension, FORCE, "belt", half)

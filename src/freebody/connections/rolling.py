@@ -67,6 +67,10 @@ class Rolling(Connection, kind="rolling"):
             "what rolls here never slips; where friction may be too little write contact: {{between: [wheel, floor], "
             "friction: mu}}"
         ),
+        "rolling_resistance": Message(
+            "a contact takes it: contact: {{between: [wheel, floor], friction: mu, rolling_resistance: f, touching: "
+            "true}}"
+        ),
         "z": Message("on a surface z = f(x, y) it is rolling_on_surface: {{body: ball, z: k*rho^2}}"),
         "y": Message("on a curve y = f(x) it is rolling_on_curve: {{body: ball, y: a*x^2}}"),
     }

@@ -41,6 +41,7 @@ _GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lam mu nu xi omicron pi rho sigma tau "
     "upsilon phi chi psi omega"
 )
+_INTEGRALS = ("integral", "integrate", "int")
 _LOWERCASE = dict(zip("αβγδεζηθικλμνξοπρστυφχψω", _GREEK_NAMES.split(" "), strict=True))
 _UPPERCASE = {letter.upper(): name.capitalize() for letter, name in _LOWERCASE.items()}
 GREEK = {**_LOWERCASE, **_UPPERCASE, "Λ": "Lambda"}
@@ -309,6 +310,12 @@ def _rate(argument: Expr, column: int) -> Expr:
 
 
 def _not_a_function(name: str) -> Message:
+    if name.lower() in _INTEGRALS:
+        return Message(
+            "'{name}' is not a function: an integral is a state of its own, named with its rate, as in states: {{z: x "
+            "- x_d}}; write z in the formula",
+            name=name[:40],
+        )
     close = get_close_matches(name.lower(), FUNCTIONS, n=1)
     if close:
         return Message(

@@ -19,13 +19,15 @@ from freebody.questions.reactions_by_component import ReactionComponent
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_WORDS = "tight tension|slack tension|greatest belt force|greatest power|speed of greatest power|length|links"
+_WRAP = "angle of wrap"
+_WORDS = f"tight tension|slack tension|greatest belt force|greatest power|speed of greatest power|length|links|{_WRAP}"
 _KEYS = {word: word.replace(" ", "_") for word in _WORDS.split("|")}
 
 
 @dataclass(frozen=True)
 class OfBelt(Joined, kind="of a belt"):
-    """A tension of a belt, the greatest force or power that it carries without slip, or its length."""
+    """A tension of a belt, the greatest force or power that it carries without slip, its length, or the angle of wrap
+    on the pulley on which it slips first."""
 
     is_by_law: ClassVar[bool] = True
 
@@ -47,6 +49,10 @@ questions: {it: tight tension of drive}
     @property
     def dimension(self) -> Dimension:
         return self.means.dimension
+
+    @property
+    def unit(self) -> str:
+        return "rad" if self.what == _WRAP else super().unit
 
     @property
     def is_of_parameters(self) -> bool:
@@ -83,8 +89,8 @@ questions: {it: tight tension of drive}
 
 
 @asked(
-    "tight tension | slack tension | greatest belt force | greatest power | speed of greatest power | length of "
-    "CONNECTION",
+    "tight tension | slack tension | greatest belt force | greatest power | speed of greatest power | length | "
+    "angle of wrap of CONNECTION",
     rf"(?P<what>{_WORDS}) (?:of|in) (?:the )?(?P<of>{NAME})",
     rank=60,
 )

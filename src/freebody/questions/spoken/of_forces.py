@@ -481,12 +481,12 @@ def _differences(names: Names, of: list[str]) -> list[str]:
     return [f"tension of {name}{one} - tension of {name}{other}" for name, one, other in both]
 
 
-@said_of("links")
-def _links(names: Names, quantity: str, rest: Clause) -> Groups:
-    """Of a chain that is named, or of the only one."""
+@said_of("links", "angle of wrap")
+def _of_loop(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a chain or belt that is named, or of the only one."""
     of = [name for _, name in rest.names if name in names.connections]
     if rest.only("name", *SILENT) and len(rest.names) <= 1:
-        yield [f"links of {name}" for name in of or having(names, "links")]
+        yield [f"{quantity} of {name}" for name in of or having(names, quantity)]
 
 
 @said_of("tooth force components")
