@@ -903,3 +903,19 @@ questions: [least mu so that drum rolls, largest a0 so that drum rolls]
     least, largest = fb.solve(fb.System.from_text(drum)).answers
     assert least.value == pytest.approx(2 / (3 * 9.81), rel=1e-9)
     assert largest.value == pytest.approx(3 * 0.3 * 9.81, rel=1e-9)
+
+
+def test_what_equilibrium_alone_decides_is_one_value_and_no_bound() -> None:
+    """F b = m g a about the axle: with more force the barrow is lifted, with less it falls."""
+    system = fb.System.from_text("""
+parameters: {m: 60 kg, a: 0.5 m, b: 1.4 m, F: N, g: 9.81 m/s^2}
+bodies: {barrow: {body: {mass: m, center_of_mass: [a, 0]}, angle: 0, points: {grip: [b, 0]}}}
+connections: {axle: {pin: [ground.O, barrow.origin]}}
+loads: {weight: {gravity: g}, hands: {force: {at: barrow.grip, along: up, magnitude: F}}}
+questions: [least F so that nothing moves]
+""")
+    (answer,) = system.solve().answers
+    assert "it stays at rest at this value alone" in answer.notes
+    told = system.explain().to_text()
+    assert "Equilibrium alone decides F." in told
+    assert "F ≥" not in told

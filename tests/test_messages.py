@@ -583,10 +583,11 @@ questions: [reaction of A, reaction of B]
         (
             "{slot: {pin: bar.end, along: right}}",
             "{roller: [ground.B, bar.end]}",
-            ["bar.end is no direction. There is: down, left, right, up, x, y. Write right, left, up, down, an angle"],
+            ["bar.end is no direction"],  # a roller is a slot: a point, and along what
         ),
         ("{slot: {pin: bar.end, along: right}}", "{joint: [ground.B, bar.end]}", ["Did you mean pin, e.g. pin: "]),
         ("first: ground.B, second", "from: ground.B, to", []),
+        ("first: ground.B, second", "begin: ground.B, second", ["spring has no begin; it needs first"]),
         ("first: ground.B, second: bar.end", "between: [ground.B, bar.end]", []),
         ("first: ground.B, second: bar.end", "between: ground.B", ["Did you mean first and second?"]),
         (

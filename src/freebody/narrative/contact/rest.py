@@ -155,7 +155,7 @@ class _RestTelling:
         if len(shown) == 2:
             sides: tuple[Expr, ...] = (shown[0], symbol, shown[1])
             relations: tuple[Relation, ...] = ("≤", "≤")
-        elif len(told) == 2:
+        elif len(told) == 2 or told[0][1].failure == Failure():  # no inequality decides it
             sides, relations = (symbol, shown[0]), ("=",)
         else:
             sides, relations = (symbol, shown[0]), (_AT[told[0][0]],)
@@ -174,7 +174,7 @@ class _RestTelling:
         newton = RestNewton(acting, glossary, equations.inertia)
         with script.stage("stage.failure", "hint.failure"):
             end = "upper" if limit.sign > 0 else "lower"
-            key = "alone" if row and case.failure == Failure() else f"{'extreme' if row else 'fails'}_{end}"
+            key = "alone" if case.failure == Failure() else f"{'extreme' if row else 'fails'}_{end}"
             script.say(f"rest.{key}", words=ready(case.words), name=symbol)
         if not row and (rub := turning(equations, case.failure)) is not None:
             names = (*(r.name for r in rub.rows), *rub.load)

@@ -8,7 +8,7 @@ centres and where lines of action meet: pins, contact points, the point above a 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from operator import attrgetter
 from typing import Protocol
@@ -162,17 +162,16 @@ class PlanarPlaces:
 
     # -- points -------------------------------------------------------------------------------
     def centres(self, bodies: tuple[str, ...]) -> list[MomentCentre]:
-        """Mass centres, and where the lines of action of two reactions from outside meet. A body without mass has no
-        mass centre worth naming, unless no lines meet."""
+        """Mass centres, and where the lines of action of two reactions from outside meet. Of a body without mass it is
+        the fixed pin there, or the centre of a round one."""
         f = self.field
         found: list[MomentCentre] = []
-        middle: MomentCentre | None = None
+        has_mass = True
         if len(bodies) == 1:
-            place = self.position(bodies[0])
-            words = Sentence("point.mass_center", {"body": bodies[0]})
-            middle = MomentCentre(place, words, self._is_still(place), bodies[0])
-        if middle is not None and self.system.material[bodies[0]].mass != ZERO:
-            found.append(middle)
+            body, place = self.system.material[bodies[0]], self.position(bodies[0])
+            has_mass = body.mass != ZERO
+            key = "point.mass_center" if has_mass or body.radius is None else "point.center"
+            found.append(MomentCentre(place, Sentence(key, {"body": body.name}), self._is_still(place), body.name))
         rows = self.acting.rows
         for (row_a, a), (row_b, b) in sorted(
             combinations(self._lines_of_action(bodies), 2),
@@ -184,9 +183,12 @@ class PlanarPlaces:
             # r x F = m for both lines, about the origin
             x = f.lowest_terms((a[0] * b[2] - b[0] * a[2]) / determinant)
             y = f.lowest_terms((a[1] * b[2] - b[1] * a[2]) / determinant)
+            words, is_still = self._point_words(row_a, row_b), self._is_still((x, y))
             if not any(c.place == (x, y) for c in found):
-                found.append(MomentCentre((x, y), self._point_words(row_a, row_b), self._is_still((x, y))))
-        return found or ([] if middle is None else [middle])
+                found.append(MomentCentre((x, y), words, is_still))
+            elif not has_mass and is_still and found[0].place == (x, y) and words.key == "point.named":
+                found[0] = replace(found[0], words=words)
+        return found
 
     def _is_still(self, place: Vector) -> bool:
         return self.acting.is_at_rest or all(self.model.samples.vanishes(self.model.rate(x)) for x in place)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Sum, Symbol
+from freebody.language.expression import Expr, Sum
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import TrueWhen
@@ -103,14 +103,10 @@ def finish(
         with script.stage(*stage):
             if (reason := question.quantity.reason) is not None:
                 script.say(reason.key, **reason.args)
-            shown, unsolved = written(general), written(parts)
-            # the components have symbols of their own: the vector needs no second name
-            are_named = isinstance(unsolved, tuple) and all(isinstance(part, Symbol) for part in unsolved)
-            has_names = are_named and bool(found) and not question.at_start
-            sides: list[Expr | tuple[Expr, ...]] = []
-            if not has_names:
-                script.add(asked_entry(name, question, n=len(parts)))
-                sides.append(side_of(name, len(general)))
+            script.add(asked_entry(name, question, n=len(parts)))
+            shown = written(general)
+            sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]
+            unsolved = written(parts)
             if before is not None and before.total is not None:
                 sides.append(before.total)
             elif found and unsolved != shown:

@@ -64,7 +64,7 @@ def _kept(
 ) -> int:
     """The momentum of one coordinate, and what it is at the start."""
     momentum, at_start = map(integrals.field.lowest_terms, integrals.momentum(k))
-    args: dict[str, Argument] = {"name": Symbol(k.name), "rate": rates_of(k.name, 1)}
+    args: dict[str, Argument] = {"name": Symbol(k.name)}
     return script.line(show(momentum), show(at_start), why="course.momentum", args=args, uses=uses, when=when)
 
 

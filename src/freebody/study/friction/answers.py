@@ -40,6 +40,7 @@ TOLERANCE = 1e-8  # relative: limits are found by halving margins of linear prog
 OF_PLANES = 1e-5  # where circular cones are cut out by planes, which come close to them only
 END = {1: Message("upper"), -1: Message("lower")}
 _FIRST = Message("nothing else fails before")
+_ALONE = Message("it stays at rest at this value alone")
 ROUTE = Message("the linear programs of all reactions that rest allows")
 
 
@@ -223,7 +224,7 @@ class _Answerer:
         if len(elements) == 2 and elements[0] == elements[1]:
             elements, exact = elements[:1], exact[:1]
             decided = self._decided(limits)
-            notes = [Message("it stays at rest at this value alone"), *(n for n in notes if n not in decided)]
+            notes = [_ALONE, *(n for n in notes if n not in (*decided, _ALONE))]
         return self._finished(ends, cases, elements, exact, notes, limits)
 
     def _exact(self, ends: Ends, case: FailureCase) -> float:
@@ -267,6 +268,8 @@ class _Answerer:
                     k=limited,
                     n=len(limit.compared),
                 )
+        elif limit.main is not None and limit.main.failure == Failure():
+            yield _ALONE
         elif limit.first is not None and limit.first.seen is not None:
             yield Message("{end} limit: {words}", end=end, words=limit.first.seen.words)
         open_ = [c for c in limit.compared if c.case is None and c.seen is not None and not _unlimited(c, ends)]
