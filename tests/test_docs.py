@@ -161,3 +161,12 @@ bodies:
 """
     looks = fb.System.from_text(model + section).looks
     assert (looks.paths["shaft"], looks.scale["block"]) == (("origin", "C", "B"), 2.0)
+
+
+def test_the_index_of_the_gallery_keeps_the_cards_of_pages_that_are_not_written_anew() -> None:
+    from tools.make_gallery import cards_in, index
+
+    page = (ROOT / "docs" / "gallery" / "index.html").read_text(encoding="utf-8")
+    cards = cards_in(page)
+    assert sorted(cards) == sorted(path.stem for path in (ROOT / "examples").glob("*.yaml"))
+    assert cards_in(index(list(cards.values()))) == cards

@@ -1,11 +1,12 @@
 """Renders the gallery: a page for every bundled example with figures, answers and derivations, and an index of them.
 
 python tools/make_gallery.py                     writes docs/gallery
-python tools/make_gallery.py FOLDER [NAME ...]   writes elsewhere, or some examples only
+python tools/make_gallery.py FOLDER [NAME ...]   writes elsewhere, or some examples only; others keep their cards
 """
 
 from __future__ import annotations
 
+import re
 import sys
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MOST_ANSWERS = 3  # that a card shows
+_CARD = re.compile(r'<article>\n<a class="figure" href="(?P<name>\w+)\.html".*?</article>\n', re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -34,8 +36,16 @@ def main() -> None:
     folder.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor(max_workers=2) as pool:
         cards = list(pool.map(render, names, [folder] * len(names)))
-    (folder / "index.html").write_text(index(cards), encoding="utf-8")
-    print(f"wrote {len(cards)} pages and an index to {folder}")
+    place = folder / "index.html"
+    kept = cards_in(place.read_text(encoding="utf-8")) if sys.argv[2:] and place.exists() else {}
+    articles = kept | {card.name: card_of(card) for card in cards}
+    place.write_text(index([articles[name] for name in sorted(articles)]), encoding="utf-8")
+    print(f"wrote {len(cards)} pages and an index of {len(articles)} to {folder}")
+
+
+def cards_in(page: str) -> dict[str, str]:
+    """The cards of an index by the names of their examples."""
+    return {match["name"]: match[0] for match in _CARD.finditer(page)}
 
 
 def render(name: str, folder: Path) -> Card:
@@ -63,7 +73,7 @@ def formula(expression: object) -> str:
     return f"<math><mo>=</mo>{row}</math>"
 
 
-def index(cards: list[Card]) -> str:
+def index(articles: list[str]) -> str:
     """The page that shows all examples."""
     from freebody.present.assets import colored
 
@@ -81,7 +91,7 @@ def index(cards: list[Card]) -> str:
 <p>Each was described in a short model file and solved, checked and written by <code>freebody explain</code>.</p>
 </header>
 <main>
-{"".join(map(card_of, cards))}</main>
+{"".join(articles)}</main>
 </body>
 </html>
 """
