@@ -41,7 +41,7 @@ MISTAKES = {
         "write None_1",
     ),
     "a parameter pi": ({"L: 0.5 m": "pi: 0.5 m", "length: L": "length: pi"}, "pi is a number; choose another name"),
-    "a parameter without a unit": ({"m: 2 kg": "m: null"}, "write m: kg under parameters"),
+    "a parameter without a unit": ({"m: 2 kg": "m: 2"}, "write m: 2 kg under parameters"),
     "a measure by the name of a parameter": (
         {"{phi: angle": "{m: angle", "start: {phi": "start: {m", "of phi": "of m"},
         "m is a parameter already",

@@ -86,6 +86,8 @@ def _ends_within_its_wheel(
     names: Names, places: Sequence[tuple[str, tuple[str | int, ...]]]
 ) -> Iterator[tuple[str | int, ...]]:
     """Where an end is tied to the middle of the wheel over which the string comes; a problem is noted."""
+    if len({place_named(text) for text, _field in places}) == 1:
+        return  # nothing but that wheel, of a model that is not meant
     for (end, field), (beside, _field) in ((places[0], places[1]), (places[-1], places[-2])):
         wheel, found = place_named(beside), _NODE.fullmatch(" ".join(beside.split()))
         is_tied = end.strip() in (wheel, f"{wheel}.center") and found is not None and found["way"]
