@@ -180,6 +180,14 @@ MISTAKES = {
         f"{ROD}connections: {{j: {{ball_joint: [ground, rod.end]}}}}",
         "ball_joint is no kind of connection. Did you mean pin?",
     ),
+    "an entry that is not indented": (
+        f"{ROD}measures:\nphi: {{angle of rod from right}}",
+        "phi is not indented, so that measures is empty: begin the line of phi with two spaces",
+    ),
+    "a section without a colon": (
+        f"{ROD}measures: {{phi: angle of rod}}\nstart {{phi: 1 rad}}",
+        "a colon is missing after start: start: {...}",
+    ),
     "one question": (
         f"{BLOCK}questions: acceleration of block",
         "questions is a list, e.g. questions: [acceleration of block]",

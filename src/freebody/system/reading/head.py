@@ -60,10 +60,12 @@ def title(source: Source) -> str:
 
 def check_sections(source: Source) -> None:
     """Notes sections that there are not. One that is misspelt is read as the one that is meant."""
+    empty = ""
     for key, value in list(source.data.items()):
         if key in SECTIONS:
+            empty = key if value is None else ""
             continue
-        source.names.problem(_no_section(key, value), key)
+        source.names.problem(_no_section(key, value, empty), key)
         meant = _meant(key)
         if meant and key not in MEANT and meant not in source.data:
             source.data[meant] = value
@@ -80,14 +82,24 @@ def check_sections(source: Source) -> None:
         source.names.is_cut_short = True  # what names bodies has no other mistake
 
 
-def _no_section(key: str, value: Any) -> Message:
-    """Who writes `gravity: g` as a section has a kind in mind, which stands in one."""
+def _no_section(key: str, value: Any, empty: str = "") -> Message:
+    """Who writes `gravity: g` as a section has a kind in mind, which stands in one. empty: the section above it, if
+    nothing stands in that."""
     for section, kinds in (("loads", Load.kinds), ("connections", Connection.kinds)):
         if key in kinds:
             entry = flow_text({f"my_{key}": {key: value}})
             return Message(
                 "{key} belongs under {section}, with a name of its own: {entry}", key=key, section=section, entry=entry
             )
+    begun, space, rest = key.partition(" ")
+    if space and begun in SECTIONS and rest.startswith("{"):
+        return Message("a colon is missing after {name}: {name}: {rest}", name=begun, rest="{...}")
+    if empty in SECTIONS and _meant(key) is None:
+        return Message(
+            "{key} is not indented, so that {section} is empty: begin the line of {key} with two spaces",
+            key=key,
+            section=empty,
+        )
     meant = _meant(key)
     hint = Message(" Did you mean {x}?", x=meant) if meant else did_you_mean("", SECTIONS)
     return Message("there is no section {key}.{hint}", key=key, hint=hint)
