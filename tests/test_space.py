@@ -217,8 +217,8 @@ def on_a_lab(name: str, shift: Array, turn: Array) -> dict[str, Any]:
     for body, entry in data["bodies"].items():
         if entry.get("fixed"):
             pose = np.array(home.simulator.reference.frame.fixed[body])
-            there = rotation_vector(Q @ matrix(pose[3:]))
-            entry |= {"at": [float(c) for c in Q @ pose[:3] + shift], "turned": as_text(there).strip("'")}
+            there = as_text(rotation_vector(Q @ matrix(pose[3:]))).strip("'")
+            entry |= {"at": {"mass_center": [float(c) for c in Q @ pose[:3] + shift]}, "turned": there}
     lab = {"body": {}, "fixed": True, "at": [float(c) for c in shift], "turned": as_text(turn).strip("'"), **ground}
     data["bodies"] = {"lab": lab | {"points": points}, **data["bodies"]}
     return data
