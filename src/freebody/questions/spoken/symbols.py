@@ -1,4 +1,4 @@
-"""Quantities by their symbols: N_A is the normal force at A, v_B the velocity of B, omega_2 that of gear2.
+"""Quantities by their symbols: N_A is the normal force at A, v_B the velocity of B, omega_2 that of gear2; `find T`.
 
 What a symbol stands for is in the lexicon (`symbols`), its index is a name of the model or the number at the end of
 one. A name of the model that looks like such a symbol is that name.
@@ -7,10 +7,11 @@ one. A name of the model that looks like such a symbol is that name.
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from functools import cache
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken.lexicon import mass_center, symbols
+from freebody.questions.spoken.lexicon import contexts, languages, mass_center, symbols
 
 if TYPE_CHECKING:
     from freebody.questions.spoken.elements import Elements
@@ -35,12 +36,28 @@ def spelt_out(elements: Elements, text: str, language: str) -> str:
         of = _of(elements, symbol, index)
         return f"{head} {of}" if of else found[0]
 
+    alone = _alone(language).fullmatch(text)  # a symbol without an index is all that is asked for
+    if alone and alone["symbol"] not in elements.exact and (alone["symbol"].lower(),) not in elements.spoken:
+        return f"{alone['lead']}{meant[alone['symbol']][0].rsplit(' ', 1)[0]}"
     told = _tokens(language).sub(said, text)
     for symbol in meant:  # the normal force N_A
         for before in meant[symbol]:
             head = meant[symbol][0]
             told = re.sub(rf"\b{before.rsplit(' ', 1)[0]} (?={head} )", "", told, flags=re.IGNORECASE)
     return told
+
+
+def parameter_asked(parameters: Collection[str], text: str) -> str:
+    """The parameter that is all a text asks for, if one is."""
+    leads = "|".join(contexts(language)["of_symbol"] for language in languages())
+    found = re.fullmatch(rf"(?i:{leads})(?P<name>\w+)[ ?.!]*", text)
+    return found["name"] if found and found["name"] in parameters else ""
+
+
+@cache
+def _alone(language: str) -> re.Pattern[str]:
+    symbol = "|".join(sorted((*symbols(language),), key=len, reverse=True))
+    return re.compile(rf"(?P<lead>(?i:{contexts(language)['of_symbol']}))(?P<symbol>{symbol})[ ?.!]*")
 
 
 @cache

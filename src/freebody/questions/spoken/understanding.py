@@ -38,7 +38,7 @@ from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.own_axles import about_own_axles
 from freebody.questions.spoken.several import each_of, of_rivals, paired, parts, sides_of
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
-from freebody.questions.spoken.symbols import spelt_out
+from freebody.questions.spoken.symbols import parameter_asked, spelt_out
 from freebody.questions.spoken.wanted_unit import without_units
 from freebody.questions.spoken.weights import in_weights
 from freebody.questions.spoken.words import Unknown, respelt, words_of
@@ -185,6 +185,15 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
                 text=text,
                 thing=thing,
                 askable=askable,
+            )
+        elif given := parameter_asked(names.parameters, text):
+            turned = (f"value of {given} for which {question} = 0" for question in fits)
+            turned = (one for one in turned if _is_of_an_instant(_read_quietly(names, one, read)))
+            none = Message(
+                "{name} is a parameter of the model. Ask for the value of it with which something is so, or for "
+                "what follows from it\n    {askable}",
+                name=given,
+                askable="\n    ".join([*islice(turned, 1), *fits][:MOST]),
             )
         elif strange := not_understood(names.parameters, elements_of(names), text):
             none = Message(
@@ -408,6 +417,13 @@ def _read_quietly(names: Names, text: str, read: Callable[[str], AskedT | None])
         asked = tuple(one for one in found if one is not None)
         is_read = len(asked) == len(found) and len(names.problems) == n_before
         return asked if is_read else Unread(names.problems[n_before:])
+
+
+def _is_of_an_instant(found: tuple[AskedT, ...] | Unread) -> bool:
+    """Whether the value of a parameter is asked for with which a quantity has a value at one instant."""
+    if isinstance(found, Unread) or len(found) != 1 or (wanted := found[0].quantity.wanted) is None:
+        return False
+    return wanted.of.scope == "instant"
 
 
 def _is_specific(problems: list[Problem]) -> bool:
