@@ -12,6 +12,10 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from freebody import System
 
 ROOT = Path(__file__).resolve().parent.parent
 MOST_ANSWERS = 3  # that a card shows
@@ -24,7 +28,7 @@ class Card:
 
     name: str
     title: str
-    about: str
+    about: str  # in HTML
     svg: str
     answers: tuple[tuple[str, str], ...]  # question, and the answer as MathML or text
     n_more: int
@@ -60,7 +64,18 @@ def render(name: str, folder: Path) -> Card:
     print(f"{name}.html{' !! ' if trouble else ''}{'; '.join(trouble)}", flush=True)
     answers = [a for a in explanation.solution.answers if a.expression is not None]
     shown = tuple((a.question, formula(a.expression)) for a in answers[:MOST_ANSWERS])
-    return Card(name, system.title, system.about, picture(system).svg(), shown, len(answers) - len(shown))
+    return Card(name, system.title, said(system), picture(system).svg(), shown, len(answers) - len(shown))
+
+
+def said(system: System) -> str:
+    """What the author says of an example, in HTML, its formulas typeset."""
+    from freebody.narrative.sheets.authored import authored
+    from freebody.present.report.blocks import Paragraph, Report
+    from freebody.present.report.formats.html import html_content
+
+    page = html_content(Report("", "en", "", (Paragraph(authored(system.about, system)),), {}), "")
+    found = re.search(r"<p>(.*?)</p>", page, re.DOTALL)
+    return found[1] if found else ""
 
 
 def formula(expression: object) -> str:
@@ -104,7 +119,7 @@ def card_of(card: Card) -> str:
     return f"""<article>
 <a class="figure" href="{card.name}.html" aria-label="{escape(card.title)}">{card.svg}</a>
 <h2><a href="{card.name}.html">{escape(card.title)}</a></h2>
-<p>{escape(card.about)}</p>
+<p>{card.about}</p>
 <ul>{answers}{more}</ul>
 </article>
 """
