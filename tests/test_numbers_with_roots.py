@@ -78,3 +78,8 @@ def test_a_square_with_a_root_in_it_is_left_as_a_root_where_its_sign_is_open() -
     kept = made("sqrt(5*m^2 + n^2 - 4*m*sqrt(m^2 + n^2))")
     assert value(kept) == pytest.approx(abs(value(s - 2 * M)))
     assert FIELD.sqrt((s - 2 * M) * (s - 2 * M), lambda x: value(x) < 0) == s - 2 * M
+
+
+def test_the_root_of_a_square_over_that_square_goes_below_the_bar_without_its_sign() -> None:
+    """sqrt((m - n)^2 m)/(m - n)^2 is sqrt(m)/|m - n|"""
+    assert told("3*sqrt((m - n)^2*m)/(m - n)^2") == "3·√(m/(n - m)²)"

@@ -110,10 +110,13 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
     if (common := math.gcd(unit, *field.terms(inside.num).values())) > 1:
         inside, outside = inside / common / common, outside * common
         changed = True
-    for base, _e in below:
+    for base, e in below:
         rest = inside.numerator() / base
         if rest.den is None and (sign := strict_sign(base) or strict_sign(rest)):
             inside, outside = inside / base / base, outside * base * sign
+            changed = True
+        elif e > 1 and rest.den is None and (rest / base).den is None:  # sqrt(a^2 r)/a^2 is sqrt(r/a^2) for either sign
+            inside, outside = inside / base**4, outside * base**2
             changed = True
     if not changed:
         return None
