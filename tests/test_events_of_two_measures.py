@@ -143,7 +143,7 @@ start: {x1: 0, x2: 0, rate(x1): v0, rate(x2): 0}
 @pytest.mark.parametrize("what", ["x1 - x2", "(x1 - x2)"])
 @pytest.mark.parametrize("event", ["turns back", "is greatest"])
 def test_a_difference_of_two_measures_turns_back(what: str, event: str) -> None:
-    """The spring is shortest when both move as their mass centre, v0 m1/(m1 + m2), a quarter of a period after the start;
+    """The spring is shortest when both move as their mass centre, v0 m1/(m1 + m2), a quarter of a period on;
     then the first is m2/(m1 + m2) of v0/omega ahead of it, omega^2 = k (m1 + m2)/(m1 m2)."""
     omega, along = math.sqrt(800 * 5 / 6), 4 * 2 / 5
     assert posed(BUFFER, f"velocity of x2 when {what} {event}").value == pytest.approx(along)
