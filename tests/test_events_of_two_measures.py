@@ -128,3 +128,25 @@ def test_a_ball_is_seen_under_an_angle_where_it_is_on_that_half_of_the_line() ->
     is_formula(THROWN_PAST_A_POINT, "time when theta = -180 deg", root)
     found = posed(THROWN_PAST_A_POINT, "time when theta = 0")  # on the right it comes down after a whole turn
     assert found.expression is None
+
+
+BUFFER = """
+parameters: {m1: 2 kg, m2: 3 kg, v0: 4 m/s, k: 800 N/m}
+bodies: {a: {particle: {mass: m1}}, b: {particle: {mass: m2}}}
+connections: {ga: {slider: {body: a, along: right}}, gb: {slider: {body: b, along: right}}}
+measures: {x1: x of a, x2: x of b, gap: x of b from a}
+loads: {spring: {law: {measure: gap, force: -k*gap}}}
+start: {x1: 0, x2: 0, rate(x1): v0, rate(x2): 0}
+"""
+
+
+@pytest.mark.parametrize("what", ["x1 - x2", "(x1 - x2)"])
+@pytest.mark.parametrize("event", ["turns back", "is greatest"])
+def test_a_difference_of_two_measures_turns_back(what: str, event: str) -> None:
+    """The spring is shortest when both move as their mass centre, v0 m1/(m1 + m2), a quarter of a period on;
+    then the first is m2/(m1 + m2) of v0/omega ahead of it, omega^2 = k (m1 + m2)/(m1 m2)."""
+    omega, along = math.sqrt(800 * 5 / 6), 4 * 2 / 5
+    assert posed(BUFFER, f"velocity of x2 when {what} {event}").value == pytest.approx(along)
+    assert posed(BUFFER, f"time when {what} {event}").value == pytest.approx(math.pi / 2 / omega)
+    there = along * math.pi / 2 / omega + 3 / 5 * 4 / omega
+    assert posed(BUFFER, f"x1 when {what} {event}").value == pytest.approx(there)

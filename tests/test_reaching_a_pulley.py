@@ -130,3 +130,10 @@ def test_a_crate_on_the_line_of_its_rope_has_not_left_it_and_beyond_the_drum_not
     asked = "power of motor after {t} s"
     assert posed(WINCH, asked.format(t=1)).value == pytest.approx(60 * a * 1.0 / 0.15)
     assert posed(WINCH, asked.format(t=2)).value is None
+
+
+def test_after_a_time_the_crate_has_not_reached_the_drum_while_its_way_is_less_than_the_lead() -> None:
+    """s = a t^2/2 < l with R (2 m + M) a = 2 (T0 - mu m R g cos(beta) - m R g sin(beta)), at t = 1 s solved for mu."""
+    sliding, reaching = (str(c) for c in posed(WINCH, "power of motor after 1 s").conditions)
+    assert sliding == "μ < (T₀ - m·R·g·sin(β))/(m·R·g·cos(β))"
+    assert reaching == "μ > (T₀ - m·R·g·sin(β) - 2·m·R·l - M·R·l)/(m·R·g·cos(β))"

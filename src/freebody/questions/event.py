@@ -33,6 +33,7 @@ from freebody.questions.ends import GREATEST, LEAST
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.event_quantities import quantity_of_instant, sides_of_equation
 from freebody.questions.final_values import read_share
+from freebody.questions.operands import TURNS_BACK
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -131,13 +132,13 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     n_before = len(names.problems)
     if (share := read_share(names, text, path)) is not None or len(names.problems) > n_before:
         return share
-    turning = re.match(r"^(?P<what>.+?) (?:turns (?:back|round|around)|reverses)$", text)
+    turning = TURNS_BACK.match(text)
     if turning is not None:
-        turned = measure_of(names, turning["what"], *path)
+        turned = _measured(names, turning["what"], path)
         return None if turned is None else QuestionEvent(turned, 1, ZERO, text)
     changed = re.match(r"^(?P<what>.+?) (?:has changed|changes) by (?P<by>.+)$", text)
     if changed is not None:
-        moved = measure_of(names, changed["what"], *path)
+        moved = _measured(names, changed["what"], path)
         by = None if moved is None else names.formula(changed["by"], moved.dimension, *path)
         if moved is None or by is None:
             return None
@@ -200,6 +201,9 @@ def _extreme(names: Names, text: str, found: re.Match[str], path: Path) -> Extre
     if _SPEED.match(what):  # of the only thing that moves
         moving = [b.name for b in names.bodies.values() if b.name != GROUND and not b.fixed]
         what = f"{what} of {moving[0]}" if len(moving) == 1 else what
+    if (several := _of_several(names, what)) is not None and several[1] == 0:
+        what = what if re.fullmatch(r"\([^()]*\)", what) else f"({what})"
+        return ExtremeEvent(several[0], 0, Symbol(""), text, end, what, None)
     if what in names.measures or any(p.pattern.match(what) for p in PHRASES):
         measure = measure_of(names, what, *path)
         return None if measure is None else ExtremeEvent(measure, 0, Symbol(""), text, end, what, None)
@@ -211,6 +215,12 @@ def _extreme(names: Names, text: str, found: re.Match[str], path: Path) -> Extre
         names.problem(Message("give the place of the motion a name among the measures first"), *path)
         return None
     return ExtremeEvent(measure, 0, Symbol(""), text, end, what, of)
+
+
+def _measured(names: Names, text: str, path: Path) -> Measure | None:
+    """A measure, or an expression in measures: x1 - x2."""
+    several = _of_several(names, text)
+    return several[0] if several is not None and several[1] == 0 else measure_of(names, text, *path)
 
 
 def _of_several(names: Names, text: str) -> tuple[Measure, Literal[0, 1], Expr] | None:

@@ -26,6 +26,7 @@ _OPERATOR_SIGNS = {"+", "-", "*", "**", "/", "^", "(", ")", "|"}
 _BEFORE_UNITS = _OPERATOR_SIGNS - {"/", "^"}  # what no unit contains
 TIME_ALONE = re.compile(r"(?:the )?time")  # of an event
 _PLAIN = re.compile(r"\d+(?:\.\d+)?(?:[eE]\d+)?|[A-Za-z_]\w*")
+TURNS_BACK = re.compile(r"^(?P<what>.+?) (?:turns (?:back|round|around)|reverses)$")  # an event
 _RATIO = re.compile(r"^(?:the )?ratio of (?P<top>.+) to (?:the )?(?P<bottom>.+)$")
 
 # what belongs to a quantity stands before what is an operator: greatest |acceleration of x|, rate(x), [1, 0]
@@ -95,6 +96,8 @@ def event_at_end(names: Names, phrase: str) -> tuple[str, str | None]:
 def _goes_on(names: Names, tail: str) -> bool:
     """Whether behind an event one goes on to calculate: with a further quantity, behind a value of zero, as in `tension
     of rod when theta = 0 / (m*g)`, or behind an event without a value."""
+    if (turns := TURNS_BACK.match(tail)) is not None and _is_of_measures(names, turns["what"]):
+        return False
     has_value = re.search(r"=|\breaches\b|\bequals\b|\bis\b|\bby\b", tail)
     if re.search(r"=\s*0\s*[-+*/^]", tail) or (has_value is None and len(_runs_of(tail)) > 1):
         return True
@@ -108,6 +111,12 @@ def _goes_on(names: Names, tail: str) -> bool:
             if k > first and not is_compared:  # a quantity is compared with others in words
                 return True
     return False
+
+
+def _is_of_measures(names: Names, text: str) -> bool:
+    """Whether it calculates with measures, parameters and numbers alone: x1 - x2."""
+    words = [run.strip() for run in _runs_of(text) if run not in _OPERATOR_SIGNS]
+    return all(word in names.measures or _is_plain(names, word) for word in words)
 
 
 def operands_of(names: Names, phrase: str) -> Operands | None:

@@ -30,6 +30,7 @@ from freebody.language.expression import Expr, Number, Symbol, add, divide, mult
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.symbolic.half_tangents import cancelled
+from freebody.symbolic.nested_roots import root_without_root
 from freebody.symbolic.polynomials import Poly, PolynomialRing, Terms, declaration_order, square_part
 from freebody.symbolic.values_of_terms import WhenAsked, sum_and_size, value_of, with_computed
 
@@ -500,6 +501,8 @@ class Field(PolynomialRing):
             return outside
         if (inside.fraction() or 1) < 0:
             raise CannotAnswer(Message("square root of the negative number {x}", x=to_text(self.expression(x))))
+        if (apart := root_without_root(inside, is_negative or self.has_negative_sign)) is not None:
+            return outside * apart
         return outside * self._root(inside, is_negative if is_kept else None)
 
     def _with_sines(self, unit: int, factors: Sequence[tuple[Ratio, int]]) -> tuple[int, list[tuple[Ratio, int]]]:

@@ -17,6 +17,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from freebody.language.expression import LAMBERT, Call, Expr, GivenCall, evaluate
+from freebody.symbolic.arcs import arc, arc_or_known, known_arc, of_roots
 from freebody.symbolic.atoms import elliptic_atom, function_atom, given_atom, unit_pair
 from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 from freebody.symbolic.parts_of_a_turn import Complex, of_a_part, part_of_a_turn, times
@@ -158,19 +159,22 @@ def atan2(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio:
         return (x * field.rate(y) - y * field.rate(x)) / (2 * (x * x + y * y))
 
     # tan(a/2) = y/(l + x) keeps the quadrant
-    half = _arc(field, "atan", y / (length + x), lambda u: 1 / (1 + u * u), rate)
+    half = arc(field, "atan", y / (length + x), lambda u: 1 / (1 + u * u), rate)
     if half.generators() <= field.arguments.keys():
         field.doubled_pairs[half.key()] = field.lowest_terms(x / length), field.lowest_terms(y / length)
     return 2 * half
 
 
 def known_angle(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | None:
-    """The angle of (x, y) where it is an axis, or a known angle b plus a constant: turned back by b, the vector
-    stands still."""
+    """The angle of (x, y) where it is an axis or a multiple of 15 degrees, or a known angle b plus a constant: turned
+    back by b, the vector stands still."""
     if y.is_zero():
         return field.zero if x == length else field.pi
     if x.is_zero():
         return field.pi / 2 if y == length else -field.pi / 2
+    sine = of_roots(field.lowest_terms(y / length))
+    if sine is not None and (angle := known_arc(field, "acos", field.lowest_terms(x / length))) is not None:
+        return angle if sine > 0 else -angle
     used = x.generators() | y.generators()
     for cos, sin in field.pairs(used):
         for sign in (1, -1):
@@ -202,97 +206,6 @@ def sum_of_angles(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | No
                 rest = sum_of_angles(field, w, u, length)
                 if rest is not None:
                     return sign * field.angles[cos] + rest
-    return None
-
-
-def _arc(
-    field: Field, name: str, argument: Ratio, slope: Callable[[Ratio], Ratio], rate: Callable[[], Ratio] | None = None
-) -> Ratio:
-    def again(u: Ratio) -> Ratio:
-        return _arc_or_known(field, name, u, slope)
-
-    return function_atom(field, name, argument, lambda _f, u: slope(u), again, rate)
-
-
-# values in parts of pi
-_HALVES = [Fraction(n, 2) for n in range(-2, 3)]
-_ARCS: dict[str, dict[Fraction, tuple[int, int]]] = {
-    "asin": dict(zip(_HALVES, [(-1, 2), (-1, 6), (0, 1), (1, 6), (1, 2)], strict=True)),
-    "acos": dict(zip(_HALVES, [(1, 1), (2, 3), (1, 2), (1, 3), (0, 1)], strict=True)),
-    "atan": {Fraction(-1): (-1, 4), Fraction(0): (0, 1), Fraction(1): (1, 4)},
-}
-
-
-def _known_arc(field: Field, name: str, x: Ratio) -> Ratio | None:
-    """An inverse function at a number where it is a part of pi, or of a function of an acute angle."""
-    if (acute := _of_acute(field, name, x)) is not None:
-        return acute
-    fraction = x.fraction()
-    if fraction is None or fraction not in _ARCS[name]:
-        return None
-    n, d = _ARCS[name][fraction]
-    return field.pi * n / d
-
-
-def _of_acute(field: Field, name: str, x: Ratio) -> Ratio | None:
-    """The angle itself, or what it lacks of a right angle: acos(sin b) = pi/2 - b, atan(cos b/sin b) = pi/2 - b."""
-    for c, s in field.pairs(x.generators()):
-        if not field.generators[c].positive or not field.generators[s].positive:
-            continue
-        angle, cos, sin = field.angles[c], field.variable(c), field.variable(s)
-        own, other = {"asin": (sin, cos), "acos": (cos, sin), "atan": (sin / cos, cos / sin)}[name]
-        for sign in (1, -1):
-            if x in (sign * own, sign * other):
-                known = angle if x == sign * own else field.pi / 2 - angle
-                return known if sign > 0 else field.pi - known if name == "acos" else -known
-    return None
-
-
-def _arc_or_known(field: Field, name: str, x: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
-    """An inverse function: where it is known, else an atom of its own, that of an argument that is not a sum of
-    negative terms: asin and atan are odd, and acos(-x) = pi - acos(x); since asin u + acos u = pi/2, both have one
-    atom."""
-    known = _known_arc(field, name, x)
-    if known is not None:
-        return known
-    if name != "atan" and (other := _by_complement(field, name, x)) is not None:
-        return other
-    if all(c < 0 for c in field.terms(x.num).values()):
-        return field.pi - _arc_or_known(field, name, -x, slope) if name == "acos" else -_arc(field, name, -x, slope)
-    if name == "acos" and (half := _half_cosine(field, x)) is not None:
-        return 2 * _arc_or_known(field, name, half, slope)
-    return _arc(field, name, x, slope)
-
-
-def complement_atom(field: Field, name: str, u: Ratio) -> Ratio:
-    """asin u or acos u as an atom of its own, beside that of the other name: for what is shown alone."""
-    root = field.sqrt(1 - u * u)
-    return _arc(field, name, u, lambda _u: (1 if name == "asin" else -1) / root)
-
-
-def _by_complement(field: Field, name: str, x: Ratio) -> Ratio | None:
-    """asin or acos by an atom of the other one, or of the opposite argument, where there is one."""
-    for g, (known, u) in field.arguments.items():
-        is_opposite = known in ("asin", "acos") and u == -x
-        if not is_opposite and (known not in ("asin", "acos") or u != x):
-            continue
-        if known == name and not is_opposite:
-            return field.variable(g)
-        upright = field.pi / 2 - field.variable(g)  # of the other name at u
-        if is_opposite:
-            at_u = field.variable(g) if known == name else upright
-            return -at_u if name == "asin" else field.pi - at_u
-        return upright
-    return None
-
-
-def _half_cosine(field: Field, x: Ratio) -> Ratio | None:
-    """c with x = 2 c^2 - 1, if it is a quotient of parameters and not negative: acos(2 c^2 - 1) = 2 acos c."""
-    square = field.lowest_terms((1 + x) / 2)
-    if square.is_constant() and square.fraction() is None:
-        root = field.sqrt(square)
-        if all(field.generators[g].kind == "parameter" for g in root.generators()):
-            return root
     return None
 
 
@@ -365,13 +278,13 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
         return sinh(x) / cosh(x)
 
     def asin(x: Ratio) -> Ratio:
-        return _arc_or_known(field, "asin", x, lambda u: 1 / root(1 - u * u))
+        return arc_or_known(field, "asin", x, lambda u: 1 / root(1 - u * u))
 
     def acos(x: Ratio) -> Ratio:
-        return _arc_or_known(field, "acos", x, lambda u: -1 / root(1 - u * u))
+        return arc_or_known(field, "acos", x, lambda u: -1 / root(1 - u * u))
 
     def atan(x: Ratio) -> Ratio:
-        return _arc_or_known(field, "atan", x, lambda u: 1 / (1 + u * u))
+        return arc_or_known(field, "atan", x, lambda u: 1 / (1 + u * u))
 
     def fresnel(name: str, of: Callable[[Ratio], Ratio]) -> Callable[[Ratio], Ratio]:
         """An integral of cos(pi t^2/2), or of the sine: odd."""

@@ -229,8 +229,22 @@ def _without_compared_roots(condition: Condition, premises: Sequence[Condition])
     (a, sign_a), (b, sign_b) = squares
     if {sign_a, sign_b} != {Sign.POSITIVE, Sign.NEGATIVE}:
         return [condition]
-    difference = a - b if (sign_a is Sign.POSITIVE) == (below is Sign.POSITIVE) else b - a
+    difference = _difference(a, b, premises)
+    if (sign_a is Sign.POSITIVE) != (below is Sign.POSITIVE):
+        difference = -difference
     return [Condition(difference, condition.relation, condition.purpose), *reals]
+
+
+def _difference(a: Ratio, b: Ratio, premises: Sequence[Condition]) -> Ratio:
+    """What has the sign of a - b: a factor of both whose sign is known is left out before, for where it has sines and
+    cosines in it nobody finds it in the difference again."""
+    shared = a.field.lowest_terms(a / b)
+    common = a.field.lowest_terms(b / shared.denominator())
+    sign = sign_given(common, premises) if common.den is None and common.generators() else Sign.UNKNOWN
+    if not sign.is_strict:
+        return a - b
+    difference = shared.numerator() - shared.denominator()
+    return difference if sign is Sign.POSITIVE else -difference
 
 
 def _without_factors(condition: Condition, premises: Sequence[Condition]) -> Condition:

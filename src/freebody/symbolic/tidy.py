@@ -7,17 +7,17 @@ sines and cosines of different angles are turned into functions of sums and diff
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Set
-from enum import Enum, auto
 from fractions import Fraction
-from typing import Any
 
-from freebody.language.expression import Call, Expr, Sum, add, divide, multiply, n_operations, negate, number, power
+from freebody.language.expression import Call, Expr, divide, multiply, n_operations, negate, number, power
+from freebody.symbolic.arcs import complement_atom
 from freebody.symbolic.decimals_shown import in_decimals
 from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.functions import complement_atom
+from freebody.symbolic.gathered import Gathers, collected
 from freebody.symbolic.half_angles_shown import by_conjugates
-from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
+from freebody.symbolic.numbers_with_roots import in_roots
+from freebody.symbolic.polynomials import Poly
+from freebody.symbolic.products_shown import Products, place
 from freebody.symbolic.roots_in_quotients import (
     is_root_generator,
     root_on_top,
@@ -37,33 +37,12 @@ from freebody.symbolic.signs_shown import (
     with_halves,
 )
 from freebody.symbolic.squares_shown import as_sum_of_squares
-from freebody.symbolic.waves import Monomial, Terms, fourier, n_waves, square_variants
+from freebody.symbolic.waves import square_variants
 
-# order in which factors of a product are written
-_PLACE = {
-    "parameter": 0,
-    "time": 1,
-    "coordinate": 2,
-    "speed": 3,
-    "acceleration": 4,
-    "cos": 5,
-    "sin": 5,
-    "function": 5,
-    "root": 6,
-}
 _EXPANDED_TERMS = 12  # larger sums are always shorter collected
 _COMPLEMENTS = {"asin": "acos", "acos": "asin"}
 _ODD = {"asin", "atan", "tan", "sinh", "tanh"}
 _FACTOR_TERMS = 600  # larger polynomials are not factored
-_MOST_WAVES = 20_000  # of what is gathered: more would not be read, and take minutes
-
-
-class Gathers(Enum):
-    """Which angles are gathered in sines and cosines of their sums."""
-
-    NONE = auto()
-    MOVING = auto()  # those that move
-    ALL = auto()  # given ones, too: sin(b - a) for cos(a) sin(b) - sin(a) cos(b)
 
 
 def tidy(x: Ratio) -> Expr:
@@ -88,7 +67,20 @@ def _as_it_is(x: Ratio) -> Expr:
         x = Ratio(x.field, -x.num, -x.den)
     shorter = _root_of_a_quotient(x) or _over_a_root(x)
     others = [_quotient(other) for other in by_conjugates(x)] if shorter is None else []
+    others += _sum_of_roots(x)
     return min([_quotient(x) if shorter is None else shorter, *others], key=n_operations)
+
+
+def _sum_of_roots(x: Ratio) -> list[Expr]:
+    """A number with several roots as their sum, products of them multiplied: (3 - sqrt(6)) sqrt(3)/3 as
+    sqrt(3) - sqrt(2)."""
+    parts = in_roots(x) if len(x.generators()) > 1 else None
+    if not parts:
+        return []
+    below = math.lcm(*(a.denominator for a in parts.values()))
+    front = math.gcd(*(int(a * below) for a in parts.values()))
+    terms = [multiply(number(a * below / front), power(number(n), number(Fraction(1, 2)))) for n, a in parts.items()]
+    return [fraction_shown(multiply(number(front), *factors_of(positive_first(terms))), number(below))]
 
 
 def _quotient(x: Ratio) -> Expr:
@@ -118,10 +110,13 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
     if (common := math.gcd(unit, *field.terms(inside.num).values())) > 1:
         inside, outside = inside / common / common, outside * common
         changed = True
-    for base, _e in below:
+    for base, e in below:
         rest = inside.numerator() / base
         if rest.den is None and (sign := strict_sign(base) or strict_sign(rest)):
             inside, outside = inside / base / base, outside * base * sign
+            changed = True
+        elif e > 1 and rest.den is None and (rest / base).den is None:  # sqrt(a^2 r)/a^2 is sqrt(r/a^2) for either sign
+            inside, outside = inside / base**4, outside * base**2
             changed = True
     if not changed:
         return None
@@ -183,7 +178,7 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
                 shown = _sum(field, base.num)
                 if is_written_negative(shown):  # of what its own order begins with a minus sign
                     shown, unit = negate(shown), unit * (-1) ** exponent
-                parts.append((_place(field, base), raised(shown, exponent)))
+                parts.append((place(field, base), raised(shown, exponent)))
             parts.sort(key=lambda item: item[0])
             found.append(signed_product(unit, [e for _p, e in parts]))
             if by_degree is not None or sum(len(base.num) > 1 for base, _e in factors) <= 1:
@@ -192,29 +187,20 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
     return found
 
 
-def _place(field: Field, base: Ratio) -> tuple[int, int]:
-    """Simple symbols first, sums last, each in order of declaration."""
-    generators = base.generators()
-    if len(base.num) == 1 and len(generators) == 1:
-        (index,) = generators
-        return _PLACE[field.generators[index].kind], index
-    return 4 if base.is_constant() else 9, min(generators, default=0)
-
-
 def _sum(field: Field, poly: Poly) -> Expr:
     """A sum without factoring it as a whole: the shortest of expanded, collected, gathered, with either square."""
-    base = field.terms(poly)
+    base, products = field.terms(poly), Products(field, shown)
     if len(base) == 1:
-        return _monomials(field, base)
+        return products.sum(base)
     best: Expr | None = None
     for terms in square_variants(field, base):
         variants: list[Expr | None] = [
-            _collected(field, terms, Gathers.NONE),
-            _collected(field, terms, Gathers.MOVING),
-            _collected(field, terms, Gathers.ALL),
+            collected(products, terms, Gathers.NONE),
+            collected(products, terms, Gathers.MOVING),
+            collected(products, terms, Gathers.ALL),
         ]
         if len(terms) <= _EXPANDED_TERMS:
-            variants.append(_monomials(field, terms))
+            variants.append(products.sum(terms))
         for e in variants:
             if e is None:
                 continue
@@ -222,23 +208,6 @@ def _sum(field: Field, poly: Poly) -> Expr:
                 best = e
     assert best is not None
     return best
-
-
-def _monomials(field: Field, terms: Mapping[Monomial, int]) -> Expr:
-    ordered = sorted(terms.items(), key=lambda item: declaration_order(item[0]))
-    content = 0
-    for _m, c in ordered:
-        content = math.gcd(content, c)
-    if content > 1 and len(ordered) > 1:
-        inner = positive_first([_monomial(field, m, c // content) for m, c in ordered])
-        return multiply(number(content), *factors_of(inner))
-    return positive_first([_monomial(field, m, c) for m, c in ordered])
-
-
-def _monomial(field: Field, monomial: Monomial, coefficient: int) -> Expr:
-    parts = sorted(monomial, key=lambda item: (_PLACE[field.generators[item[0]].kind], item[0]))
-    factors = [raised(shown(field, g), e) for g, e in parts]
-    return multiply(number(coefficient), *factors)
 
 
 def shown(field: Field, index: int) -> Expr:
@@ -280,143 +249,3 @@ def _as_power(field: Field, x: Ratio) -> Expr | None:
         return None
     exponent = (x / field.variable(logs[0])).fraction()
     return None if exponent is None else power(tidy(field.arguments[logs[0]][1]), number(exponent))
-
-
-def _collected(field: Field, terms: Mapping[Monomial, int], gathers: Gathers) -> Expr | None:
-    """Collected by what moves; to gather is to write sines and cosines as functions of sums of angles in
-    every group of terms in which functions of different angles are multiplied."""
-
-    def is_fixed(g: int) -> bool:
-        return _is_fixed(field, g) and not (gathers is Gathers.ALL and field.generators[g].kind in ("cos", "sin"))
-
-    mixed: set[Monomial] = set()
-    if gathers is not Gathers.NONE:
-        for monomial in terms:
-            angles = {min(p) for p in field.pairs(g for g, _e in monomial if not is_fixed(g))}
-            if len(angles) > 1:
-                mixed.add(_plain(field, monomial))
-        if not mixed or (gathers is Gathers.ALL and not _has_given_angle(field, terms, mixed)):
-            return None  # nothing to gather, or nothing more than what moves
-        if sum(n_waves(field, (i for i in m if not is_fixed(i[0]))) for m in terms) > _MOST_WAVES:
-            return None
-    groups: dict[Any, Terms] = {}
-    pieces: dict[Any, Expr] = {}
-    for monomial, coefficient in terms.items():
-        fixed = tuple(i for i in monomial if is_fixed(i[0]))
-        moving = tuple(i for i in monomial if not is_fixed(i[0]))
-        if gathers is Gathers.NONE or _plain(field, monomial) not in mixed:
-            pieces[moving] = _monomial(field, moving, 1)
-            group = groups.setdefault(moving, {})
-            group[fixed] = group.get(fixed, 0) + coefficient
-            continue
-        plain = tuple(i for i in moving if field.generators[i[0]].kind not in ("cos", "sin"))
-        trig = tuple(i for i in moving if field.generators[i[0]].kind in ("cos", "sin"))
-        for (is_sine, frequencies), share in fourier(field, trig).items():
-            key = (plain, is_sine, frequencies)
-            pieces[key] = multiply(_monomial(field, plain, 1), _wave(field, is_sine, frequencies))
-            group = groups.setdefault(key, {})
-            # shares are multiples of a power of 1/2; kept exact by a common denominator below
-            group[fixed] = group.get(fixed, 0) + share * coefficient  # pyrefly: ignore[unsupported-operation]
-    common, content = 1, 0
-    for group in groups.values():
-        for share in group.values():
-            common = math.lcm(common, Fraction(share).denominator)
-    whole = {key: {m: int(Fraction(c) * common) for m, c in group.items() if c} for key, group in groups.items()}
-    if gathers is not Gathers.NONE:
-        _squares_gathered(field, whole, pieces)
-    for group in whole.values():
-        content = math.gcd(content, *group.values())
-    if content == 0:
-        return number(0)
-    shown_terms: list[Expr] = []
-    for key, group in sorted(whole.items(), key=lambda item: _has_root(field, item[0])):
-        if group:
-            coefficient, piece = {m: c // content for m, c in group.items()}, pieces[key]
-            is_negative = gathers is Gathers.ALL and all(c < 0 for c in coefficient.values())
-            if is_negative and isinstance(piece, Call) and piece.function == "sin":
-                coefficient, piece = {m: -c for m, c in coefficient.items()}, _turned(piece)
-            shown_terms.append(multiply(*factors_of(_factored(field, coefficient)), *factors_of(piece)))
-    ratio = Fraction(content, common)
-    total = multiply(number(ratio.numerator), *factors_of(positive_first(shown_terms)))
-    return fraction_shown(total, number(ratio.denominator))
-
-
-def _has_root(field: Field, key: Any) -> bool:
-    """Whether a root stands in what moves: a sum ends with its roots."""
-    plain = key[0] if len(key) == 3 and isinstance(key[1], bool) else key
-    return any(field.generators[g].kind == "root" for g, _e in plain)
-
-
-def _has_given_angle(field: Field, terms: Mapping[Monomial, int], mixed: Set[Monomial]) -> bool:
-    """Whether a function of a given angle stands in one of the groups that are gathered."""
-    return any(
-        _plain(field, m) in mixed
-        and any(field.generators[g].kind in ("cos", "sin") and _is_fixed(field, g) for g, _e in m)
-        for m in terms
-    )
-
-
-def _squares_gathered(field: Field, groups: dict[Any, dict[Monomial, int]], pieces: dict[Any, Expr]) -> None:
-    """1 - cos(2 u) as 2 sin(u)^2, 1 + cos(2 u) as 2 cos(u)^2, in place."""
-    for key in [k for k in groups if len(k) == 3 and k[2] and not k[1] and all(n % 2 == 0 for _a, n in k[2])]:
-        plain, _is_sine, frequencies = key
-        constant = next((k for k in ((plain, False, ()), plain) if groups.get(k)), None)
-        if constant is None:
-            continue
-        is_same = groups[key] == groups[constant]
-        if not is_same and groups[key] != {m: -c for m, c in groups[constant].items()}:
-            continue
-        half = tuple((angle, n // 2) for angle, n in frequencies)
-        pieces[key] = multiply(_monomial(field, plain, 1), power(_wave(field, not is_same, half), number(2)))
-        groups[key] = {m: 2 * c for m, c in groups.pop(constant).items()}
-
-
-def _turned(sine: Call) -> Expr:
-    """-sin(a - b) = sin(b - a), where that is as short."""
-    inside = sine.argument
-    if not isinstance(inside, Sum):
-        return negate(sine)
-    return Call("sin", positive_first([negate(t) for t in inside.terms]))
-
-
-def _is_fixed(field: Field, g: int) -> bool:
-    """True for parameters and constant functions of them; roots of expressions are kept apart."""
-    generator = field.generators[g]
-    return field.is_constant_generator(g) and not (generator.kind == "root" and generator.made_of)
-
-
-def _plain(field: Field, monomial: Monomial) -> Monomial:
-    """What moves in a term, without sines and cosines."""
-    return tuple(
-        i for i in monomial if not _is_fixed(field, i[0]) and field.generators[i[0]].kind not in ("cos", "sin")
-    )
-
-
-def _factored(field: Field, terms: Mapping[Monomial, int]) -> Expr:
-    """A polynomial in parameters, factored where that is shorter."""
-    if len(terms) == 1:
-        return _monomials(field, terms)
-    content, common, rest = primitive(terms)
-    if has_lonely_symbol(rest):
-        front = _monomial(field, tuple(sorted(common.items())), content)
-        return multiply(*factors_of(front), *factors_of(_monomials(field, rest)))
-    poly = field.polynomial(terms)
-    unit, factors = field.factor(poly.num)
-    plain = _monomials(field, terms)
-    parts = sorted(((_place(field, b), b, e) for b, e in factors), key=lambda item: item[0])
-    product = signed_product(
-        unit,
-        [raised(_monomials(field, field.terms(b.num)), e) for _p, b, e in parts],
-    )
-    return product if n_operations(product) <= n_operations(plain) else plain
-
-
-def _wave(field: Field, is_sine: bool, frequencies: tuple[tuple[int, int], ...]) -> Expr:
-    if not frequencies:
-        return number(1)
-    parts: list[Expr] = []
-    for angle, n in frequencies:
-        display = field.generators[angle].display
-        assert isinstance(display, Call)
-        parts.append(multiply(number(n), display.argument))
-    return Call("sin" if is_sine else "cos", add(*parts))

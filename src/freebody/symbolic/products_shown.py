@@ -1,0 +1,76 @@
+"""Products of generators and sums of them as people write them: in order, with signs and numbers in front."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from freebody.language.expression import Expr, multiply, n_operations, number
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.polynomials import declaration_order, has_lonely_symbol, primitive
+from freebody.symbolic.signs_shown import factors_of, positive_first, raised, signed_product
+from freebody.symbolic.waves import Monomial
+
+# order in which factors of a product are written
+_PLACE = {
+    "parameter": 0,
+    "time": 1,
+    "coordinate": 2,
+    "speed": 3,
+    "acceleration": 4,
+    "cos": 5,
+    "sin": 5,
+    "function": 5,
+    "root": 6,
+}
+
+
+def place(field: Field, base: Ratio) -> tuple[int, int]:
+    """Simple symbols first, sums last, each in order of declaration."""
+    generators = base.generators()
+    if len(base.num) == 1 and len(generators) == 1:
+        (index,) = generators
+        return _PLACE[field.generators[index].kind], index
+    return 4 if base.is_constant() else 9, min(generators, default=0)
+
+
+@dataclass(frozen=True)
+class Products:
+    """Monomials and sums of them in a field. shown: a generator as it is displayed."""
+
+    field: Field
+    shown: Callable[[Field, int], Expr]
+
+    def one(self, monomial: Monomial, coefficient: int) -> Expr:
+        parts = sorted(monomial, key=lambda item: (_PLACE[self.field.generators[item[0]].kind], item[0]))
+        factors = [raised(self.shown(self.field, g), e) for g, e in parts]
+        return multiply(number(coefficient), *factors)
+
+    def sum(self, terms: Mapping[Monomial, int]) -> Expr:
+        ordered = sorted(terms.items(), key=lambda item: declaration_order(item[0]))
+        content = 0
+        for _m, c in ordered:
+            content = math.gcd(content, c)
+        if content > 1 and len(ordered) > 1:
+            inner = positive_first([self.one(m, c // content) for m, c in ordered])
+            return multiply(number(content), *factors_of(inner))
+        return positive_first([self.one(m, c) for m, c in ordered])
+
+    def factored(self, terms: Mapping[Monomial, int]) -> Expr:
+        """A polynomial in parameters, factored where that is shorter."""
+        if len(terms) == 1:
+            return self.sum(terms)
+        content, common, rest = primitive(terms)
+        if has_lonely_symbol(rest):
+            front = self.one(tuple(sorted(common.items())), content)
+            return multiply(*factors_of(front), *factors_of(self.sum(rest)))
+        poly = self.field.polynomial(terms)
+        unit, factors = self.field.factor(poly.num)
+        plain = self.sum(terms)
+        parts = sorted(((place(self.field, b), b, e) for b, e in factors), key=lambda item: item[0])
+        product = signed_product(
+            unit,
+            [raised(self.sum(self.field.terms(b.num)), e) for _p, b, e in parts],
+        )
+        return product if n_operations(product) <= n_operations(plain) else plain
