@@ -458,7 +458,7 @@ def test_greatest_pressure_angle_of_a_swinging_roller_is_where_the_eccentric_lie
         assert answer.value == pytest.approx(expected, rel=1e-8)
 
 
-# the same valve from half lift, where the spring pushes with F0: at no lift, where it is accelerated up, with k h/2 less
+# the same valve from half lift, where the spring pushes with F0: with k h/2 less at no lift
 HALF_LIFT = """
 parameters: {h: 10 mm, m: 0.3 kg, k: 5 N/mm, F0: PRELOAD, w: 100 rad/s, r: 25 mm}
 ground: {points: {O: [0, 0], S: [0, 100 mm]}}
