@@ -373,7 +373,7 @@ class RangeSearch(TruthInNumbers):
     def _needs(self, ends: Sequence[Ratio]) -> list[Condition]:
         """The same, of ends in their order."""
         needs = [c for end in ends for c in real(end)]
-        for end in ends[:1] + ends[-1:]:
+        for end in (*ends[:1], *ends[-1:]):
             needs += domain_of(self.parameter, end)
         needs += [Condition(after(a, b), ">", Message("which end is which")) for a, b in pairwise(ends) if a != b]
         numbers = self.numbers_of(self.setup.draws[0])
