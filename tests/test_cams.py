@@ -456,3 +456,48 @@ def test_greatest_pressure_angle_of_a_swinging_roller_is_where_the_eccentric_lie
         expected = np.arcsin((a_b**2 + lever**2 - square) / (2 * a_b * lever))
         answer = system.solve(f"{which} pressure angle of it over a turn")["q1"]
         assert answer.value == pytest.approx(expected, rel=1e-8)
+
+
+# the same valve from half lift, where the spring pushes with F0: with k h/2 less at no lift
+HALF_LIFT = """
+parameters: {h: 10 mm, m: 0.3 kg, k: 5 N/mm, F0: PRELOAD, w: 100 rad/s, r: 25 mm}
+ground: {points: {O: [0, 0], S: [0, 100 mm]}}
+bodies: {disk: {body: {inertia: 0.001 kg m^2}}, valve: {particle: {mass: m}, near: {at: [0, 30 mm]}}}
+connections:
+  axle: {pin: [ground.O, disk]}
+  guide: {slider: {body: valve, along: up}}
+  cam: {cam: {cam: disk, follower: valve, base_radius: r, lift: h/2*(1 - cos(phi)), along: up}}
+  motor: {driver: {measure: phi, follows: -w*t}}
+loads: {spring: {spring: {first: ground.S, second: valve, stiffness: k, preload: -F0}}}
+measures: {phi: angle of disk}
+"""
+
+
+def pressed(preload: float, w: float) -> bool:
+    """Whether F0 + (k - m w^2) y with y = h/2 sin(angle) is positive all round."""
+    y = 0.005 * np.sin(np.linspace(0.0, 2 * np.pi, 721))
+    return bool(np.all(preload + (5000.0 - 0.3 * w**2) * y > 0.0))
+
+
+@pytest.mark.parametrize("preload", [60.0, 10.0], ids=["pressed at any low speed", "lifted at low speeds as well"])
+def test_the_largest_speed_of_a_valve_counts_whether_or_not_there_is_a_least_one(
+    preload: float, agrees: Callable[..., None]
+) -> None:
+    """At full lift k h/2 + F0 = m h/2 w^2; at no lift the spring lets go at low speeds where F0 < k h/2."""
+    system = fb.System.from_text(HALF_LIFT.replace("PRELOAD", f"{preload} N"))
+    answers = system.solve("largest w so that valve stays on cam")
+    agrees(answers, "q1", "sqrt((h*k + 2*F0)/(h*m))")
+    largest = answers["q1"].value
+    assert isinstance(largest, float)
+    assert pressed(preload, 0.999 * largest)
+    assert not pressed(preload, 1.001 * largest)
+    has_least = not pressed(preload, 1.0)
+    assert has_least == (preload < 25.0)
+    assert any("other ends beside" in note for note in answers["q1"].notes) != has_least
+
+
+def test_all_speeds_of_a_valve_are_told_with_what_keeps_a_least_one_away() -> None:
+    system = fb.System.from_text(HALF_LIFT.replace("PRELOAD", "60 N"))
+    answer = system.solve("w for which valve stays on cam")["q1"]
+    assert answer.value == pytest.approx(np.sqrt((0.01 * 5000 + 120) / (0.01 * 0.3)))
+    assert any("2*F0 > h*k" in str(c) or "2·F0 > h·k" in str(c) or "2·F₀ > h·k" in str(c) for c in answer.conditions)

@@ -214,3 +214,60 @@ loads: {hold: {force: {at: block, along: right, magnitude: -k*integral(x)}}}
 """
     with pytest.raises(ModelError, match=r"an integral is a state of its own, .* states: \{z: x - x_d\}"):
         fb.System.from_text(text)
+
+
+PI = """
+parameters: {m: 2 kg, kp: 80 N/m, kd: 12 N s/m, ki: 60 N/(m s), F: 5 N}
+bodies: {table: {particle: {mass: m}}}
+connections: {rail: {slider: {body: table, along: right}}}
+measures: {x: x of table}
+states: {z: x}
+loads:
+  servo: {force: {at: table, along: right, magnitude: -kp*x - kd*rate(x) - ki*z}}
+  cut: {force: {at: table, along: left, magnitude: F}}
+"""
+
+
+def test_what_a_pi_servo_settles_at_is_derived_with_its_integral() -> None:
+    """m s^3 + kd s^2 + kp s + ki is Hurwitz for kp kd > m ki; at rest ki z = -F, and nothing is left of x."""
+    system = fb.System.from_text(PI)
+    answer = system.solve("x as t grows")["q1"]
+    assert answer.value == pytest.approx(0.0, abs=1e-12)
+    text = terminal_text(system.explain("x as t grows").report, width=100)
+    assert "There is no derivation" not in text
+    assert "Where kp·kd > m·ki, all λ have negative real parts" in text
+    rows = ("3 1", "2 kd/m", "1 kp/m", "0 ki/m")
+    assert all(row in [" ".join(line.split()) for line in text.splitlines()] for row in rows)
+    assert "-F" in text.split("As t → ∞")[1].split("State at that instant")[0]
+
+
+@pytest.mark.parametrize(
+    "asked", ["stability of equilibrium", "largest ki so that the equilibrium is stable"], ids=["now", "up to a gain"]
+)
+def test_whether_an_equilibrium_with_an_integral_is_stable_is_derived_by_routh(asked: str) -> None:
+    system = fb.System.from_text(PI)
+    text = terminal_text(system.explain(asked).report, width=100)
+    assert "There is no derivation" not in text
+    assert "Routh's array" in text
+    assert "kp⋅kd - m⋅ki" in text  # over m kd: the second number of the first column
+    assert poles(system.with_parameters(ki=479.0))[-1].real < 0.0 < poles(system.with_parameters(ki=481.0))[-1].real
+
+
+CARS = """
+parameters: {m: 2 kg, M: 3 kg, k: 80 N/m, c: 12 N s/m, F: 5 N}
+bodies: {a: {particle: {mass: m}}, b: {particle: {mass: M}, near: {at: [1 m, 0]}}}
+connections: {rail: {slider: {body: a, along: right}}, other: {slider: {body: b, along: right}}}
+measures: {x: x of a, y: x of b}
+loads:
+  first: {force: {at: a, along: right, magnitude: -k*x - c*rate(x) + k*(y - x)}}
+  second: {force: {at: b, along: right, magnitude: F - k*(y - x)}}
+"""
+
+
+def test_what_damped_cars_settle_at_is_derived_though_their_motion_has_no_formula(agrees: Agree) -> None:
+    """Two equal springs in a row: F = k x = k (y - x)."""
+    system = fb.System.from_text(CARS)
+    agrees(system.solve("y as t grows"), "q1", "2*F/k")
+    text = terminal_text(system.explain("y as t grows").report, width=100)
+    assert "There is no derivation" not in text
+    assert "All λ have negative real parts" in text

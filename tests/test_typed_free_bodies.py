@@ -279,6 +279,13 @@ TABLE = [
         "incorrect",
         "line of action of the tension of string",
     ),
+    # what hangs on a travelling sheave is kept below it by the model; a rope itself transmits nothing across itself
+    ("tower_crane", "left_sheave", "A at left_axle; T1 left at rope; T2 down at rope", "correct", ""),
+    ("tower_crane", "left_sheave", "A at left_axle; T1 left at rope; T2 down at rope; H left at rope", "correct", ""),
+    ("tower_crane", "left_sheave", "A at left_axle; T1 left at rope", "incorrect", "the tension of rope is missing"),
+    ("tower_crane", "block", "T1 up at rope; T2 up at rope; S down at hook", "correct", ""),
+    ("tower_crane", "load", "S up; m g down", "correct", ""),
+    ("tower_crane", "load", "m g down", "incorrect", "the tension of hook is missing"),
     # a block on two corners: one force for both
     ("block_tips_or_slides", "block", "m g down at G; F right at pull; N up at floor; H left at floor", "correct", ""),
     ("block_tips_or_slides", "block", "m g down at G; F right at pull; N up at floor", "incorrect", "friction force"),

@@ -139,8 +139,11 @@ class World(SymbolValues):
             a = self.snapshot.accelerations
             inertia = max(float(f.max(initial=0.0)) for f in (abs(masses * a), abs(masses * v * v)))
             noise = ROUNDED * max(inertia, magnitude(FORCE, self.snapshot))
-            fastest = max(float(f.max(initial=0.0)) for f in (abs(v), abs(a), abs(self.draw.start().v)))
-            return max(noise, INTEGRATED * fastest) if self.is_integrated else noise
+            if not self.is_integrated:
+                return noise
+            start = self.draw.start()  # from rest it is the acceleration that says how fast things are
+            seen = (abs(v), abs(a), abs(start.v), abs(self.draw.seen(start).accelerations))
+            return max(noise, INTEGRATED * max(float(f.max(initial=0.0)) for f in seen))
         return 0.0
 
     def forget(self, name: str) -> None:
@@ -227,6 +230,7 @@ class Glossary:
         self.formulas: dict[str, Expr] = {}  # checked formulas of symbols that are differentiated
         self.event: AskedEvent | None = None
         self._settled: Ratio | None = None  # where the event is none, but the time grows: by when all is settled
+        self._decays: Sequence[tuple[Ratio, ...]] = ()  # and characteristic polynomials of what dies out until then
         self._sides: tuple[Condition, ...] = ()  # on which the motion to it is as formulas have it
         self.is_one: Callable[[World], bool] = lambda _world: True
 
@@ -373,6 +377,7 @@ class Glossary:
     @cached_property
     def _at_event(self) -> list[World]:
         from freebody.study.answering.crosscheck import element_at, holds
+        from freebody.study.answering.evidence import died_out
         from freebody.study.answering.witness import motion_to
 
         assert self.event is not None
@@ -384,6 +389,7 @@ class Glossary:
                 if not all(holds(self.setup, side, draw, draw.start()) for side in self._sides):
                     continue
                 late = 60.0 if self._settled is None else element_at(self.setup, self._settled, draw, draw.start())[0]
+                late = max([late, *(died_out(element_at(self.setup, c, draw, draw.start())) for c in self._decays)])
                 reached = motion_to(draw.reference, draw.start(), late, self.event)
                 world = World(self, draw, draw.seen(reached.event))
                 world.is_integrated, world.way = True, reached.links
@@ -391,9 +397,15 @@ class Glossary:
                     found.append(world)
         return found
 
-    def at_event(self, event: AskedEvent | None, settled: Ratio | None = None, sides: Sequence[Condition] = ()) -> None:
+    def at_event(
+        self,
+        event: AskedEvent | None,
+        settled: Ratio | None = None,
+        sides: Sequence[Condition] = (),
+        decays: Sequence[tuple[Ratio, ...]] = (),
+    ) -> None:
         """From now on "event" means this one. settled: of a time that grows, by when all has come to its limit; sides:
-        without which the motion to it is another one."""
+        without which the motion to it is another one; decays: characteristic polynomials of what dies out."""
         if event != self.event:
-            self.event, self._settled, self._sides = event, settled, tuple(sides)
+            self.event, self._settled, self._sides, self._decays = event, settled, tuple(sides), tuple(decays)
             self.__dict__.pop("_at_event", None)

@@ -216,7 +216,10 @@ class FreeBodies:
         row = next((r for r in free.rows if r.name == shown.name), None) if shown.kind == "reaction" else None
         if row is not None:
             is_known = row.unilateral or (row.reaction == "tension" and bool(row.stretches))
-            needed = row.name not in idle and not (row.reaction == _TOOTH_MOMENT and shown.body in carriers(row))
+            # what hangs on a rope is kept below it by the model: a rope transmits no force across itself
+            is_help = row.if_needed and row.reaction == "sideways force"
+            is_of_carrier = row.reaction == _TOOTH_MOMENT and shown.body in carriers(row)
+            needed = row.name not in idle and not is_of_carrier and not is_help
             return Acting(shown.body, at, force, moment, row.connection, is_known, needed, None, row)
         push = self._push(shown.name)
         law, _sign = free.load_symbols.law(push)

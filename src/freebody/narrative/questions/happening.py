@@ -103,9 +103,9 @@ def _decided(context: Context, question: Question, of: Happening, name: str, met
     if isinstance(of, FailsFirst):
         return _failures(context, question, of, name, method)
     if isinstance(of, StableEquilibrium):
-        return _frequency(context, question, name, method)
+        return (_disturbances if context.system.states else _frequency)(context, question, name, method)
     if isinstance(of, StableSteadyMotion):
-        return _disturbances(context, question, method)
+        return _disturbances(context, question, name, method)
     if isinstance(of.what, Lasting) and of.what.kind == "rolls" and of.before is None:
         return _sticking(context, question, of)
     return _event(context, question, of, name, method)
@@ -229,7 +229,7 @@ def _frequency(context: Context, question: Question, name: str, method: Method) 
     raise CannotAnswer(Message("of what decides this no derivation is written yet"))
 
 
-def _disturbances(context: Context, question: Question, method: Method) -> _Told:
+def _disturbances(context: Context, question: Question, _name: str, method: Method) -> _Told:
     """The linearised equations beside the steady motion; where it stops to be stable one of the signs vanishes that
     decide, or the motion ends."""
     asked = replace(

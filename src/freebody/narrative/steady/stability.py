@@ -13,8 +13,9 @@ from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Legend, Script, Sentence
-from freebody.narrative.principles.motion_equations import motion_equations, readable
+from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence
+from freebody.narrative.principles.motion_equations import motion_equations
+from freebody.narrative.steady.polynomial import tell_polynomial
 from freebody.narrative.steady.steady_motion import tell_what_runs
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
@@ -253,15 +254,5 @@ def disturbances(context: Context, linear: Linear) -> tuple[list[DerivationStage
                 name = steady.model.field.generators[index].display
                 more.line(name, tidy(x), why="steady.needs", args={"lines": lines}, uses=lines, when="event")
         more.say("steady.linearised")
-        _polynomial(more, linear)
+        tell_polynomial(more, linear.coefficients)
     return script.stages, more, glossary, lines
-
-
-def _polynomial(script: Script, linear: Linear) -> None:
-    """The coefficients of the characteristic polynomial, a row for each power."""
-    rows: list[tuple[Sentence | Expr | str, ...]] = []
-    for power_, c in enumerate(linear.coefficients):
-        if not c.is_zero():
-            rows.append((str(power_), tidy(readable(c))))
-    header = (Sentence("steady.table_power"), Sentence("conserved.table_coefficient"))
-    script.add(FormulaTable(header, tuple(reversed(rows))))

@@ -18,7 +18,7 @@ from freebody.language.expression import (
     ProductOf,
     Sum,
     Symbol,
-    free_symbols,
+    children,
     rate_key,
     substitute,
     whole_exponent,
@@ -42,11 +42,13 @@ class Tapes:
         self.right: list[int] = []
         self.constants: list[float] = []
         self._known: dict[tuple[int, int, int, float], int] = {}
+        self._given: dict[int, tuple[Expr, bool]] = {}  # by identity; expressions are kept so that none gets its number
+        self._placed: dict[int, tuple[Expr, int]] = {}
 
     def write(self, expr: Expr, inputs: Mapping[str, tuple[int, float]], rates: Mapping[str, int] | None = None) -> int:
         """The number of a new tape for an expression in parameters and time `t`. inputs: for other names the row
         whose value they are and what is added to it; rates: for "rate(name)" the row."""
-        self._known = {}
+        self._known, self._given, self._placed = {}, {}, {}
         last = self._place(expr, inputs, rates or {})
         if last != len(self.ops) - 1:  # the result must be the last register
             self._append(tape.ADD, last, self._constant(0.0), 0.0)
@@ -70,11 +72,24 @@ class Tapes:
     def _constant(self, value: float) -> int:
         return self._emit(tape.CONSTANT, constant=value)
 
+    def _is_given(self, expr: Expr) -> bool:
+        """Whether it is made of parameters alone."""
+        if id(expr) not in self._given:
+            own = not isinstance(expr, Symbol) or expr.name in self._numbers or expr.name == "pi"
+            self._given[id(expr)] = expr, own and all(map(self._is_given, children(expr)))
+        return self._given[id(expr)][1]
+
     def _place(self, expr: Expr, inputs: Mapping[str, tuple[int, float]], rates: Mapping[str, int]) -> int:
+        """The register of an expression; one that stands in several places is gone through once."""
+        if id(expr) not in self._placed:
+            self._placed[id(expr)] = expr, self._new_place(expr, inputs, rates)
+        return self._placed[id(expr)][1]
+
+    def _new_place(self, expr: Expr, inputs: Mapping[str, tuple[int, float]], rates: Mapping[str, int]) -> int:
         def place(part: Expr) -> int:
             return self._place(part, inputs, rates)
 
-        if not free_symbols(expr) - self._numbers.keys() - {"pi"}:
+        if self._is_given(expr):
             value = constant_value(expr, self._numbers)
             if value is not None:
                 return self._constant(value)

@@ -98,7 +98,7 @@ def along_motion(
             return
         late = 1.0 if isinstance(event, Clock) else 1.5
         until = patience(start, LONGEST) if time is None else late * element_at(setup, (time,), draw, start)[0]
-        until = max([until, *(_settled(element_at(setup, c, draw, start)) for c in decays)])
+        until = max([until, *(died_out(element_at(setup, c, draw, start)) for c in decays)])
         if until > 0:
             numeric = at_event(setup, quantity, draw, start, until, event)
             check.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(start)))
@@ -136,7 +136,7 @@ def along_motion(
     return check.evidence()
 
 
-def _settled(polynomial: Sequence[float]) -> float:
+def died_out(polynomial: Sequence[float]) -> float:
     """[s] By when what has a characteristic polynomial, from the constant term up, has died out."""
     slowest = float(np.max(np.roots(polynomial[::-1]).real))
     return SETTLED / -slowest if slowest < 0.0 else 0.0

@@ -16,6 +16,7 @@ _ARCS = {  # the ranges of their values, in half turns
     "acos": (Fraction(0), Fraction(1)),
     "atan": (Fraction(-1, 2), Fraction(1, 2)),
 }
+_RISING = ("asin", "atan", "log")
 
 
 def domain_of(parameter: Parameter, value: Ratio) -> list[Condition]:
@@ -53,6 +54,17 @@ def above(x: Ratio) -> Ratio:
     wave = {"asin": "sin", "acos": "cos", "atan": "tan"}[name]
     beyond = argument - fn[wave](edge.numerator * field.pi / edge.denominator)
     return beyond if (factor > 0) == (name != "acos") else -beyond
+
+
+def after(a: Ratio, b: Ratio) -> Ratio:
+    """What has the sign of b - a: of two arcs the difference of what they are arcs of."""
+    f = a.field
+    arcs = [
+        next((f.arguments[g] for g in x.generators() if g in f.arguments and x == f.variable(g)), None) for x in (a, b)
+    ]
+    if arcs[0] is not None and arcs[1] is not None and arcs[0][0] == arcs[1][0] and arcs[0][0] in _RISING:
+        return above(f.lowest_terms(arcs[1][1] - arcs[0][1]))
+    return above(f.lowest_terms(b - a))
 
 
 def for_every(parameter: Parameter) -> str:

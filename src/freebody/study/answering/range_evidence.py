@@ -40,14 +40,19 @@ class RangeEvidence:
     """Compares the intervals of one search."""
 
     def __init__(
-        self, truth: TruthInNumbers, intervals: Callable[[Draw], list[Interval]], n_more: int = N_MORE
+        self,
+        truth: TruthInNumbers,
+        intervals: Callable[[Draw], list[Interval]],
+        n_more: int = N_MORE,
+        only: str = "",
     ) -> None:
-        """intervals: those at the numbers of a draw; n_more: draws of each kind beside the first ones."""
-        self.truth, self.intervals, self.n_more = truth, intervals, n_more
+        """intervals: those at the numbers of a draw; n_more: draws of each kind beside the first ones; only: the end
+        that is to be the same at all of them, "least" or "largest", where that alone is asked for; else all are."""
+        self.truth, self.intervals, self.n_more, self.only = truth, intervals, n_more, only
 
     def of(self, found: Sequence[Interval], conditions: Sequence[Condition]) -> Evidence:
         """The quantity inside of every interval is compared with the numeric route; and at other numbers that keep to
-        the conditions the same ends come out."""
+        the conditions the same ends come out, or the same one. Raises OtherEnds where they do not."""
         by_event = self.truth.question.event is not None
         is_verdict = self.truth.wanted.relation == SO
         route = (
@@ -56,7 +61,7 @@ class RangeEvidence:
             else Message("values inside of the range put in for the parameter, each by the numeric route")
         )
         check = CrossCheck(self.truth.question.text, route, MOTION_TOLERANCE if by_event else INSTANT_TOLERANCE)
-        keys = keys_of(found)
+        keys = self._keys(found)
 
         def compare(item: tuple[int, Draw]) -> None:
             # the same ends at these numbers, and what is inside and outside of them
@@ -65,7 +70,7 @@ class RangeEvidence:
             if not all(self.truth.is_so(c.element, c.relation, numbers, False) for c in conditions):
                 return
             here = self.intervals(draw)
-            if keys_of(here) != keys:
+            if self._keys(here) != keys:
                 raise OtherEnds(Message("which ends count depends on more than could be told in formulas"))
             for interval in here:
                 for value in self._beside(interval, numbers):
@@ -78,6 +83,11 @@ class RangeEvidence:
             return self._of_formulas()
         enough = 2 * MIN_DRAWS if is_verdict else MIN_DRAWS
         return check.gather(enumerate(self.truth.setup.draw_stream(self.n_more)), compare, enough).evidence()
+
+    def _keys(self, found: Sequence[Interval]) -> list[Any]:
+        """Of the ends that are compared."""
+        keys = keys_of(found)
+        return {"": keys, "least": keys[:1], "largest": keys[-1:]}[self.only]
 
     def _of_formulas(self) -> Evidence:
         """Beside an event of contacts, which the numeric route finds in its own way, the formulas of the cases are what

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
@@ -171,3 +171,12 @@ class TruthInNumbers:
 
 def keys_of(found: Sequence[Interval]) -> list[Any]:
     return [(end.value.key() if end.value is not None else None, end.is_in) for interval in found for end in interval]
+
+
+def with_ends(found: Sequence[Interval], others: Mapping[Any, Ratio]) -> list[Interval]:
+    """The same with other ends for some."""
+
+    def changed(end: End) -> End:
+        return end if end.value is None else replace(end, value=others.get(end.value.key(), end.value))
+
+    return [(changed(low), changed(high)) for low, high in found]

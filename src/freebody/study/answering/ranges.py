@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise, product
 from typing import Any
@@ -29,9 +28,9 @@ from freebody.study.answering.conditions import real
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula
-from freebody.study.answering.parameter_domain import above, domain_of, for_every
+from freebody.study.answering.parameter_domain import above, after, domain_of, for_every
 from freebody.study.answering.range_evidence import OtherEnds, RangeEvidence
-from freebody.study.answering.range_truth import End, Interval, TruthInNumbers
+from freebody.study.answering.range_truth import End, Interval, TruthInNumbers, with_ends
 from freebody.study.answering.turned_round import NoneFound, without_roots
 from freebody.study.setup import N_MORE, Setup
 from freebody.symbolic.conditions import Condition, insisted
@@ -46,7 +45,6 @@ _SAME = 1e-9  # of their size: two ends that are one
 _ONE_SIDE = 12  # draws that are looked at where only some are on the one side of a border, each time
 _MOST_TWINS = 2  # of ends that coincide
 _OPEN = CannotAnswer(Message("where that holds has ends for which no closed form was found"))
-_RISING = ("asin", "atan", "log")
 _MOST_SHIFTS = range(-1, 2)  # whole turns by which an angle may differ from that of a formula
 
 
@@ -65,6 +63,8 @@ class RangeSearch(TruthInNumbers):
         super().__init__(setup, question, wanted, formulas)
         self._twins: list[tuple[Ratio, Ratio]] = []  # ends that coincide, where they were looked at last
         self._below: list[Ratio] = []  # those that are negative there
+        self._not_real: list[Ratio] = []  # those that have no value there
+        self._is_one_end = False  # whether at other numbers only the end is the same that is asked for
         self._on_border: list[Ratio] = []  # those that are zero there, of what is positive
         self._placed: list[Ratio] = []  # all ends within the range of the parameter, where they were looked at last
 
@@ -163,6 +163,7 @@ class RangeSearch(TruthInNumbers):
         placed.sort(key=lambda pair: pair[0])
         self._twins, self._on_border = twins, border
         self._below = [end for end in ends if low == 0.0 and self.value_of(end, numbers)[0] < 0.0]
+        self._not_real = [end for end in ends if math.isnan(self.value_of(end, numbers)[0])]
         self._placed = [end for _value, end in placed]
         values = [low, *(value for value, _end in placed), high]
         inside = [self._between(numbers, a, b, draw) for a, b in pairwise(values)]
@@ -212,10 +213,13 @@ class RangeSearch(TruthInNumbers):
             raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
         if len(found) == 1 and found[0][0].value is None and found[0][1].value is None:
             raise CannotAnswer(self._for_every())
-        found, conditions, evidence = self._confirmed(found, own)
+        found, conditions, evidence = self._confirmed(found)
         element, notes = self._asked(found), list[str]()
         told = joined([self._told(interval) for interval in found], " or ")
-        notes.append(reworded(Message("so for {range}", range=told), told))
+        so = Message("so for {range}", range=told)
+        if self._is_one_end:
+            so = Message("so for {range} with the given numbers: at others there may be other ends beside", range=told)
+        notes.append(reworded(so, told))
         for formula in self.left_aside:
             shown = to_text(tidy(self.field.element(formula.element)))  # pyrefly: ignore[bad-argument-type]
             told = Message("the value {value} does not depend on {name} and is left aside", value=shown, name=name)
@@ -251,12 +255,13 @@ class RangeSearch(TruthInNumbers):
         why = Message("{where} {told}: the end of the range, {end}, is negative", where=where, told=told, end=end)
         return reworded(why, end)
 
-    def _confirmed(self, found: list[Interval], own: Draw) -> tuple[list[Interval], list[Condition], Evidence]:
+    def _confirmed(self, found: list[Interval]) -> tuple[list[Interval], list[Condition], Evidence]:
         """The intervals with what they need. Of ends that coincide at the model's own numbers, as those of a linkage
         with two links of one length, either may count at others: for the one side of the border, then."""
         # intervals at other numbers have others
         twins, before, below = list(self._twins), list(self._placed), list(self._below)
-        needed = self._order(found, own, before)
+        without = list(self._not_real)
+        needed = self._order(found, before)
         needed += insisted((Condition(-end, ">=", Message("which end is which")) for end in self._on_border), _OPEN)
         if self.wanted.of.scope == "linkage":  # ends of no positive length need not be so at other numbers
             outside = (Condition(-end, ">=", Message("which end is which")) for end in self._below)
@@ -265,18 +270,21 @@ class RangeSearch(TruthInNumbers):
             n_more = _ONE_SIDE if below else N_MORE
             try:
                 return found, needed, RangeEvidence(self, self.intervals, n_more).of(found, needed)
-            except OtherEnds:  # where all places keep their order, those that end no interval here among them
-                kept = [*needed, *self._all_in_order(before, below)]
+            except OtherEnds:
+                with suppress(CannotAnswer):
+                    return self._one_end(found, before)
+                # where all places keep their order, those that end no interval here among them
+                kept = [*needed, *self._all_in_order(before, below, without)]
                 return found, kept, RangeEvidence(self, self.intervals, _ONE_SIDE).of(found, kept)
         for choice in product((False, True), repeat=2 * min(len(twins), _MOST_TWINS)):
             swaps, ways = choice[::2], choice[1::2]
             pairs = [(b, a) if swap else (a, b) for (a, b), swap in zip(twins, swaps, strict=False)]
             others = {b.key(): a for (a, b), swap in zip(pairs, swaps, strict=True) if swap}
-            chosen = _with_ends(found, others)
-            sides = (_after(a, b) if way else _after(b, a) for (a, b), way in zip(pairs, ways, strict=True))
+            chosen = with_ends(found, others)
+            sides = (after(a, b) if way else after(b, a) for (a, b), way in zip(pairs, ways, strict=True))
             both = {a.key(): b for a, b in twins} | {b.key(): a for a, b in twins}
             placed = [both.get(end.key(), end) for end in before]
-            conditions = [*self._order(chosen, own, placed), *needed]  # either of them among the others
+            conditions = [*self._order(chosen, placed), *needed]  # either of them among the others
             conditions += insisted((Condition(x, ">=", Message("which end is which")) for x in sides), _OPEN)
             with suppress(CannotAnswer):
                 return chosen, conditions, RangeEvidence(self, self.intervals, _ONE_SIDE).of(chosen, conditions)
@@ -284,10 +292,36 @@ class RangeSearch(TruthInNumbers):
         told = Message("{ends} coincide at the given numbers, and which of them ends the range is not told", ends=ends)
         raise CannotAnswer(told)
 
-    def _all_in_order(self, placed: Sequence[Ratio], below: Sequence[Ratio]) -> list[Condition]:
-        """That all places at which the truth can change are as they are at the model's own numbers."""
-        ordered = [Condition(_after(a, b), ">", Message("which end is which")) for a, b in pairwise(placed)]
+    def _one_end(
+        self, found: list[Interval], placed: Sequence[Ratio]
+    ) -> tuple[list[Interval], list[Condition], Evidence]:
+        """With what the end needs that alone is asked for: whichever others there are beside it at other numbers.
+        Raises CannotAnswer where it is another one there, or all are asked for."""
+        if not self.wanted.end:
+            raise OtherEnds(Message("which ends count depends on more than could be told in formulas"))
+        is_least = self.wanted.end == "least"
+        end = (found[0][0] if is_least else found[-1][1]).value
+        ends = [] if end is None else [end]
+        if end is not None and self.wanted.of.is_verdict:  # those beyond stay beyond: before it they might count
+            k = next(k for k, other in enumerate(placed) if other == end)
+            ends = list(placed[: k + 1] if is_least else placed[k:])
+        needed = self._needs(ends)
+        evidence = RangeEvidence(self, self.intervals, _ONE_SIDE, only=self.wanted.end).of(found, needed)
+        self._is_one_end = True
+        return found, needed, evidence
+
+    def _all_in_order(
+        self, placed: Sequence[Ratio], below: Sequence[Ratio], without: Sequence[Ratio]
+    ) -> list[Condition]:
+        """That all places at which the truth can change are as they are at the model's own numbers. without: those that
+        have no value there."""
+        ordered = [Condition(after(a, b), ">", Message("which end is which")) for a, b in pairwise(placed)]
         outside = [Condition(-above(end), ">=", Message("which end is which")) for end in below]
+        for end in without:
+            missed = [c for c in real(end) if c.relation in (">", ">=")]
+            if len(missed) == 1:  # of several it may be either
+                strict = missed[0].relation == ">="
+                outside.append(Condition(-missed[0].element, ">" if strict else ">=", Message("which end is which")))
         return insisted([*ordered, *outside], _OPEN)
 
     def _is_of_motion_alone(self) -> bool:
@@ -329,40 +363,24 @@ class RangeSearch(TruthInNumbers):
             sides.append(compared(name, "<", tidy(self.field.pi / 2)))
         return joined(sides)
 
-    def _order(self, found: Sequence[Interval], own: Draw, placed: Sequence[Ratio]) -> list[Condition]:
+    def _order(self, found: Sequence[Interval], placed: Sequence[Ratio]) -> list[Condition]:
         """That the ends are real, within the range of the parameter, and in this order."""
         ends = [end.value for interval in found for end in interval if end.value is not None]
         if self.wanted.of.is_verdict:  # the others have their places as well: in another order others may count
             ends = list(placed)
+        return self._needs(ends)
+
+    def _needs(self, ends: Sequence[Ratio]) -> list[Condition]:
+        """The same, of ends in their order."""
         needs = [c for end in ends for c in real(end)]
-        for end in ends[:1] + ends[-1:]:
+        for end in (*ends[:1], *ends[-1:]):
             needs += domain_of(self.parameter, end)
-        needs += [Condition(_after(a, b), ">", Message("which end is which")) for a, b in pairwise(ends) if a != b]
-        numbers = self.numbers_of(own)
+        needs += [Condition(after(a, b), ">", Message("which end is which")) for a, b in pairwise(ends) if a != b]
+        numbers = self.numbers_of(self.setup.draws[0])
         for truth in self.truths:  # what does not depend on the parameter, and holds here
             free = [c for c in truth.conditions if self.index not in self.field.ingredients(c.element)]
             needs += [c for c in free if self.is_so(c.element, c.relation, numbers, True)]
         return insisted(needs, CannotAnswer(Message("where that holds has ends for which no closed form was found")))
-
-
-def _with_ends(found: Sequence[Interval], others: Mapping[Any, Ratio]) -> list[Interval]:
-    """The same with other ends for some."""
-
-    def changed(end: End) -> End:
-        return end if end.value is None else replace(end, value=others.get(end.value.key(), end.value))
-
-    return [(changed(low), changed(high)) for low, high in found]
-
-
-def _after(a: Ratio, b: Ratio) -> Ratio:
-    """What has the sign of b - a: of two arcs the difference of what they are arcs of."""
-    f = a.field
-    arcs = [
-        next((f.arguments[g] for g in x.generators() if g in f.arguments and x == f.variable(g)), None) for x in (a, b)
-    ]
-    if arcs[0] is not None and arcs[1] is not None and arcs[0][0] == arcs[1][0] and arcs[0][0] in _RISING:
-        return above(f.lowest_terms(arcs[1][1] - arcs[0][1]))
-    return above(f.lowest_terms(b - a))
 
 
 def _has_one_sign(x: Ratio) -> bool:

@@ -208,7 +208,7 @@ class CellDecomposition:
             degrees = {cos: max(degrees[cos], own[cos]) for cos in degrees}
         if any(2 * d > _MOST_DEGREE for d in degrees.values()):
             raise TooLarge
-        total = ring.constant(0)
+        parts: list[Poly] = []
         for m, coefficient in terms.items():
             powers, term = dict(m), ring.constant(coefficient)
             left = dict(degrees)
@@ -221,8 +221,8 @@ class CellDecomposition:
             for g, e in powers.items():
                 if g in self.free and g not in self._scaled:
                     term = term * ring.variables[self._slots[g]] ** e
-            total = total + term
-        return total
+            parts.append(term)
+        return _summed(parts, ring.constant(0))
 
     def _domains(self) -> list[Interval]:
         found: list[Interval] = []
@@ -330,3 +330,11 @@ def _scalable(rows: list[list[Fraction]], may: list[bool | None]) -> list[int]:
     reduced, rank = _flint.fmpq_mat(len(distinct), n, entries).rref()
     pivots = {order[next(j for j in range(n) if reduced[i, j] != 0)] for i in range(rank)}
     return [k for k in range(n) if k not in pivots and may[k] is True]
+
+
+def _summed(parts: list[Poly], zero: Poly) -> Poly:
+    """Two and two, since a long sum is copied with each term that is added to it."""
+    while len(parts) > 1:
+        left = parts[-1:] if len(parts) % 2 else []
+        parts = [a + b for a, b in zip(parts[::2], parts[1::2], strict=False)] + left
+    return parts[0] if parts else zero
