@@ -28,7 +28,9 @@ BESIDE = """
 parameters: {M: 3 kg, m: 2 kg, L: 1 m, alpha: 30 deg, mu: 0.4, g: 9.81 m/s^2}
 ground: {points: [A], lines: {slope: {through: A, along: alpha}}}
 bodies: {cart: {block: {mass: M, width: L, height: L/5}}, bar: {rod: {mass: m, length: L}}}
-connections: {rail: {slider: {body: cart, along: slope}}, p: {slot: {pin: cart.right, along: slope, through: PLACE, friction: mu}}}
+connections:
+  rail: {slider: {body: cart, along: slope}}
+  p: {slot: {pin: cart.right, along: slope, through: PLACE, friction: mu}}
 loads: {w: {gravity: g}}
 """
 RUBBED = """

@@ -26,8 +26,8 @@ class GuideGoesAlong(WarningKind, name="guide goes along"):
             if through.body in moving and through.body not in (line, across.of.body):
                 told = Message(
                     "the guide keeps its direction on {line} but moves with {body}, so its force, and its friction, "
-                    "act between {guided} and {body}. For a guide on {line} let it go through a point of {line}; for one "
-                    "on {body} write on: {body}",
+                    "act between {guided} and {body}. For a guide on {line} let it go through a point of {line}; for "
+                    "one on {body} write on: {body}",
                     line=line,
                     body=through.body,
                     guided=across.of.body,
