@@ -24,6 +24,25 @@ connections: {guide: {slider: {body: block, along: incline}}}
 loads: {w: {gravity: g}}
 measures: {s: travel of block along incline}
 """
+MOVABLE = """
+parameters: {m: 2 kg, M: 5 kg, r: 5 cm, g: 9.81 m/s^2}
+ground: {points: {E: [0, 0], C: [30 cm, 0]}, lines: {table: {along: right}}}
+bodies: {block: {particle: {mass: m}}, edge: {disk: {radius: r}}, lower: {disk: {mass: M, radius: r}}}
+connections:
+  table: {slider: {body: block, along: table}}
+  axle: {pin: [ground.E, edge]}
+  rope: {string: {path: [block, over edge, WAY lower, ground.C]}}
+loads: {w: {gravity: g}}
+"""
+BESIDE = """
+parameters: {M: 3 kg, m: 2 kg, L: 1 m, alpha: 30 deg, mu: 0.4, g: 9.81 m/s^2}
+ground: {points: [A], lines: {slope: {through: A, along: alpha}}}
+bodies: {cart: {block: {mass: M, width: L, height: L/5}}, bar: {rod: {mass: m, length: L}}}
+connections:
+  rail: {slider: {body: cart, along: slope}}
+  p: {slot: {pin: cart.right, along: slope, through: PLACE, friction: mu}}
+loads: {w: {gravity: g}}
+"""
 RUBBED = """
 parameters: {I: 2 kg m^2, M: 0.3 N m}
 bodies: {wheel: {body: {mass: 1 kg, inertia: I}}}
@@ -235,6 +254,8 @@ def warned(text: str) -> list[tuple[str, str]]:
         (CAM.replace("LIFT", "h*phi/pi*(2 - phi/pi)"), "cam open", "changes by -0.01019 m per rad over"),
         (MAN.replace("PLACE", "6 m"), "off the rod", "S lies 1 m beyond the end of ladder"),
         (ON_DECK.replace("FROM", ""), "counted from the ground", "the way of boat is in it"),
+        (MOVABLE.replace("WAY", "over"), "loose pulley", "path: [..., under lower, ...]"),
+        (BESIDE.replace("PLACE", "bar.end"), "guide goes along", "act between cart and bar"),
         (RUBBED.replace("LAW", "-M*sign(rate(phi))"), "friction as a law", "{dry_friction: {measure: phi, force: M}}"),
     ],
 )
@@ -248,6 +269,9 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
     "text",
     [
         RUBBED.replace("LAW", "-M*sign(phi)"),
+        MOVABLE.replace("WAY", "under"),
+        BESIDE.replace("PLACE", "bar.end, on: bar").replace("along: slope, th", "along: bar.x, th"),
+        BESIDE.replace("pin: cart.right", "pin: bar.end").replace("PLACE", "ground.A"),
         TURNED.replace("SPEED", "2 Hz").replace("WAY", "2*pi*W*t"),
         TURNED.replace("SPEED", "2 Hz").replace("WAY", "sin(t/(3/W))"),
         TURNED.replace("SPEED", "120 rpm").replace("WAY", "W*t"),

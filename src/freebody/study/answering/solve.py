@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from math import isfinite
+from math import isfinite, pi
 
 from freebody.errors import CannotAnswer, ModelError, Problem
-from freebody.language.expression import number
+from freebody.language.expression import FLOAT_FUNCTIONS, evaluate, free_symbols, number
 from freebody.language.sentences import Message, further
 from freebody.numeric.instant import WithoutInertia
 from freebody.questions.course import Transition
@@ -27,6 +28,7 @@ from freebody.study.answering.past_borders import is_of_motion, past_borders
 from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.plain_numbers import with_plain_numbers
 from freebody.study.answering.reactions_at_rest import reaction_at_rest
+from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.given import each
 from freebody.study.setup import Setup, independent_measures
@@ -67,6 +69,8 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
     if answer.expression is None:
         return replace(answer, reason=Message("there is no closed form and no number for it"))
     missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
+    if missing and (value := _of_formula_alone(system, answer)) is not None:
+        return replace(answer, value=value)
     if missing:
         why = Message("no value is given for {names}", names=", ".join(missing))
         is_begun = any(p.value is not None for p in system.parameters.values())  # a file without numbers asks for none
@@ -74,6 +78,23 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
     else:
         why = Message("the formula is not valid, or has no value, at the given numbers; see the conditions and notes")
     return replace(answer, why_no_value=why)
+
+
+def _of_formula_alone(system: System, answer: Answer) -> Value:
+    """The value of a formula that holds without conditions and in which nothing open stands: what is open elsewhere in
+    the model does not matter to it. None where there is none."""
+    is_bound = bool(answer.cases) or not all(map(is_scope, answer.conditions))
+    if is_bound or answer.chain is not None or answer.expression is None:
+        return None
+    given = {p.name: p.value for p in system.parameters.values() if p.value is not None and p.form is None}
+    parts = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    if any(free_symbols(part) - given.keys() - {"pi"} for part in parts):
+        return None
+    with suppress(ArithmeticError, ValueError):
+        found = tuple(float(evaluate(part, {"pi": pi, **given}, FLOAT_FUNCTIONS)) for part in parts)
+        if all(map(isfinite, found)):
+            return found if isinstance(answer.expression, tuple) else found[0]
+    return None
 
 
 def _solved(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:

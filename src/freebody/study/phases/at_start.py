@@ -12,8 +12,10 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import free_symbols
+from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, Pose
 from freebody.model.elements import UnilateralConstraint
 from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of, is_within
 from freebody.numeric.jets import Array
@@ -182,6 +184,56 @@ def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
         else:
             found |= _parting(last, q, own)
     return frozenset(found)
+
+
+def put_where_they_touch(system: System, touching: frozenset[str], moving: frozenset[str]) -> System:
+    """The system with the places of bodies that nobody has put and whose contact parts, or collides, at once: there the
+    contact no longer holds them, yet they begin where it is closed. Raises CannotAnswer where that has no formula."""
+    opening = [b for b in system.bounds if b.name in moving and b.starts_closed]
+    loose = {body.name for body in system.moving if body.start.at is None}
+    loose &= {name for bound in opening for name in bound.row.measure.bodies()}
+    if not loose or system.space:
+        return system
+    still = {
+        body.name: replace(body, start=replace(body.start, velocity=None, angular_velocity=None))
+        for body in system.moving
+    }
+    resting = replace(system, bodies={**system.bodies, **still}, start_rates={}, impulses=())
+    held = Setup(in_mode(resting, ContactMode.of(touching, {}))[0], 2)
+    bodies = dict(system.bodies)
+    for name in sorted(loose):
+        place: tuple[Expr, ...] | None = _place_at_start(held, name)
+        if any(free_symbols(x) - system.parameters.keys() for x in place or ()):
+            own = [bound for bound in opening if name in bound.row.measure.bodies()]
+            free = Setup(in_mode(resting, ContactMode.of(touching - moving, {}))[0], 2)
+            place = _moved_across(free, name, own[0]) if len(own) == 1 else None
+        if place is None:
+            told = Message("{body} touches at the start and moves apart at once; say where it is then (at)", body=name)
+            raise CannotAnswer(told)
+        body = bodies[name]
+        bodies[name] = replace(body, start=replace(body.start, at=(body.default_point, place)))
+    return replace(system, bodies=bodies)
+
+
+def _place_at_start(setup: Setup, name: str) -> tuple[Expr, ...]:
+    """Where the reference point of a body is."""
+    model, body = setup.model, setup.system.bodies[name]
+    pose, (px, py) = model.poses[name], map(model.geometry.scalar, body.points[body.default_point])
+    assert isinstance(pose, Pose)
+    place = pose.x + pose.cos * px - pose.sin * py, pose.y + pose.sin * px + pose.cos * py
+    return tuple(model.field.expression(model.field.lowest_terms(setup.start_instant.here(x))) for x in place)
+
+
+def _moved_across(setup: Setup, name: str, bound: UnilateralConstraint) -> tuple[Expr, ...] | None:
+    """The place of a body after the least move that closes its contact with a line of the ground: by the gap, along the
+    normal. None for what touches otherwise."""
+    across, field = bound.row.measure, setup.model.field
+    if not isinstance(across, Displacement) or across.along.body != GROUND or across.of.body != name:
+        return None
+    gap = _gap_at_start(setup, bound)
+    normal = [setup.model.geometry.scalar(x) for x in across.along.components]
+    place = [setup.model.geometry.scalar(x) for x in _place_at_start(setup, name)]
+    return tuple(field.expression(field.lowest_terms(x - gap * n)) for x, n in zip(place, normal, strict=True))
 
 
 def _parting(reference: Reference, q: Array, own: Mapping[str, UnilateralConstraint]) -> set[str]:

@@ -18,7 +18,7 @@ from freebody.measures.geometry import Pose, SpatialPose
 from freebody.model.elements import ConstraintRow, DryFriction, Start, UnilateralConstraint
 from freebody.numeric.blow import blow_loads_friction
 from freebody.numeric.jets import Array
-from freebody.study.phases.at_start import as_put, closed_at_start, parted_at_start
+from freebody.study.phases.at_start import as_put, closed_at_start, parted_at_start, put_where_they_touch
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, has_lines, straight_of
@@ -47,6 +47,7 @@ class Home:
         touching = closed_at_start(system)
         self.moving = parted_at_start(system, touching)  # touch, with a gap that grows or shrinks at the start
         self.closed = touching - self.moving
+        system = put_where_they_touch(system, touching, self.moving)
         free = ContactMode.of(self.closed, {})
         self.home = Setup(in_mode(system, free)[0])
         self.system = _with_angles(system, self.home)
