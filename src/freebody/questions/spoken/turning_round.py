@@ -284,10 +284,12 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
         others = []
     asked = head.all("quantity") or (asked_by if is_marked and not named else [])
+    if head.has("ask", "up_to"):
+        end = end or "largest"
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= given.KIND_OF.keys():
         return named, rest, end
-    if head.has("ask", "up_to", "from"):
-        end = "largest" if head.has("ask", "up_to") else "least"
+    if head.has("ask", "from"):
+        end = "least"
     of_speed = asked in (["speed"], ["velocity"], ["angular velocity"]) and (others or head.has("ask", "fast"))
     if of_speed and not named and is_marked:
         found = _speeds(names, asked[0], others)  # the speed that the bullet must have
