@@ -300,6 +300,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
+    if head.has("ask", "extended") and not named and not asked:
+        asked = ["length"]
     loads = [name for name in others if name in names.loads or name in names.impulses]
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque
@@ -307,8 +309,6 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if not named and loads == others != [] and kind in ("force", "moment", *_EXERTED):  # the torque of the motor
         found = given.chosen(names, given.KIND_OF[kind], loads)
         return (found, rest, end) if len(found) == 1 else None
-    if head.has("ask", "extended") and not named and not asked:
-        asked = ["length"]
     if head.has("ask", "heavy", "rough") and not named and not asked:
         asked = ["mass"] if head.has("ask", "heavy") else ["friction coefficient"]
         end, others = end or "least" if head.has("ask", "rough") else end, others if head.has("ask", "heavy") else []
