@@ -56,10 +56,10 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "force" and (pushing := _along_guide(names, [name for _, name in rest.names])):
         yield [f"force in {name}" for name in pushing]
         return
-    if quantity == "tension" and rest.names and rest.names[0][1] in lookup.moving(names):
-        if edges := strings.pulls_in_rope(names, rest.names[0][1], [name for _, name in rest.names[1:]]):
-            yield edges
-            return
+    first, *places = [name for _, name in rest.names] or [""]
+    if quantity == "tension" and (edges := strings.pulls_in_rope(names, first, places)):
+        yield edges
+        return
     if rods := _rods(names, quantity, rest):
         yield [f"axial force of {rod}" for rod in rods]
         return

@@ -274,7 +274,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"turn_fully"} and not negated and who:
         yield [f"{who} turns fully"]
     elif (verbs == {"stable"} and not negated) or (verbs == {"unstable"} and negated):
-        yield ["the equilibrium is stable"] if not lookup.is_controlled(names) else []
+        moves = lookup.is_controlled(names) or lookup.is_forced(names)
+        yield ["the equilibrium is stable"] if not moves else []
         yield ["the steady motion is stable"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
         yield [f"it hits {who}"]

@@ -51,7 +51,7 @@ def pulls_in_rope(names: Names, rope: str, at: list[str]) -> list[str]:
         given = given_of(spec)
         over = given.get("over")
         places = [str(place) for place in cast("list[object]", over)] if isinstance(over, list) else []
-        named = [place for place in places if place in at] if at else places
+        named = [place for place in places if place in at]  # along the rope it is not the same
         if given.get("rope") == rope and len(named) == 1:
             found.append(f"tension in {name} at {named[0]}")
     return found
