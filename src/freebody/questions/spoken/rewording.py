@@ -94,7 +94,8 @@ def by_joint(names: Names, words: list[Word]) -> list[Word]:
     of = [word for word in words if word.kind == "name"]
     asks = words[:1] in ([Word("ask", "with")], [Word("ask", "what")], *([word] for word in _HOW_HARD))
     plain = all(word.kind in ("ask", "name", *SILENT) or word in (exert, force, *pulls) for word in words)
-    if not (asks and plain and len(pulls) == 1 and len(of) == 2) or words.index(pulls[0]) < words.index(of[0]):
+    is_between = [word for word in words if word in (*pulls, *of)] == [*of[:1], *pulls, *of[1:]]
+    if not (asks and plain and len(pulls) == 1 and len(of) == 2 and is_between):  # the hinge of the lever is loaded
         return words
     joint, body = of[0].what, of[1].what
     pulled = {row.connection for row in names.constraint_rows if row.reaction in ("tension", "normal force")}
