@@ -99,7 +99,7 @@ def by_joint(names: Names, words: list[Word]) -> list[Word]:
         return words
     joint, body = of[0].what, of[1].what
     pulled = {row.connection for row in names.constraint_rows if row.reaction in ("tension", "normal force")}
-    is_joint = joint in names.connections and joint not in names.bodies and joint not in pulled
+    is_joint = "pin" in names.called.get(joint, ()) and joint not in names.bodies and joint not in pulled
     if not is_joint or body not in lookup.moving(names) or not joining.touches(names, joint, body):
         return words
     return [Word("quantity", "reaction"), _FOR, of[0], Word("preposition", "on"), of[1]]

@@ -284,7 +284,7 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
         others = []
     asked = head.all("quantity") or (asked_by if is_marked and not named else [])
-    if head.has("ask", "up_to"):
+    if head.has("ask", "up_to") and (not named or rest.has("verb", "stable")):
         end = end or "largest"
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= given.KIND_OF.keys():
         return named, rest, end
