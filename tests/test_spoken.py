@@ -385,7 +385,7 @@ def test_a_question_of_the_file_that_is_about_the_same_is_among_those_suggested(
     ("written", "language", "form"),
     [
         ("~ab|sinken", "de", "abgesunken"),
-        ("~ab|sinken", "de", "sank _ ab"),
+        ("~ab|sinken", "de", "sank _ ab$"),  # the mark: no noun that it would lead follows the prefix
         ("~verlassen", "de", "verliess"),
         ("~hinauf|steigen", "de", "hinaufzusteigen"),
         ("~slide off", "en", "slid off"),

@@ -102,6 +102,11 @@ def parameters(names: Names, kind: str, of: str) -> list[str]:
         sizes = [body.sizes[0] for body in names.bodies.values() if body.solid is ROD and body.sizes]
         own = {str(given_of(spec).get("length")) for spec in names.connections.values()} | {str(size) for size in sizes}
         return [name for name in names.parameters if name in own]
+    if kind == "length" and of in names.loads:  # the length of a cord, or of a spring, without force
+        own = [load for load in names.applied_loads if load.load == of]
+        ends = [load.one_sided.limit for load in own if load.one_sided is not None]  # where it goes taut
+        used = frozenset[str]().union(*map(free_symbols, (*(load.law for load in own), *ends)))
+        return [name for name, told in names.parameters.items() if told.dimension == LENGTH and name in used]
     word = KIND_OF[kind].written if kind in KIND_OF else kind
     own = [spec for name, spec in names.connections.items() if not of or name == of or is_at(names, name, of)]
     given = [value for spec in own for key, value in given_of(spec).items() if word in key]

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from freebody.questions.spoken.strong_verbs import ENGLISH, GERMAN
 
 MARK = "~"
+ENDS_CLAUSE = "$"  # behind a prefix that stands apart: no article, number or name follows
 _MARKED_VERB = re.compile(rf"{MARK}([^\W\d_]+)(?:\|([^\W\d_]+))?")
 _DOUBLED = re.compile(r"[^aeiou][aeiou][bdglmnprt]$")  # tug, slip; what is stressed elsewhere is written out
 
@@ -30,8 +31,9 @@ def inflected(written: str, language: str) -> Iterator[str]:
     yield f"{before}({'|'.join(f'{prefix}{form}' for form in _german(verb, is_parted=bool(prefix)))}){behind}"
     if prefix:
         finite = "|".join(_finite(verb))
-        yield f"{before}({finite}) {prefix}{behind}"
-        yield f"{before}({finite}) _ {prefix}{behind}"
+        apart = prefix if behind else f"{prefix}{ENDS_CLAUSE}"
+        yield f"{before}({finite}) {apart}{behind}"
+        yield f"{before}({finite}) _ {apart}{behind}"
 
 
 def _english(verb: str) -> list[str]:

@@ -19,7 +19,7 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Any, cast
 
-from freebody.questions.spoken.inflecting import inflected
+from freebody.questions.spoken.inflecting import ENDS_CLAUSE, inflected
 
 ENGLISH = "en"
 OPEN, CLOSE = "«", "»"  # marks of names in a text
@@ -49,6 +49,8 @@ _NO_WORDS = (
     "contexts",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass|from) "  # words into and beyond which no gap goes
+# behind a prefix that stands apart: what follows would make it a preposition (gibt nach einer Sekunde nach)
+_NOT_LED = r"(?! (?:\0|\d|d(?:er|ie|as|em|en|es)\b|(?:k?ein|dies|jed|welch|sein|ihr)(?:e[rmns]?)?\b))"
 _CHOICE = re.compile(r"\(([^()]*)\)(\?)?")
 
 
@@ -70,9 +72,10 @@ class Phrase:
     @cached_property
     def pattern(self) -> re.Pattern[str]:
         """Of words with one space between them; those between the words of the phrase are the group `gap`."""
-        text = self.written.replace(")?", "\0").replace("(", "(?:").replace("\0", ")?")
+        end = _NOT_LED if self.written.endswith(ENDS_CLAUSE) else ""
+        text = self.written.rstrip(ENDS_CLAUSE).replace(")?", "\0").replace("(", "(?:").replace("\0", ")?")
         text = re.sub(r"(?<=\w)\*", r"[^ ,]*", text).replace(f" {GAP}", "\1").replace(" ", " *")
-        return re.compile(text.replace("\1", r"(?P<gap>(?: (?!" + _CLAUSES + r")[^ ,]+)*?)(?= )") + "(?= |$)")
+        return re.compile(text.replace("\1", r"(?P<gap>(?: (?!" + _CLAUSES + r")[^ ,]+)*?)(?= )") + f"(?= |$){end}")
 
     def found_in(self, line: str, start: int) -> tuple[int, ...] | None:
         """The places in a line of words at which words of it begin, from a place on; None where it is not there."""
@@ -95,7 +98,7 @@ class Phrase:
 def _parts(text: str) -> list[str]:
     """A phrase where a space stands outside of choices."""
     parts, depth = [""], 0
-    for letter in text:
+    for letter in text.removesuffix(ENDS_CLAUSE):
         depth += (letter == "(") - (letter == ")")
         if letter == " " and depth == 0:
             parts.append("")

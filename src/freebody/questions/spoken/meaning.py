@@ -82,6 +82,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
+    said = rewording.by_joint(names, rewording.taken_along(names, said))
     said = rewording.pulling(names, rewording.balanced_at(names, said))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.at_extremes(rewording.on_what_may_open(names, said))

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Symbol
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import joining, strings
+from freebody.questions.spoken import joining, motors, strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
 from freebody.questions.spoken.lexicon import (
     CLOSE,
@@ -39,6 +39,7 @@ MOST = 96  # ways in which the words of one text may be meant: more are no quest
 _COMPONENT = re.compile(r"(\w+?)(_[xyhvXYHV])")
 _GAIN = re.compile(r"[kK]_?([pdiPDI])")
 _GAINS = {"p": "proportional", "d": "derivative", "i": "integral"}
+_NO_LOAD = re.compile(r"\bno-load (?:speed|rpm|running speed)\b", re.IGNORECASE)
 _LONGEST = 4  # words of a name
 _SHORTEST_PLURAL = 4  # letters of a word that may be one
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
@@ -135,6 +136,8 @@ def elements_of(names: Names) -> Elements:
         found.add(name)
         if gain := _GAIN.fullmatch(name):  # as control engineers write them
             found.add(name, said=f"{_GAINS[gain[1].lower()]} gain", distance=INFERRED)
+    for name, said in motors.called(names):
+        found.add(name, said=said, distance=INFERRED)
     for name in joining.planets(names):
         found.add(name, ("planet", "planets"))
     heavy = [name for name in found.bodies if names.bodies[name].mass != ZERO]
@@ -197,6 +200,8 @@ def linked(elements: Elements, text: str) -> list[Way]:
     told = told_apart(elements, text)
     if told is None:
         return []
+    if (*motors.NO_LOAD.split(), "speed") in elements.spoken:
+        told = _NO_LOAD.sub(f"{motors.NO_LOAD} speed", told)
     tokens: list[str] = _TOKEN.findall(told)
     ways = list(islice(_linked(elements, tokens, 0, Way("", 0)), MOST))
     return sorted(ways, key=lambda way: way.distance)

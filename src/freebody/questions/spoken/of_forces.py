@@ -56,6 +56,10 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "force" and (pushing := _along_guide(names, [name for _, name in rest.names])):
         yield [f"force in {name}" for name in pushing]
         return
+    first, *places = [name for _, name in rest.names] or [""]
+    if quantity == "tension" and (edges := strings.pulls_in_rope(names, first, places)):
+        yield edges
+        return
     if rods := _rods(names, quantity, rest):
         yield [f"axial force of {rod}" for rod in rods]
         return

@@ -74,6 +74,37 @@ def pulling(names: Names, words: list[Word]) -> list[Word]:
     return [Word("quantity", "reaction"), _FOR, Word("name", between[0]), *on]
 
 
+def taken_along(names: Names, words: list[Word]) -> list[Word]:
+    """The block with the bullet, of which both are one after the impact: the block."""
+    for k in range(1, len(words) - 1):
+        both = [words[k - 1], words[k + 1]]
+        leads = words[k] in (Word("preposition", "from"), Word("preposition", "with"))
+        bodies = [word.what for word in both if word.kind == "name" and word.what in lookup.moving(names)]
+        if leads and len(bodies) == len(both) and not any(names.bodies[body].turns for body in bodies):
+            pins = [joint for joint in names.connections if "pin" in names.called.get(joint, ())]
+            if any(all(joining.touches(names, joint, body) for body in bodies) for joint in pins):
+                return [*words[:k], *words[k + 2 :]]
+    return words
+
+
+def by_joint(names: Names, words: list[Word]) -> list[Word]:
+    """With what force does the hitch pull the trailer, where the hitch is no rope: its force on it."""
+    exert, force = Word("verb", "exert"), Word("quantity", "force")
+    pulls = [word for word in words if word in (exert, Word("quantity", "tension"))]
+    of = [word for word in words if word.kind == "name"]
+    asks = words[:1] in ([Word("ask", "with")], [Word("ask", "what")], *([word] for word in _HOW_HARD))
+    plain = all(word.kind in ("ask", "name", *SILENT) or word in (exert, force, *pulls) for word in words)
+    is_between = [word for word in words if word in (*pulls, *of)] == [*of[:1], *pulls, *of[1:]]
+    if not (asks and plain and len(pulls) == 1 and len(of) == 2 and is_between):  # the hinge of the lever is loaded
+        return words
+    joint, body = of[0].what, of[1].what
+    pulled = {row.connection for row in names.constraint_rows if row.reaction in ("tension", "normal force")}
+    is_joint = "pin" in names.called.get(joint, ()) and joint not in names.bodies and joint not in pulled
+    if not is_joint or body not in lookup.moving(names) or not joining.touches(names, joint, body):
+        return words
+    return [Word("quantity", "reaction"), _FOR, of[0], Word("preposition", "on"), of[1]]
+
+
 def in_turns(words: list[Word]) -> list[Word]:
     """While it turns once is over a turn."""
     leads = [Word("mark", "while"), *(Word("preposition", what) for what in ("of", "in", "over"))]

@@ -39,6 +39,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         and not negated
     ):
         yield from _reaching(names, clause, of)
+    yield from _no_farther(names, clause, of)
     yield from _in_pose(names, clause, of)
     stays = verbs == {"hold"} or (not verbs and clause.has("relation"))
     if stays and not negated and lookup.is_forced(names):  # the bead stays at 60 deg on the hoop that turns
@@ -160,6 +161,18 @@ def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
         yield [f"{measure}{just} reaches {values[0]}" for measure in measures]
 
 
+def _no_farther(names: Names, clause: Clause, of: list[str]) -> Groups:
+    """It falls no deeper than 50 m: the greatest of what is measured that way is at most so large."""
+    ways = {"fall": -1, "rise": 1}
+    senses = [ways[verb] for verb in clause.all("verb") if verb in ways]
+    values = [value for _, value in clause.values] or [name for name in of if name in names.parameters]
+    who = [name for name in of if name in lookup.moving(names)]
+    plain = clause.only("verb", "name", "value", "relation", *SILENT) and clause.all("verb") != []
+    if plain and clause.all("relation") == ["<="] and len(values) == len(senses) == 1 and len(who) <= 1:
+        inclined = lookup.inclined(names, next(iter(who), ""))
+        yield [f"greatest {measure} <= {values[0]}" for measure, sense in inclined if sense == senses[0]]
+
+
 def _in_pose(names: Names, clause: Clause, of: list[str]) -> Groups:
     """What swings is to come as far as it lies level, or stands upright."""
     verbs = set(clause.all("verb"))
@@ -261,7 +274,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"turn_fully"} and not negated and who:
         yield [f"{who} turns fully"]
     elif (verbs == {"stable"} and not negated) or (verbs == {"unstable"} and negated):
-        yield ["the equilibrium is stable"] if not lookup.is_controlled(names) else []
+        moves = lookup.is_controlled(names) or lookup.is_forced(names)
+        yield ["the equilibrium is stable"] if not moves else []
         yield ["the steady motion is stable"]
     elif verbs <= {"hit", "reach"} and verbs and not negated and who and not other:
         yield [f"it hits {who}"]

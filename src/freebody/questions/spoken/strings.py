@@ -44,6 +44,19 @@ def run_off(names: Names, of: str) -> list[str]:
     return found
 
 
+def pulls_in_rope(names: Names, rope: str, at: list[str]) -> list[str]:
+    """The tension of a rope with mass where it runs over something: at the edge."""
+    found: list[str] = []
+    for name, spec in names.connections.items():
+        given = given_of(spec)
+        over = given.get("over")
+        places = [str(place) for place in cast("list[object]", over)] if isinstance(over, list) else []
+        named = [place for place in places if place in at]  # along the rope it is not the same
+        if given.get("rope") == rope and len(named) == 1:
+            found.append(f"tension in {name} at {named[0]}")
+    return found
+
+
 def sections(names: Names, string: str, *, level: bool) -> list[tuple[str, ...]]:
     """What the stretches of a string that are level, or straight up, run between."""
     found: list[tuple[str, ...]] = []

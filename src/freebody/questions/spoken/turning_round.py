@@ -284,10 +284,12 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
         others = []
     asked = head.all("quantity") or (asked_by if is_marked and not named else [])
+    if head.has("ask", "up_to") and (not named or rest.has("verb", "stable")):
+        end = end or "largest"
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= given.KIND_OF.keys():
         return named, rest, end
-    if head.has("ask", "up_to", "from"):
-        end = "largest" if head.has("ask", "up_to") else "least"
+    if head.has("ask", "from"):
+        end = "least"
     of_speed = asked in (["speed"], ["velocity"], ["angular velocity"]) and (others or head.has("ask", "fast"))
     if of_speed and not named and is_marked:
         found = _speeds(names, asked[0], others)  # the speed that the bullet must have
@@ -298,6 +300,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
+    if head.has("ask", "extended") and not named and not asked:
+        asked = ["length"]
     loads = [name for name in others if name in names.loads or name in names.impulses]
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque
@@ -305,8 +309,6 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if not named and loads == others != [] and kind in ("force", "moment", *_EXERTED):  # the torque of the motor
         found = given.chosen(names, given.KIND_OF[kind], loads)
         return (found, rest, end) if len(found) == 1 else None
-    if head.has("ask", "extended") and not named and not asked:
-        asked = ["length"]
     if head.has("ask", "heavy", "rough") and not named and not asked:
         asked = ["mass"] if head.has("ask", "heavy") else ["friction coefficient"]
         end, others = end or "least" if head.has("ask", "rough") else end, others if head.has("ask", "heavy") else []
