@@ -52,7 +52,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     refuse(method, ("newton", "lagrange"), Message("small motion"))
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
-    if context.system.states and isinstance(question.quantity, EquilibriumStability):
+    if context.system.states and question.quantity.is_verdict:
         from freebody.narrative.steady.stability import tell_stability
 
         return tell_stability(context, question, answer)  # what a controller adds up has a rate as well
