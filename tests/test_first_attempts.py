@@ -73,6 +73,15 @@ MISTAKES = {
         "what belongs to force stands inside of it, not beside it: on and direction, so force: {at: block, along: "
         "right, magnitude: 10 N}",
     ),
+    "a word for a shape that is misspelt": (
+        "bodies: {crate: {blok: {mass: 1 kg}}}",
+        "a body has no blok. Did you mean block?",
+    ),
+    "a contact that is misread, and a question about what it does": (
+        f"ground: {{lines: {{floor: {{along: right}}}}}}\n{BLOCK}"
+        "connections: {touch: {contact: {between: [block, floor], frction: 0.2}}}\nquestions: [normal force, find N]",
+        "contact has no frction. Did you mean friction?",
+    ),
     "a rope that ends on the drum over which it runs": (
         f"{BLOCK.replace('bodies: {', 'bodies: {drum: {disk: {mass: 2 kg, radius: 1 m}}, ')}connections: "
         "{p: {pin: [ground, drum]}, r: {string: {from: block, over: drum, to: drum}}}",

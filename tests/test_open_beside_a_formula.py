@@ -24,3 +24,17 @@ def test_what_a_clutch_does_has_numbers_where_only_places_and_radii_are_open() -
     assert time.value == pytest.approx(120 / (20 * (1 / 0.8 + 1 / 0.5)), rel=1e-12)
     assert speed.value == pytest.approx(0.8 * 120 / 1.3, rel=1e-12)
     assert time.missing == ()
+
+
+def test_only_what_stands_in_a_formula_is_missing_for_its_value() -> None:
+    text = """
+parameters: {m: , g: , P: , beta: 20 deg, mu: 0.3}
+ground: {lines: {plank: {along: beta}}}
+bodies: {crate: {particle: {mass: m}}}
+connections: {touch: {contact: {between: [crate, plank], friction: mu}}}
+loads: {weight: {gravity: g}, push: {force: {at: crate, along: plank, magnitude: P}}}
+"""
+    held, pressed = (
+        fb.System.from_text(text).solve(["range of P that keeps it at rest", "normal force of touch"]).answers
+    )
+    assert held.missing == pressed.missing == ("m", "g")

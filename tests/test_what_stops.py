@@ -70,3 +70,11 @@ def test_a_wheel_stops_under_the_shoe_of_a_hinged_lever() -> None:
     j, r, mu, f, a, b, n = 5.0, 0.4, 0.35, 200.0, 0.3, 1.0, 10 * math.pi
     assert seconds(SHOE, "time until wheel stops") == pytest.approx(j * a * n / (r * mu * f * b), rel=1e-9)
     assert seconds(SHOE, "energy lost until wheel stops") == pytest.approx(j * n**2 / 2, rel=1e-9)
+
+
+def test_a_wheel_does_not_stop_under_a_shoe_that_may_slide_along_with_it() -> None:
+    """Where the friction no longer slips both may go on together: only a shoe that is hinged stays where it is."""
+    guided = SHOE.replace("hinge: {pin: [P, lever.start]}", "guide: {slider: {body: lever, along: right}}")
+    assert guided != SHOE
+    with pytest.raises(fb.ModelError, match="cannot read the condition 'wheel stops'"):
+        fb.System.from_text(guided).solve("time until wheel stops")

@@ -202,6 +202,7 @@ class Names(Formulas):
         self.states: dict[str, ControllerState] = {}
         self.connections: Mapping[str, Joining] = {}
         self.called: dict[str, tuple[str, ...]] = {}  # words for the kind of each body, connection and load
+        self.of_fields: list[tuple[str, str]] = []  # parameters that alone are what a field says, and its words
         self.placed_at_start: dict[str, Expr] = {}  # where the file lets named measures start
         self.started_at_zero: set[str] = set()  # named measures that the file lets start at zero
         self.starts_away = False  # a named measure, or its rate, starts away from zero

@@ -107,6 +107,11 @@ class Noting:
         elements = {_element(p) for p in misread}
         return [p for p in self.problems if _element(p) not in elements or p in misread]
 
+    @property
+    def lacks_elements(self) -> bool:
+        """Whether something of the model could not be read, so that what seems not to be there may be."""
+        return any(p.path[:1] and p.path[0] in _ELEMENTS for p in self.problems)
+
     def is_told(self, *path: str | int) -> bool:
         """Whether a problem is noted at a place, or inside it."""
         here = self._path + path

@@ -6,7 +6,7 @@ A description can be given by position or by name, in Python (`Pin("ground.axle"
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from inspect import Parameter, Signature
 from typing import Any, ClassVar, Literal, cast, get_origin
 
@@ -175,6 +175,12 @@ class Spec(BaseModel, metaclass=_Described):
     def words(cls) -> tuple[str, ...]:
         """What such a thing is called."""
         return (cls.kind.replace("_", " "), *cls.called)
+
+    def called_by_fields(self) -> Iterator[tuple[str, str]]:
+        """Names that alone are what a field says, and the words of the field: omega_0, no load speed."""
+        for field, value in self:
+            if isinstance(value, str) and value.isidentifier():
+                yield value, field.replace("_", " ")
 
     # in space it joins only bodies that a planar joint keeps in the plane of x and y
     in_plane: ClassVar[bool] = False

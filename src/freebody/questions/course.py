@@ -232,7 +232,6 @@ _NAME = r"(?P<of>[A-Za-z_]\w*)"
 _SUBJECT = rf"(?:it|the motion|(?:the )?{_NAME})"
 _ON = r"(?: (?:on |against )?(?:the )?(?P<on>[A-Za-z_]\w*))?"
 _BEGINS = r"(?:begins?|starts?|sets? in|is established)"
-_HINGED = 2  # rows that leave a body of the plane one way to move
 _ENDS = r"(?:ends?|stops?|ceases?)"
 _SLIDING = r"(?:slip|slipping|sliding|to slip|to slide)"
 _WORDS: tuple[tuple[str, TransitionKind], ...] = (
@@ -335,14 +334,14 @@ def _shoes_of(names: Names, body: str) -> set[str]:
     wheel = names.bodies[body]
     if wheel.radius is None or not wheel.turns or not _is_on_a_fixed_axle(names, wheel):
         return set()
-    joined = [{*row.measure.bodies()} - {GROUND} for row in names.constraint_rows if not row.unilateral]
     pressed = {
         other
         for row in names.constraint_rows
         if row.reaction == "normal force" and row.unilateral and body in row.measure.bodies()
         for other in row.measure.bodies()
     }
-    return {other for other in pressed if other != body and joined.count({other}) == _HINGED}
+    others = (names.bodies[other] for other in pressed - {body})
+    return {other.name for other in others if any(_is_kept(names, point) for point in map(other.point, other.points))}
 
 
 def _runs_off(names: Names, name: str) -> bool:
@@ -370,9 +369,13 @@ def _refuse_rolling(names: Names, of: tuple[str, ...], path: Path) -> None:
 
 
 def _is_on_a_fixed_axle(names: Names, body: RigidBody) -> bool:
-    """Whether its centre is kept in its place on the ground."""
+    return _is_kept(names, body.center)
+
+
+def _is_kept(names: Names, point: Point) -> bool:
+    """Whether a point is kept in its place on the ground."""
     return all(
-        any(c.keeps_at(names, body.center, along, frozenset()) is not None for c in names.connections.values())
+        any(c.keeps_at(names, point, along, frozenset()) is not None for c in names.connections.values())
         for along in (RIGHT, UP)
     )
 

@@ -69,6 +69,8 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
     loads |= brought_loads(names, connections)
     names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}
+    named = (pair for spec in loads.values() for pair in spec.called_by_fields())
+    names.of_fields = [(name, words) for name, words in named if name in names.parameters]
     measures = read_measures(source)
     read_states(source)
     start, rates = read_start(source, measures)

@@ -202,7 +202,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
                 words=", ".join(strange),
                 askable=askable,
             )
-        names.unknown(text, none, "find")
+        if not names.lacks_elements:  # else it may be about what could not be read
+            names.unknown(text, none, "find")
     return []
 
 

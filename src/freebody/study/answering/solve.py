@@ -71,6 +71,9 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
     missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
     if missing and (value := _of_formula_alone(system, answer)) is not None:
         return replace(answer, value=value)
+    parts = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    inside = frozenset[str]().union(*map(free_symbols, parts))
+    missing = [name for name in missing if name in inside] or missing
     if missing:
         why = Message("no value is given for {names}", names=", ".join(missing))
         is_begun = any(p.value is not None for p in system.parameters.values())  # a file without numbers asks for none

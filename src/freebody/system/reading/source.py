@@ -21,7 +21,7 @@ from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import Spec
-from freebody.model.written_kinds import written_kind
+from freebody.model.written_kinds import words_also, written_kind
 from freebody.system.unspecified import Unspecified
 
 SpecT = TypeVar("SpecT", bound=Spec)
@@ -91,7 +91,10 @@ def kind_meant(
     called = [kind for kind in difflib.get_close_matches(key, called, n=1, cutoff=0.7) if not begun] or called
     if not called:
         flat = [spec.in_plane_take for spec in kinds.values() if words in spec.called and spec.in_plane_take in fits]
-        return Message(" Did you mean {x}?", x=flat[0]) if flat else did_you_mean(key, known)
+        if flat:
+            return Message(" Did you mean {x}?", x=flat[0])
+        near = difflib.get_close_matches(key, [*known, *words_also(fits)], n=1, cutoff=0.6)
+        return did_you_mean(key, near or known)
     if len(called) == 1:
         return Message(" Did you mean {x}{example}?", x=called[0], example=_example_of(fits[called[0]]))
     return Message(" Did you mean one of {names}?", names=", ".join(called))
