@@ -57,12 +57,13 @@ def solve(
 ) -> Solved:
     """Reduces `sum entry * column = RHS` completely. With `in_order` the columns become pivots in their order,
     so that the last ones stay free; otherwise the simplest entries do. is_last: whether an entry is a pivot only where
-    no other one is left, in order."""
+    no other one is left."""
     order = {c: k for k, c in enumerate(columns)}
 
     def worth(column: int, entry: Ratio, row: Row) -> tuple[int, ...]:
         cost = 0 if not entry.generators() else 1 if entry.is_constant() else 2 + entry.n_terms
-        return (is_last(entry), order[column], cost, len(row)) if in_order else (cost, len(row), order[column])
+        simple = (order[column], cost, len(row)) if in_order else (cost, len(row), order[column])
+        return is_last(entry), *simple
 
     done, left = reduced(field, rows, worth, lambda x: None if is_zero(x) else x)
     solved_columns = {c for c, _row in done}

@@ -98,7 +98,9 @@ class Reactions:
                 if not needed[k].is_zero():
                     row[RHS] = needed[k]
                 rows.append(row)
-        return solve(self.field, rows, list(self._columns.values()), self._samples.vanishes)
+        samples = self._samples  # a formula that is divided by what is zero at the start has no value there
+        columns = list(self._columns.values())
+        return solve(self.field, rows, columns, samples.vanishes, is_last=samples.vanishes_at_starts)
 
     def _slopes(self, here: Callable[[Ratio], Ratio]) -> dict[tuple[str, str], Row]:
         """J^T: what each multiplier contributes to each slot of a body."""

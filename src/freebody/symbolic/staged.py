@@ -149,7 +149,8 @@ class StagedMotion:
                 self.forces.append(self._named("Q_eff" if n == 1 else f"Q_{j + 1}", force[j]))
                 row[RHS] = f.variable(self.forces[-1].index)
             rows.append(row)
-        solved = solve(f, rows, self._of.accelerations, self._of.samples.vanishes)
+        samples = self._of.samples
+        solved = solve(f, rows, self._of.accelerations, samples.vanishes, is_last=samples.vanishes_at_starts)
         for a in self._of.accelerations:
             self.accelerations.append(NamedElement(a, solved.pivots[a].get(RHS, f.zero)))
         for d in self._of.dependent:
