@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import jsonschema
 import pytest
+import yaml
 
 import freebody as fb
 from freebody.language.units import LENGTH
@@ -155,3 +156,20 @@ def test_points_that_are_neither_mapping_nor_names_are_told(points: str) -> None
 @pytest.mark.parametrize("text", [FOUR_BAR, WATT, "ground: {points: {A: [1 m, null], B: }}\nbodies: {b: disk}"])
 def test_the_json_schema_knows_open_dimensions(text: str) -> None:
     jsonschema.validate(fb.System.from_text(text).document.data, json_schema())
+
+
+def test_the_json_schema_knows_the_second_words_of_fields() -> None:
+    known = jsonschema.Draft202012Validator(json_schema())
+
+    def written(spring: str, pin: str) -> bool:
+        bodies, loads = "{rod: {rod: {mass: m}}}", f"{{s: {{spring: {spring}}}}}"
+        text = f"bodies: {bodies}\nconnections: {{hinge: {{pin: {pin}}}}}\nloads: {loads}"
+        return known.is_valid(yaml.safe_load(text))
+
+    pin, spring = "[ground.O, rod.start]", "{from: ground.B, to: rod.end, k: k, free_length: l}"
+    assert written(spring, pin)
+    assert written(spring, "{between: [ground.O, rod.start], mu: mu}")
+    assert written("{first: ground.B, to: rod.end, stiffness: k}", "{first: ground.O, to: rod.start}")
+    assert not written("{from: ground.B, k: k}", pin)  # one end is missing
+    assert not written("{from: ground.B, to: rod.end, kk: k}", pin)
+    assert not written(spring, "{between: [ground.O, rod.start, rod.end]}")

@@ -172,6 +172,13 @@ class Spec(BaseModel, metaclass=_Described):
         return found if key == "between" else found[:1]
 
     @classmethod
+    def second_words(cls) -> dict[str, tuple[str, ...]]:
+        """By each further word under which a file may give fields: which."""
+        known = {field.alias or name for name, field in cls.model_fields.items()}
+        found = {word: cls.meant(word) for word in MEANT if word not in known and word not in cls.elsewhere}
+        return {word: fields for word, fields in found.items() if len(fields) > 1 or (fields and word in SAME)}
+
+    @classmethod
     def words(cls) -> tuple[str, ...]:
         """What such a thing is called."""
         return (cls.kind.replace("_", " "), *cls.called)

@@ -23,8 +23,23 @@ def _fields(kind: type[Spec]) -> dict[str, Any]:
     """Schema of the value under a kind: a mapping, a list by position, or its first field alone."""
     schema = kind.model_json_schema(by_alias=True)
     schema.pop("title", None)
+    _with_second_words(kind, schema)
     described = {"description": (kind.__doc__ or "").strip()}
     return {**described, "anyOf": [schema, {"type": "array"}, {"type": ["string", "number", "null"]}]}
+
+
+def _with_second_words(kind: type[Spec], schema: dict[str, Any]) -> None:
+    """Also takes the fields under further words; a list under one word gives several of them."""
+    own, more = schema["properties"], kind.second_words()
+    for word, fields in more.items():
+        lists = {"type": "array", "minItems": len(fields), "maxItems": len(fields)}
+        own[word] = own[fields[0]] if len(fields) == 1 else lists
+    needed = schema.pop("required", [])
+    ways = {field: [field, *(word for word, fields in more.items() if field in fields)] for field in needed}
+    if any(len(words) > 1 for words in ways.values()):
+        schema["allOf"] = [{"anyOf": [{"required": [word]} for word in words]} for words in ways.values()]
+    elif needed:
+        schema["required"] = needed
 
 
 def _by_word(kinds: Mapping[str, type[Spec]]) -> dict[str, Any]:
