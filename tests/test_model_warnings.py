@@ -34,6 +34,14 @@ connections:
   rope: {string: {path: [block, over edge, WAY lower, ground.C]}}
 loads: {w: {gravity: g}}
 """
+ON_A_CART = """
+parameters: {m: 3 kg, M: 8 kg, g: 9.81 m/s^2}
+bodies:
+  cart: {particle: {mass: M}, at: [0, 0]}
+  crate: {rectangle: {mass: m, width: 40 cm, height: 60 cm}, at: [0, PLACE]}
+connections: {floor: {slider: {body: cart, along: right}}, deck: {contact: {between: [crate, cart], friction: 0.4}}}
+loads: {w: {gravity: g}}
+"""
 BESIDE = """
 parameters: {M: 3 kg, m: 2 kg, L: 1 m, alpha: 30 deg, mu: 0.4, g: 9.81 m/s^2}
 ground: {points: [A], lines: {slope: {through: A, along: alpha}}}
@@ -225,6 +233,11 @@ def warned(text: str) -> list[tuple[str, str]]:
         (RUBBED.replace("LAW", "-M*phi").replace("5 rad/s", "-30 1/min"), "hertz", "-30 1/min is a speed in turns"),
         (SLOPE.replace("ANGLE", "20 deg, mu: 0.1"), "unused", "mu is used nowhere in the model"),
         (PULLEY.replace("AXLE", ""), "loose pulley", "hold it, e.g. axle: {pin: [ground.A, pulley]}"),
+        (
+            ON_A_CART.replace("PLACE", "30 cm"),
+            "on a point",
+            "cart is a particle, so crate balances on a point and tips about it",
+        ),
         (DRUM.replace("END", "drum"), "tied at the axle", "write wound on drum in place of drum; else drum.center"),
         (SPATIAL_DRUM.replace("END", "drum"), "tied at the axle", "write wound on drum in place of drum"),
         (HEAVY, "tied at the axle", "write wound_on: drum in place of drum"),
@@ -276,6 +289,7 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
         TURNED.replace("SPEED", "2 Hz").replace("WAY", "sin(t/(3/W))"),
         TURNED.replace("SPEED", "120 rpm").replace("WAY", "W*t"),
         TURNED.replace("SPEED", "120 1/min").replace("WAY", "2*pi*W*t"),
+        ON_A_CART.replace("PLACE", "-30 cm"),  # the particle lies on the crate
         SLOPE.replace("ANGLE", "60 deg"),
         SLOPE.replace("ANGLE", "0.5 rad"),
         PENDULUM.replace("ANGLE", "720 deg"),

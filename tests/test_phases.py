@@ -955,3 +955,17 @@ def test_the_lowest_point_of_a_bowl_is_reached_where_the_height_turns() -> None:
     )
     assert speed.value == pytest.approx(math.sqrt(9.81 * 0.5))
     assert force.value == pytest.approx(2 * 9.81)
+
+
+def test_a_plank_that_cannot_turn_does_not_tip_about_what_lies_on_it() -> None:
+    system = fb.System.from_text("""
+parameters: {m: 1 kg, M: 3 kg, mu: 0.3, F: 20 N, g: 9.81 m/s^2}
+bodies:
+  plank: {rectangle: {mass: M, width: 2 m, height: 10 cm}, at: [0, 5 cm]}
+  bead: {particle: {mass: m}, at: [0, 10 cm]}
+connections:
+  floor: {slider: {body: plank, along: right}}
+  deck: {contact: {between: [plank, bead], friction: mu}}
+loads: {weight: {gravity: g}, pull: {force: {at: plank, along: right, magnitude: F}}}
+""")
+    assert [case.what for case in phases(system).cases] == ["slides, then flies", "sticks"]

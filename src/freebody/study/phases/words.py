@@ -169,14 +169,20 @@ def _by_connection(found: dict[str, str]) -> dict[str, str]:
             spoken |= closed
         else:
             (name, word), *more = closed.items()
-            corner = name.partition(" (")[2].partition(" on ")[0].rpartition(".")[2]
-            tips = bool(corner) and not more and len(words) > 2 and word in ("sticks", "slides")
+            corner = _corner(name)
+            corners = {_corner(place) for place in words}  # of one point on the edges of a body there is one
+            tips = bool(corner) and not more and len(words) > 2 and len(corners) > 1 and word in ("sticks", "slides")
             about = {
                 "sticks": Message("tips about {corner}", corner=corner),
                 "slides": Message("tips and slides on {corner}", corner=corner),
             }
             spoken[connection] = about[word] if tips else word
     return spoken
+
+
+def _corner(place: str) -> str:
+    """The point that touches in one of several places of a contact."""
+    return place.partition(" (")[2].partition(" on ")[0].rpartition(".")[2]
 
 
 def happening(watch: PhaseWatch, after: Phase | None) -> str:
