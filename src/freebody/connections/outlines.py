@@ -117,6 +117,9 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
         label = line.name or words
         return Outline(line.direction.body, label, straights=(Straight(line, None, label),))
     body_name, _, point_name = words.partition(".")
+    side = names.edge(words)
+    if side is not None:
+        return _of_side(names, side, point_name, *path)
     if point_name:
         point = names.point(words, *path)
         return Outline(point.body, words, (RoundPart(point, ZERO, words),))
@@ -175,6 +178,18 @@ def _of_body(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
         *path,
     )
     return None
+
+
+def _of_side(names: Names, side: Line, name: str, *path: str | int) -> Outline | None:
+    """One edge of a polygon, with the corners at its ends; a line where nobody says how long it is."""
+    body = names.body(side.direction.body, *path)
+    whole, k = _polygon(names, body, *path), list(body.sides).index(name)
+    if whole is None:
+        return None
+    first, last, edge = whole.rounds[k], whole.rounds[(k + 1) % len(whole.rounds)], whole.straights[k]
+    if first.center.offset == last.center.offset:
+        return Outline(body.name, side.name, straights=(Straight(side, None, side.name),))
+    return Outline(body.name, side.name, (first, last), (edge,))
 
 
 def _polygon(names: Names, body: RigidBody, *path: str | int) -> Outline | None:

@@ -105,7 +105,7 @@ connections:
     def is_in_plane(self, names: Names) -> bool:
         if self.on is None or self.on in names.bodies:
             return self._round_in_space(names) is None
-        return names.line(self.on) is not None
+        return names.edge(self.on) is not None
 
     def _round_in_space(self, names: Names) -> RigidBody | None:
         """The sphere or cylinder on or in which a sphere rolls, or the cylinder on or in which another one does, unless
@@ -134,7 +134,7 @@ connections:
         if (self.on is None) == (self.inside is None):
             names.problem(Message("say what it rolls on: on: ground.floor (a line), on: drum, or inside: ring"))
             return []
-        line = None if self.on is None else names.line(self.on, "on")
+        line = None if self.on is None else names.edge(self.on)
         if line is not None:
             return self._on_line(body, radius, line)
         if self.on is not None and self.on not in names.bodies:
@@ -214,6 +214,13 @@ connections:
         return found
 
     def _nothing_there(self, names: Names) -> list[ConstraintRow]:
+        body = names.bodies.get(str(self.on))
+        if body is not None and body.sides:
+            sides = ", ".join(f"{body.name}.{side}" for side in body.sides)
+            names.problem(
+                Message("{body} has straight sides, name the one: {sides}", body=body.name, sides=sides), "on"
+            )
+            return []
         known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]
         told = Message(
             "{name} is neither a plane, a line nor a round body.{hint} For a plane: ground: {{planes: {{floor: "
@@ -257,10 +264,10 @@ connections:
 
     def _line(self, names: Names) -> Line | None:
         with names.quietly():
-            return names.line(str(self.on), "on")
+            return names.edge(str(self.on))
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
-        line = None if self.on is None else names.line(self.on, "on")
+        line = None if self.on is None else names.edge(self.on)
         if line is not None:
             yield "travel", Displacement(names.body(self.body).center, line.through, line.direction)
 
@@ -276,7 +283,7 @@ connections:
             yield glyphs.Touch(round_body.name, body.name, within=self.inside is not None)
             return
         radius = names.radius(body.name) if own is None else own
-        line = None if self.on is None else names.line(self.on)
+        line = None if self.on is None else names.edge(self.on)
         if line is not None:
             yield glyphs.Track(body.center, line.direction, negate(radius) if self.below else radius)
             return

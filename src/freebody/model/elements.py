@@ -7,7 +7,7 @@ normal force) is `sign * lambda`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Generic, Literal, TypeVar
 
@@ -168,6 +168,8 @@ class RigidBody:
     start: Start = Start()
     is_placeholder: bool = False  # stands in for a body that could not be read
     corners: tuple[str, ...] = ()  # points on its straight-edged rim, in order
+    # of the edges from the first corner on, the names of the middles, and directions with the body on their right
+    sides: Mapping[str, Components] = field(default_factory=dict[str, Components])
     is_ring: bool = False  # a circle with room inside
     edges: tuple[
         Edge[Components], ...
@@ -197,6 +199,13 @@ class RigidBody:
         chosen = name or self.default_point
         label = self.name if name is None else f"{self.name}.{name}"
         return Point(self.name, self.points[chosen], label)
+
+    def side(self, name: str) -> Line | None:
+        """The line along an edge that has a name."""
+        if name not in self.sides:
+            return None
+        label = f"{self.name}.{name}"
+        return Line(self.point(name), Direction(self.name, self.sides[name], label), label)
 
     @property
     def center(self) -> Point:

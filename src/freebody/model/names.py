@@ -327,6 +327,14 @@ class Names(Formulas):
         body = self.bodies.get(body_name)
         return None if body is None else body.lines.get(line_name)
 
+    def edge(self, text: Any) -> Line | None:
+        """A line, or the straight side of a body: `block.top`."""
+        if (line := self.line(text)) is not None or not isinstance(text, str):
+            return line
+        owner, _, name = text.strip().partition(".")
+        body = self.bodies.get(owner)
+        return None if body is None else body.side(name)
+
     def plane(self, text: Any, *path: str | int) -> BodyPlane | None:
         """`body.plane`; of the ground also plain `plane`."""
         if not isinstance(text, str):

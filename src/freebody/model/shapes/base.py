@@ -6,6 +6,7 @@ massless link or pulley.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -34,6 +35,8 @@ class Build:
     turns: bool = True
     default_point: str = "center"
     corners: tuple[str, ...] = ()  # points of a straight-edged rim, in order
+    # of these edges, from the first corner on, the names of the middles, and directions with the body on their right
+    sides: Mapping[str, Components] = field(default_factory=dict[str, Components])
     is_ring: bool = False
     edges: tuple[Edge[Components], ...] = ()  # what is drawn of it, where that is no full circle and not straight
     # in space

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from freebody.language.expression import divide, negate, number, power
+from freebody.language.expression import ONE, divide, negate, number, power
 from freebody.language.units import LENGTH, MASS
 from freebody.measures.geometry import ZERO
 from freebody.model.shapes.base import Build, Shape, half, plate_tensor, square
@@ -18,6 +18,12 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_SIDES = {
+    "bottom": (negate(ONE), ZERO),
+    "right": (ZERO, negate(ONE)),
+    "top": (ONE, ZERO),
+    "left": (ZERO, ONE),
+}
 CORNERS = ("bottom_left", "bottom_right", "top_left", "top_right")
 
 
@@ -58,6 +64,7 @@ class Rectangle(Shape, kind="rectangle"):
                 "top_right": (x, y),
             },
             corners=("bottom_left", "bottom_right", "top_right", "top_left"),
+            sides={} if names.space else _SIDES,
             tensor=plate_tensor(m * square(h) / 12, m * square(w) / 12) if names.space else (),
             solid=BOX,
             sizes=(w, h, ZERO),

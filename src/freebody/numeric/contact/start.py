@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence, Set
 from contextlib import suppress
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -27,6 +28,15 @@ from freebody.system.system import System
 N_ROUNDS = 12
 MOST_PAIRS = 2000
 
+
+@dataclass(frozen=True)
+class _Lying:
+    """A polygon whose place and angle nobody gave and nothing holds: it will lie flat, with two corners on an edge."""
+
+    body: str
+    places: tuple[UnilateralConstraint, ...]  # its corners on that edge, or on the line
+
+
 Extra = list[tuple[Measure | NonholonomicForm, float]]
 
 
@@ -41,8 +51,8 @@ def assembled_touching(reference: Reference) -> Array:
         _refuse_penetration(reference, q, bounds)
         return q
     closed: dict[str, UnilateralConstraint] = {}
-    turning = _turning(reference, bounds, closing)
     q = reference.assemble()
+    turning = _turning(reference, q, bounds, closing)
     for _ in range(N_ROUNDS):
         added = _next(reference, q, bounds, closing, closed, turning)
         if not added:
@@ -78,12 +88,12 @@ def _apart(reference: Reference, q: Array, bound: UnilateralConstraint) -> str:
     )
 
 
-def _placed(reference: Reference, closed: Mapping[str, UnilateralConstraint], turning: dict[str, str]) -> Array:
+def _placed(reference: Reference, closed: Mapping[str, UnilateralConstraint], turning: dict[str, _Lying]) -> Array:
     """The pose with the closed bounds; bodies without an angle, of which one corner touches, do not turn yet."""
     upright: Extra = []
-    for family, body in turning.items():
+    for family, lying in turning.items():
         if sum(b.family == family for b in closed.values()) < 2:
-            upright.append((Angle(body), 0.0))
+            upright.append((Angle(lying.body), 0.0))
     extra = _extra(reference, closed)
     if upright:
         with suppress(CannotAnswer):
@@ -119,7 +129,7 @@ def _next(
     bounds: tuple[UnilateralConstraint, ...],
     closing: set[str],
     closed: dict[str, UnilateralConstraint],
-    turning: dict[str, str],
+    turning: dict[str, _Lying],
 ) -> list[UnilateralConstraint]:
     """What must be closed next: the nearest place of a family that does not touch yet, the deepest one that would be
     inside, and a second corner of a body whose angle nobody gave, which then lies flat; of polyhedra all places that
@@ -129,7 +139,7 @@ def _next(
     for family in sorted(closing):
         own = [b for b in bounds if b.family == family and b.name in gaps and is_within(reference, g, b)]
         if family in turning:
-            foot = _foot(reference, g, [b for b in bounds if b.family == family], turning[family])
+            foot = _foot(reference, g, turning[family])
             if not any(b.family == family for b in closed.values()):
                 return [min(foot, key=lambda b: gaps[b.name])]
             rest = [b for b in foot if b.name not in closed]
@@ -164,12 +174,10 @@ def _nearest_of_polyhedra(
     return [b for b in chosen if is_within(reference, g, b)] or chosen
 
 
-def _foot(
-    reference: Reference, g: JetGeometry, own: list[UnilateralConstraint], name: str
-) -> list[UnilateralConstraint]:
+def _foot(reference: Reference, g: JetGeometry, lying: _Lying) -> list[UnilateralConstraint]:
     """The two corners of the side on which a polygon will lie: of the lower sides the one that is turned least."""
-    body = reference.system.bodies[name]
-    by_corner = {b.row.ends[0].partition(".")[2]: b for b in own}
+    body = reference.system.bodies[lying.body]
+    by_corner = {_corner(b)[1]: b for b in lying.places}
     heights = {corner: gap_of(reference, g, b) for corner, b in by_corner.items()}
     middle = sum(heights.values()) / len(heights)
     corners = list(body.corners)
@@ -196,26 +204,76 @@ def _reach(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, ga
     return away, round(-gap / (PENETRATION * reference.sizes.length)), round(fall / (PENETRATION * hardest))
 
 
-def _turning(reference: Reference, bounds: tuple[UnilateralConstraint, ...], closing: set[str]) -> dict[str, str]:
-    """Families of a polygon on a line whose angle nobody gave: it will lie flat; with the body. One that touches with a
-    point of it alone stands on that."""
-    system = reference.system
-    found: dict[str, str] = {}
+def _turning(
+    reference: Reference, q: Array, bounds: tuple[UnilateralConstraint, ...], closing: set[str]
+) -> dict[str, _Lying]:
+    """Families of a polygon on a line whose angle nobody gave, or on another polygon where nobody gave its place
+    either: it will lie flat. Of two such, that lies on the other which lies on nothing else, as in a stack."""
+    found: dict[str, _Lying] = {}
+    on_bodies: dict[str, list[UnilateralConstraint]] = {}
     for family in sorted(closing):
         own = [b for b in bounds if b.family == family]
-        names = {b.row.ends[0].partition(".")[0] for b in own}
-        if len(names) != 1 or any(b.obstacle for b in own):
-            continue
-        body = system.bodies.get(next(iter(names)))
-        met = {b.row.ends[0].partition(".")[2] for b in own}
-        if body is None or len(body.corners) < 3 or not met.issuperset(body.corners):
-            continue
-        if not (body.start.angle is None and body.start.turned is None):
-            continue
-        rows = [row for row in system.constraint_rows if not isinstance(system.connections.get(row.connection), Planar)]
-        if not any(body.name in row.measure.bodies() for row in rows):
-            found[family] = body.name
-    return found
+        if len({_corner(b)[0] for b in own}) > 1 or any(b.obstacle for b in own):
+            on_bodies[family] = own
+        elif _is_loose(reference.system, own, name := _corner(own[0])[0]):
+            found[family] = _Lying(name, tuple(own))
+    while True:
+        taken = {lying.body for lying in found.values()}
+        for family, own in on_bodies.items():
+            names = {_corner(b)[0] for b in own} - taken
+            loose = [name for name in names if _is_loose(reference.system, own, name) and _is_unplaced(reference, name)]
+            places = _onto(reference, q, own, loose[0]) if family not in found and len(loose) == 1 else ()
+            if places:
+                found[family] = _Lying(loose[0], places)
+                break
+        else:
+            return found
+
+
+def _corner(bound: UnilateralConstraint) -> tuple[str, str]:
+    """The body that touches with a point in a place, and the point."""
+    body, _, point = bound.row.ends[0].partition(".")
+    return body, point
+
+
+def _is_loose(system: System, own: list[UnilateralConstraint], name: str) -> bool:
+    """Whether a body touches with all of its corners, is held by nothing, and nobody says how it is turned."""
+    body = system.bodies.get(name)
+    met = {point for b in own for body_name, point in [_corner(b)] if body_name == name}
+    if body is None or len(body.corners) < 3 or not met.issuperset(body.corners):
+        return False
+    if not (body.start.angle is None and body.start.turned is None):
+        return False
+    rows = [row for row in system.constraint_rows if not isinstance(system.connections.get(row.connection), Planar)]
+    return not any(name in row.measure.bodies() for row in rows)
+
+
+def _is_unplaced(reference: Reference, name: str) -> bool:
+    start = reference.system.bodies[name].start
+    return not reference.system.bodies[name].fixed and start.at is None and start.near is None
+
+
+def _onto(
+    reference: Reference, q: Array, own: list[UnilateralConstraint], name: str
+) -> tuple[UnilateralConstraint, ...]:
+    """The places of a body's corners on the edge onto which the loads drive it; none where they drive it onto two edges
+    alike."""
+    g = reference.geometry(q, np.zeros_like(q), 0.0)
+    driven, columns = _driven(reference, g), list(reference.columns(name))
+    edges: dict[str, list[UnilateralConstraint]] = {}
+    for b in own:
+        if _corner(b)[0] == name:
+            edges.setdefault(b.row.ends[1], []).append(b)
+
+    def fall(edge: str) -> float:
+        rows = (b.row.sign * reference.jet(g, b.row.measure, b.name).row(len(driven)) for b in edges[edge])
+        return max(float(row[columns] @ driven[columns]) for row in rows)  # what it lies on will not fall
+
+    falls = sorted((fall(edge), edge) for edge in edges)
+    size = PENETRATION * max(abs(f) for f, _edge in falls)
+    if falls[0][0] >= -size or (len(falls) > 1 and falls[1][0] - falls[0][0] <= size):
+        return ()
+    return tuple(edges[falls[0][1]])
 
 
 def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstraint]) -> set[str]:

@@ -139,6 +139,8 @@ class BodySections:
                 Message("{name} is fixed, so it has no velocity at the start: leave out one of the two", name=name),
                 "fixed",
             )
+        outline, own = self._outline(entry, offsets), entry.get("points")
+        sides = build.sides if not own else {side: d for side, d in build.sides.items() if side not in own}
         return RigidBody(
             name,
             build.mass,
@@ -149,7 +151,8 @@ class BodySections:
             turns=build.turns,
             fixed=fixed,
             start=start,
-            corners=self._outline(entry, offsets) or build.corners,
+            corners=outline or build.corners,
+            sides={} if outline else sides,
             copies=copied_names(names, name, entry.get("copies"), self.source.mapping("bodies")),
             is_ring=build.is_ring,
             edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
