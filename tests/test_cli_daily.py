@@ -133,3 +133,19 @@ def test_the_doctor_says_what_is_there_and_checks_an_answer() -> None:
     assert lines["freebody"].startswith("0.")
     assert "kernels" in lines
     assert lines["check"] == "acceleration F/m = 5 m/s^2, right"
+
+
+def test_a_question_that_cannot_be_read_stops_neither_the_others_nor_what_asks_nothing(tmp_path: Path) -> None:
+    model = tmp_path / "model.yaml"
+    model.write_text(BLOCK.replace("[acceleration of x]", "[acceleration of x, colour of block]"), encoding="utf-8")
+    done = freebody("solve", str(model))
+    assert done.returncode == 2
+    assert "questions.1.find: 'colour' is" in done.stderr
+    assert "warning" not in done.stderr
+    assert "5 m/s^2" in done.stdout
+    done = freebody("mobility", str(model))
+    assert done.returncode == 0
+    assert "warning: " in done.stderr
+    model.write_text(BLOCK.replace("acceleration of x]", "colour of block]"), encoding="utf-8")
+    done = freebody("solve", str(model))
+    assert (done.returncode, done.stdout) == (2, "")

@@ -52,26 +52,31 @@ Set = Annotated[
 Watch = Annotated[bool, typer.Option("--watch", help="Run again whenever the file is saved, until Ctrl-C.")]
 
 
-def model_of(
+def model_of(file: Path, assignments: list[str] | None, language: object = None, asked: tuple[str, ...] = ()) -> System:
+    """The system of a file for what answers no questions of the file; see `model_and_unread`."""
+    return model_and_unread(file, assignments, language, asked, answers_file=False)[0]
+
+
+def model_and_unread(
     file: Path,
     assignments: list[str] | None,
     language: object = None,
     asked: tuple[str, ...] = (),
     *,
-    is_asked_here: bool = False,
-) -> System:
-    """The system of a file, with other values of parameters; what is unlikely in it is told on stderr. asked: what is
-    said of it on the command line; is_asked_here: whether its questions are among that."""
-    system = loaded(file, is_asked_here=is_asked_here)
+    answers_file: bool,
+) -> tuple[System, bool]:
+    """The system of a file, with other values of parameters, and whether the file has questions that cannot be read.
+    These and what is unlikely in it are told on stderr; the others are answered. asked: what is said of it on the
+    command line; answers_file: whether the questions of the file are to be answered."""
+    system, is_unread = _loaded(file, answers_file=answers_file)
     if assignments:
         system = system.with_parameters(**dict(assignment(text) for text in assignments))
     tell_warnings(system, language, asked)
-    return system
+    return system, is_unread
 
 
-def loaded(file: Path, *, is_asked_here: bool) -> System:
-    """The system of a file. Where the questions stand on the command line, those of the file that cannot be read are no
-    hindrance: they are told on stderr, and left out."""
+def _loaded(file: Path, *, answers_file: bool) -> tuple[System, bool]:
+    """Raises ModelError where more than questions cannot be read, or where none is left of those to be answered."""
     from freebody.cli.running import say
     from freebody.errors import ModelError
     from freebody.language.document import Document
@@ -79,21 +84,23 @@ def loaded(file: Path, *, is_asked_here: bool) -> System:
 
     document = Document.load(file)
     try:
-        return System.from_document(document)
+        return System.from_document(document), False
     except ModelError as error:
-        if not is_asked_here or not all(problem.path[:1] == ("questions",) for problem in error.problems):
+        if not all(problem.path[:1] == ("questions",) for problem in error.problems):
             raise
         bad = {problem.path[1] for problem in error.problems if len(problem.path) > 1}
         asked = document.data["questions"]
+        left: Any = []
         if isinstance(asked, dict):
-            by_name = cast("dict[str, Any]", asked)
-            left: Any = {name: one for name, one in by_name.items() if name not in bad}
-        else:
+            left = {name: one for name, one in cast("dict[str, Any]", asked).items() if name not in bad}
+        elif isinstance(asked, list):
             left = [one for k, one in enumerate(cast("list[Any]", asked)) if k not in bad]
+        if answers_file and not left:
+            raise
         system = System.from_document(document.with_value(("questions",), left))
         for line in str(error).splitlines():
-            say(f"warning: {line}")
-        return system
+            say(line if answers_file else f"warning: {line}")
+        return system, True
 
 
 def tell_warnings(system: System, language: object = None, asked: tuple[str, ...] = ()) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, ReportFile, Set, Watch, model_of, said
+from freebody.cli.options import Effort, Json, ModelFile, ReportFile, Set, Watch, model_and_unread, said
 from freebody.cli.output import check_out, print_result, print_written
 from freebody.studies import Option, Study
 
@@ -43,7 +43,7 @@ def command_of(study: Study) -> Callable[..., None]:
 
     def run(file: Any, **words: Any) -> None:
         if is_file:
-            written, _system = _found(study, file, words)
+            written, _system, _is_unread = _found(study, file, words)
             print_written([written])
         else:
             _report(study, file, words)
@@ -67,16 +67,20 @@ def _parameter(option: Option) -> Parameter:
     return _of(option.parameter, Annotated[kind, given], option.default)
 
 
-def _found(study: Study, file: Any, words: dict[str, Any]) -> tuple[Any, System]:
-    """What a study finds in the model of a file, of the words on the command line that are its own; and the model."""
+def _found(study: Study, file: Any, words: dict[str, Any]) -> tuple[Any, System, bool]:
+    """What a study finds in the model of a file, of the words on the command line that are its own; the model; and
+    whether a question of the file that it should answer cannot be read."""
     from freebody.present.busy import busy
 
     with busy(study.busy):
         given = {option.parameter: option.given(words[option.parameter]) for option in study.options}
         finds = [option.parameter for option in study.options if "--find" in option.flags]
-        asks = any(words[name] for name in finds)
-        system = model_of(file, words["set_"], words.get("language"), _said(study, words), is_asked_here=asks)
-        return study.function(system, **{name: x for name, x in given.items() if x is not None}), system
+        answers_file = bool(finds) and not any(words[name] for name in finds)
+        system, is_unread = model_and_unread(
+            file, words["set_"], words.get("language"), _said(study, words), answers_file=answers_file
+        )
+        found = study.function(system, **{name: x for name, x in given.items() if x is not None})
+        return found, system, is_unread and answers_file
 
 
 def _said(study: Study, words: dict[str, Any]) -> tuple[str, ...]:
@@ -86,7 +90,7 @@ def _said(study: Study, words: dict[str, Any]) -> tuple[str, ...]:
 
 def _report(study: Study, file: Any, words: dict[str, Any]) -> None:
     check_out(words["out"])
-    found, system = _found(study, file, words)
+    found, system, is_unread = _found(study, file, words)
     print_result(
         found,
         system,
@@ -96,5 +100,7 @@ def _report(study: Study, file: Any, words: dict[str, Any]) -> None:
         is_short=study.is_short and not words["is_full"] and words["formula"] is not FormulaLength.LONG,
         asked=_said(study, words),
     )
+    if is_unread:
+        raise typer.Exit(2)
     if not found.is_complete:
         raise typer.Exit(1)

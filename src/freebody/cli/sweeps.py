@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, Language, ModelFile, Set, model_of, said, seconds_of
+from freebody.cli.options import Effort, Json, Language, ModelFile, Set, model_and_unread, said, seconds_of
 from freebody.cli.output import print_result, print_written
 from freebody.numeric.engine.integrators import integrators  # their names alone
 
@@ -110,7 +110,7 @@ def sweep(
         from freebody.study.given import ranges_of
 
         run: Callable[..., Sweep] = STUDIES["sweep"].function
-        system = model_of(file, set_, language, asked, is_asked_here=bool(find))
+        system, is_unread = model_and_unread(file, set_, language, asked, answers_file=not find)
         if plot is not None:
             check_writable(checked_path(plot))
         options = SimulationOptions(
@@ -151,3 +151,5 @@ def sweep(
     drawn = [] if plot is None else [found.chart(show, chart).write(plot)]
     if not as_json:
         print_written([*found.files, *drawn])
+    if is_unread and not find:
+        raise typer.Exit(2)
