@@ -42,6 +42,15 @@ loads: {weight: {gravity: g}, hit: {impulse: {at: rod.struck, along: right, magn
 measures: {theta: {angle of rod from down}}
 start: {theta: alpha}
 """
+HUNG = """
+parameters: {m: 0.2 kg, M: 2 kg, L: 1 m, v: 8 m/s, e: 0.6, a: 0.8 m, r: 3 cm, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies:
+  rod: {rod: {mass: M, length: L}, angle: -90 deg}
+  ball: {sphere: {mass: m, radius: r}, at: [-r, -a], velocity: [v, 0]}
+connections: {hinge: {pin: [ground.O, rod.start]}, hit: {contact: {between: [ball, rod], restitution: e}}}
+loads: {weight: {gravity: g}}
+"""
 CARTS = """
 parameters: {m1: 3 kg, m2: 1 kg, v: 4 m/s, e: 0.5}
 ground: {lines: {rail: {along: right}}}
@@ -74,6 +83,9 @@ PROBLEMS = {
     ),
     "pivot": (SWUNG, "horizontal impulse of A on rod", "3*J*b/(2*L) - J"),
     "centre of percussion": (SWUNG, "value of b for which horizontal impulse of A = 0", "2*L/3"),
+    # S = m (1 + e) v/(1 + 3 m a^2/(M L^2)) on the rod at a: A = S (3 a/(2 L) - 1), of either sign
+    "size at the pivot": (HUNG, "magnitude of impulse of hinge", "m*M*L*(1 + e)*v*(3*a - 2*L)/(2*(M*L^2 + 3*m*a^2))"),
+    "no impulse at the pivot": (HUNG, "for which a is there no impulse at the hinge", "2*L/3"),
     "stopped dead": (
         SWUNG,
         "value of J for which angular velocity of rod = 0 after the blow",

@@ -43,6 +43,7 @@ from freebody.study.phases.reached import pending, sides
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.validity import TAKEN
 from freebody.system.modes import ideal_bounds
 from freebody.tolerances import ROUND_OFF
 
@@ -279,13 +280,13 @@ def _in_blows(tree: PhaseTree, question: Question, ways: list[WayToPhase]) -> It
     for way in ways:
         node = way.last
         if not way.edges and is_struck_in(node, sorted(named & own)):
-            yield _of_blow(tree, question, way, node, list(way.conditions), None)
+            yield from _of_blow(tree, question, way, node, list(way.conditions), None)
             continue
         for edge in node.edges:
             for after in edge.nodes:
                 if is_struck_in(after, sorted(named & own)):
                     conditions = [*way.conditions, *edge.conditions, *after.conditions]
-                    yield _of_blow(tree, question, way, after, conditions, edge.first)
+                    yield from _of_blow(tree, question, way, after, conditions, edge.first)
                 else:
                     yield from _in_blows(tree, question, [way.on(edge, after)])
 
@@ -305,9 +306,18 @@ def _of_blow(
     node: PhaseNode,
     conditions: list[Condition],
     first: FirstEvent | None,
-) -> AnswerBranch:
+) -> Iterator[AnswerBranch]:
     phase, state = node.phase, after_in_formulas(tree, node, way.nodes[0])
-    found = value_in_mode(question.quantity, tree.system, phase.system, cast("Any", state))
+    samples, sets = phase.model.samples, node.sets
+    before, samples.assumed = samples.assumed, []
+    try:
+        found = value_in_mode(question.quantity, tree.system, phase.system, cast("Any", state))
+    finally:
+        taken, samples.assumed = samples.assumed, before
+    for x in taken:  # the sign of what a magnitude is of
+        home = tree.to_home(phase, x)
+        sets = sets[tree.numbers(home)[sets] > 0]
+        conditions = [*conditions, Condition(home, ">", TAKEN)]
     parts = cast("tuple[Any, ...]", found) if isinstance(found, tuple) else (found,)
     homes = tuple(tree.to_home(phase, phase.model.field.element(x)) for x in parts)
     value: Elements = homes if isinstance(found, tuple) else homes[0]
@@ -315,7 +325,8 @@ def _of_blow(
     notes: list[str] = [Message("in: {event}", event=node.impact.words)]
     time = tree.home.model.field.zero if first is None else time_of(tree, way, first)
     after = None if first is None else node
-    return AnswerBranch(value, True, list(way.nodes), first, conditions, node.sets, time, notes, after, in_blow=True)
+    if len(sets):
+        yield AnswerBranch(value, True, list(way.nodes), first, conditions, sets, time, notes, after, in_blow=True)
 
 
 def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str) -> AnswerBranch:
