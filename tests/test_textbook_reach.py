@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from freebody.language.expression import Expr
+from freebody.language.notation import to_text
 from posed import is_formula, posed
 
 MAN_ON_A_BOAT = """
@@ -80,6 +82,22 @@ loads: {weight: {gravity: g}}
 measures: {phi: angle of rod}
 start: {phi: phi0}
 """
+ROOT_OF_THE_SPEED = """
+parameters: {J: 40 kg m^2, c: 3 N m s^0.5, w0: 60 rad/s}
+bodies: {wheel: {body: {inertia: J}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+loads: {bearing: {torque: {on: wheel, magnitude: -c*sqrt(rate(phi))}}}
+measures: {phi: angle of wheel}
+start: {phi: 0, rate(phi): w0}
+"""
+PUSHED_BACK = """
+parameters: {m: 2 kg, c: 0.4 kg/s, v0: 9 m/s}
+bodies: {boat: {particle: {mass: m}}}
+connections: {road: {slider: {body: boat, along: right}}}
+loads: {r: {force: {at: boat, along: left, magnitude: c*(v0 + rate(x))}}}
+measures: {x: x of boat}
+start: {x: 0, rate(x): v0}
+"""
 
 
 @pytest.mark.parametrize(
@@ -106,6 +124,9 @@ start: {phi: phi0}
             "angular velocity of rod when phi = 0",
             "-sqrt(6*g*sqrt(R^2 - a^2)*(1 - cos(phi0))/(3*R^2 - 2*a^2))",
         ),
+        # J dw/dt = -c sqrt(w) and J w dw/dphi = -c sqrt(w); behind the rest the law has no value
+        (ROOT_OF_THE_SPEED, "time when wheel comes to rest", "2*J*sqrt(w0)/c"),
+        (ROOT_OF_THE_SPEED, "number of revolutions until it comes to rest", "J*w0*sqrt(w0)/(3*pi*c)"),
     ],
 )
 def test_a_problem_has_the_formula_that_follows_by_hand(model: str, question: str, expected: str) -> None:
@@ -123,3 +144,9 @@ def test_loads_that_do_not_balance_on_what_has_no_mass_are_no_rest() -> None:
     found = posed(leaning, "tension of AB")
     assert found.expression is None
     assert found.value is None
+
+
+def test_logarithms_are_of_numbers_above_one() -> None:
+    found = posed(PUSHED_BACK, "distance until the boat comes to rest").expression
+    assert isinstance(found, Expr)
+    assert to_text(found) == "m·v₀·(1 - log(2))/c"

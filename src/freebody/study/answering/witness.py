@@ -124,6 +124,8 @@ def motion_to(
         return turn
     if course.status is Status.TOO_LONG:
         raise BudgetExhausted(_too_long(course))
+    if course.status is Status.NOT_FINITE and (last := _at_end(reference, start, course, event, target, size)):
+        return last
     if course.status is not Status.EVENT:
         told = Message("the event does not happen until t = {until:.6g} s", until=until)
         if course.status is not Status.FINISHED and course.message:
@@ -244,6 +246,18 @@ def _turn_at(
         if link.t in turns and abs(link.value(event.measure) - target) <= TOUCH * size:
             return Found(link.t, link, tuple(links[: k + 1]))
     return None
+
+
+def _at_end(
+    reference: Reference, start: Snapshot, course: Trajectory, event: QuestionEvent, target: float, size: float
+) -> Found | None:
+    """The instant at which a law ends, as the root of a speed does where that comes to rest, if it is the event."""
+    times = np.linspace(start.t, course.t_end, N_LINKS)
+    _course, links = _followed(reference, start, course.t_end, [], times)
+    if not links:
+        return None
+    here = links[-1].rate(event.measure) if event.order else links[-1].value(event.measure)
+    return Found(course.t_end, links[-1], links) if abs(here - target) <= TOUCH * size else None
 
 
 def _until_turn(here: NumericSnapshot, event: QuestionEvent, size: float) -> float | None:
