@@ -98,6 +98,18 @@ loads: {r: {force: {at: boat, along: left, magnitude: c*(v0 + rate(x))}}}
 measures: {x: x of boat}
 start: {x: 0, rate(x): v0}
 """
+ROTOR_RIDE = """
+space: {up: z}
+parameters: {m: 70 kg, R: 5 m, mu: 0.6, Omega: 3 rad/s, g: 9.81 m/s^2}
+bodies:
+  drum: {body: {}, turned: [psi about z], planes: {wall: {normal: [-1, 0, 0], through: [R, 0, 0]}}}
+  rider: {particle: {mass: m}, at: [R, 0, 0], velocity: [0, Omega*R, 0]}
+connections:
+  bearing: {revolute: {first: ground.O, second: drum, about: z}}
+  motor: {driver: {measure: psi, follows: Omega*t}}
+  wall: {contact: {between: [rider, drum.wall], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
 
 
 @pytest.mark.parametrize(
@@ -125,6 +137,8 @@ start: {x: 0, rate(x): v0}
             "-sqrt(6*g*sqrt(R^2 - a^2)*(1 - cos(phi0))/(3*R^2 - 2*a^2))",
         ),
         # J dw/dt = -c sqrt(w) and J w dw/dphi = -c sqrt(w); behind the rest the law has no value
+        # who does not slip goes round with the drum
+        (ROTOR_RIDE, "normal force of wall at start", "m*R*Omega^2"),
         (ROOT_OF_THE_SPEED, "time when wheel comes to rest", "2*J*sqrt(w0)/c"),
         (ROOT_OF_THE_SPEED, "number of revolutions until it comes to rest", "J*w0*sqrt(w0)/(3*pi*c)"),
     ],
@@ -150,3 +164,8 @@ def test_logarithms_are_of_numbers_above_one() -> None:
     found = posed(PUSHED_BACK, "distance until the boat comes to rest").expression
     assert isinstance(found, Expr)
     assert to_text(found) == "m·v₀·(1 - log(2))/c"
+
+
+@pytest.mark.parametrize("changed", [("mu: 0.6", "mu: 0.1"), ("velocity: [0, Omega*R, 0]", "velocity: [0, 0, 0]")])
+def test_who_slips_in_a_drum_is_not_led_by_it(changed: tuple[str, str]) -> None:
+    assert posed(ROTOR_RIDE.replace(*changed), "normal force of wall at start").expression is None
