@@ -110,6 +110,17 @@ connections:
   wall: {contact: {between: [rider, drum.wall], friction: mu}}
 loads: {weight: {gravity: g}}
 """
+BELL_CRANK_GOVERNOR = """
+parameters: {m: 1 kg, a: 120 mm, b: 80 mm, r: 100 mm, k: 20 kN/m, S: 500 N, Omega: 40 rad/s}
+ground: {points: {P: [r, 0]}}
+bodies: {crank: {body: {}, points: {ball: [0, a], roller: [-b, 0]}}, ball: {particle: {mass: m}}}
+connections: {hinge: {pin: [ground.P, crank.origin]}, end: {pin: [crank.ball, ball]}}
+loads:
+  spring: {law: {measure: h, force: -S - k*h}}
+  outwards: {law: {measure: x, force: m*Omega^2*x}}
+measures: {theta: angle of crank clockwise, x: x of ball, h: height of crank.roller}
+start: {theta: 0}
+"""
 
 
 @pytest.mark.parametrize(
@@ -137,6 +148,8 @@ loads: {weight: {gravity: g}}
             "-sqrt(6*g*sqrt(R^2 - a^2)*(1 - cos(phi0))/(3*R^2 - 2*a^2))",
         ),
         # J dw/dt = -c sqrt(w) and J w dw/dphi = -c sqrt(w); behind the rest the law has no value
+        # m Omega^2 r a = S b about the hinge
+        (BELL_CRANK_GOVERNOR, "value of Omega for which theta = 0 in equilibrium", "sqrt(S*b/(m*a*r))"),
         # who does not slip goes round with the drum
         (ROTOR_RIDE, "normal force of wall at start", "m*R*Omega^2"),
         (ROOT_OF_THE_SPEED, "time when wheel comes to rest", "2*J*sqrt(w0)/c"),
