@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import freebody as fb
+from freebody.loads.base import Load
 
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
 BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
@@ -142,6 +143,14 @@ MISTAKES = {
         f"{BLOCK}drivers: {{motor: {{torque: {{on: block, magnitude: 1 N m}}}}}}",
         "there is no section drivers. Did you mean connections?",
     ),
+    "planes of nobody": (
+        f"{BLOCK}planes: {{floor: {{normal: up}}}}",
+        "planes stand under ground or under a body: {ground: {planes: {floor: {normal: up}}}}",
+    ),
+    "points of nobody": (
+        f"{BLOCK}points: {{A: [1 m, 0]}}",
+        "points stand under ground or under a body: {ground: {points: {A: [1 m, 0]}}}",
+    ),
     "a start by the body": (
         f"{BLOCK}start: {{block.x: 0.1 m}}",
         "block.x is no named measure or rate of one. Say what it is, e.g. measures: {x_block: x of block}, start: "
@@ -231,6 +240,13 @@ SAME = {
     "a damper from a point to another": (
         "damper: {from: A, to: rod.end, c: 5 N s/m}", "damper: {first: ground.A, second: rod.end, damping: 5 N s/m}"
     ),
+    "a shaft between two bodies": (
+        "torsional_spring: {between: [rod, ball], k: 5 N m}",
+        "torsional_spring: {body: rod, on: ball, stiffness: 5 N m}",
+    ),
+    "a motor between two bodies": (
+        "torque: {between: [rod, ball], value: 5 N m}", "torque: {on: rod, reacts_on: ball, magnitude: 5 N m}"
+    ),
     "a force on a point": (
         "force: {on: rod.end, direction: down, value: 3 N}", "force: {at: rod.end, along: down, magnitude: 3 N}"
     ),
@@ -245,7 +261,7 @@ def test_words_that_can_mean_one_thing_only_are_read_as_it(words: str) -> None:
 
 def _read(entry: str) -> list[str]:
     """What holds and what pushes in a model with one connection, or one load."""
-    section = "loads" if entry.partition(":")[0] in ("spring", "damper", "force") else "connections"
+    section = "loads" if entry.partition(":")[0] in Load.kinds else "connections"
     system = fb.System.from_text(f"{ON_A_FLOOR}{section}: {{it: {{{entry}}}}}")
     return [*map(str, system.constraint_rows), *map(str, system.applied_loads), *map(str, system.contacts)]
 

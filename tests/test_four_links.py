@@ -369,6 +369,7 @@ def test_change_points_of_a_parallelogram_and_a_kite() -> None:
     assert found.evidence is not None
     assert "abs(0)" not in posed(PARALLELOGRAM, "does coupler turn fully").conditions[0]
     assert posed(PARALLELOGRAM, "range of a for which the crank turns fully").reason.startswith("that is so for every")
+    assert posed(PARALLELOGRAM, "does crank turn fully").conditions == ("crank turns fully for all lengths",)
 
 
 def test_the_transmission_angle_of_a_kite_is_at_the_link_that_its_crank_drives() -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from posed import is_formula
+from freebody.language.expression import Expr
+from freebody.language.notation import to_text
+from posed import is_formula, posed
 
 MAN_ON_A_BOAT = """
 parameters: {m: 70 kg, M: 130 kg, L: 4 m, u: 1.5 m/s}
@@ -37,6 +39,88 @@ connections: {trip: {pin: [ground.K, box.bottom_right], closes: at start}}
 loads: {w: {gravity: g}}
 measures: {phi: angle of box clockwise}
 """
+CABLE_WITH_TWO_LOADS = """
+parameters: {a: 3 m, h: 1 m, W: 400 N, T0: 2 kN}
+ground: {points: {A: [0, 0], D: [3*a, 0]}}
+bodies: {B: {particle: {mass: 0}, at: [a, -h]}, C: {particle: {mass: 0}, at: [2*a, -h]}}
+connections:
+  AB: {string: {from: ground.A, to: B}}
+  BC: {string: {from: B, to: C}}
+  CD: {string: {from: C, to: ground.D}}
+loads:
+  one: {force: {at: B, along: down, magnitude: W}}
+  other: {force: {at: C, along: down, magnitude: W}}
+"""
+BOLT_CUTTER = """
+parameters: {F: 100 N, a: 40 mm, b: 30 mm, c: 20 mm, e: 400 mm, f: 60 mm, s: 5 mm}
+bodies:
+  upper_jaw: {body: {}, points: {tip: [-c, s], O: [0, b], E: [a, b]}}
+  lower_jaw: {body: {}, points: {tip: [-c, -s], O: [0, -b], E: [a, -b]}}
+  upper: {body: {}, points: {E: [0, b], H: [f, 0], grip: [e, b]}}
+  lower: {body: {}, points: {E: [0, -b], H: [f, 0], grip: [e, -b]}}
+  plate: {body: {}, points: {U: [0, b], L: [0, -b]}}
+connections:
+  plate_held: {weld: [ground.O, plate.origin]}
+  U: {pin: [plate.U, upper_jaw.O]}
+  L: {pin: [plate.L, lower_jaw.O]}
+  E1: {pin: [upper_jaw.E, upper.E]}
+  E2: {pin: [lower_jaw.E, lower.E]}
+  H: {pin: [upper.H, lower.H]}
+  bolt: {link: [upper_jaw.tip, lower_jaw.tip, 2*s]}
+loads:
+  over: {force: {at: upper.grip, along: down, magnitude: F}}
+  under: {force: {at: lower.grip, along: up, magnitude: F}}
+"""
+ROD_IN_A_BOWL = """
+parameters: {m: 0.5 kg, R: 0.4 m, a: 0.2 m, g: 9.81 m/s^2, phi0: 20 deg}
+ground: {points: {M: [0, 0]}}
+bodies: {rod: {rod: {mass: m, length: 2*a}}}
+connections:
+  left: {link: [ground.M, rod.start, R]}
+  right: {link: [ground.M, rod.end, R]}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of rod}
+start: {phi: phi0}
+"""
+ROOT_OF_THE_SPEED = """
+parameters: {J: 40 kg m^2, c: 3 N m s^0.5, w0: 60 rad/s}
+bodies: {wheel: {body: {inertia: J}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+loads: {bearing: {torque: {on: wheel, magnitude: -c*sqrt(rate(phi))}}}
+measures: {phi: angle of wheel}
+start: {phi: 0, rate(phi): w0}
+"""
+PUSHED_BACK = """
+parameters: {m: 2 kg, c: 0.4 kg/s, v0: 9 m/s}
+bodies: {boat: {particle: {mass: m}}}
+connections: {road: {slider: {body: boat, along: right}}}
+loads: {r: {force: {at: boat, along: left, magnitude: c*(v0 + rate(x))}}}
+measures: {x: x of boat}
+start: {x: 0, rate(x): v0}
+"""
+ROTOR_RIDE = """
+space: {up: z}
+parameters: {m: 70 kg, R: 5 m, mu: 0.6, Omega: 3 rad/s, g: 9.81 m/s^2}
+bodies:
+  drum: {body: {}, turned: [psi about z], planes: {wall: {normal: [-1, 0, 0], through: [R, 0, 0]}}}
+  rider: {particle: {mass: m}, at: [R, 0, 0], velocity: [0, Omega*R, 0]}
+connections:
+  bearing: {revolute: {first: ground.O, second: drum, about: z}}
+  motor: {driver: {measure: psi, follows: Omega*t}}
+  wall: {contact: {between: [rider, drum.wall], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+BELL_CRANK_GOVERNOR = """
+parameters: {m: 1 kg, a: 120 mm, b: 80 mm, r: 100 mm, k: 20 kN/m, S: 500 N, Omega: 40 rad/s}
+ground: {points: {P: [r, 0]}}
+bodies: {crank: {body: {}, points: {ball: [0, a], roller: [-b, 0]}}, ball: {particle: {mass: m}}}
+connections: {hinge: {pin: [ground.P, crank.origin]}, end: {pin: [crank.ball, ball]}}
+loads:
+  spring: {law: {measure: h, force: -S - k*h}}
+  outwards: {law: {measure: x, force: m*Omega^2*x}}
+measures: {theta: angle of crank clockwise, x: x of ball, h: height of crank.roller}
+start: {theta: 0}
+"""
 
 
 @pytest.mark.parametrize(
@@ -50,7 +134,51 @@ measures: {phi: angle of box clockwise}
         # angular momentum about the ledge, m v b/2 = 2/3 m b^2 w, and the energy for the centre to pass over it
         (BOX_MEETS_A_LEDGE, "energy lost in the blow", "5*m*v^2/16"),
         (BOX_MEETS_A_LEDGE, "least v so that phi reaches 45 deg", "sqrt(8*g*b*(sqrt(2) - 1)/3)"),
+        # joint B: T h/sqrt(a^2 + h^2) = W, and level T_BC = T a/sqrt(a^2 + h^2)
+        (CABLE_WITH_TWO_LOADS, "tension of AB", "W*sqrt(a^2 + h^2)/h"),
+        (CABLE_WITH_TWO_LOADS, "tension of BC at start", "W*a/h"),
+        (CABLE_WITH_TWO_LOADS, "least h so that tension of AB <= T0", "W*a/sqrt(T0^2 - W^2)"),
+        # by symmetry H is upright, H f = F e about E; then a (H - F) = c B about the pin of the jaw
+        (BOLT_CUTTER, "force in bolt", "-F*a*(e - f)/(c*f)"),
+        (BOLT_CUTTER, "size of reaction of H", "F*e/f"),
+        # w^2 (h^2 + a^2/3) = 2 g h (1 - cos(phi0)) with h^2 = R^2 - a^2
+        (
+            ROD_IN_A_BOWL,
+            "angular velocity of rod when phi = 0",
+            "-sqrt(6*g*sqrt(R^2 - a^2)*(1 - cos(phi0))/(3*R^2 - 2*a^2))",
+        ),
+        # J dw/dt = -c sqrt(w) and J w dw/dphi = -c sqrt(w); behind the rest the law has no value
+        # m Omega^2 r a = S b about the hinge
+        (BELL_CRANK_GOVERNOR, "value of Omega for which theta = 0 in equilibrium", "sqrt(S*b/(m*a*r))"),
+        # who does not slip goes round with the drum
+        (ROTOR_RIDE, "normal force of wall at start", "m*R*Omega^2"),
+        (ROOT_OF_THE_SPEED, "time when wheel comes to rest", "2*J*sqrt(w0)/c"),
+        (ROOT_OF_THE_SPEED, "number of revolutions until it comes to rest", "J*w0*sqrt(w0)/(3*pi*c)"),
     ],
 )
 def test_a_problem_has_the_formula_that_follows_by_hand(model: str, question: str, expected: str) -> None:
     is_formula(model, question, expected)
+
+
+def test_what_starts_at_rest_by_a_loop_sets_out_as_its_energy_says() -> None:
+    found = posed(ROD_IN_A_BOWL, "angular velocity of rod when phi = 0")
+    assert found.value is not None
+    assert [str(c) for c in found.conditions] == ["R > a (φ = 0 is reached)"]
+
+
+def test_loads_that_do_not_balance_on_what_has_no_mass_are_no_rest() -> None:
+    leaning = CABLE_WITH_TWO_LOADS.replace("at: C, along: down, magnitude: W", "at: C, along: down, magnitude: 2*W")
+    found = posed(leaning, "tension of AB")
+    assert found.expression is None
+    assert found.value is None
+
+
+def test_logarithms_are_of_numbers_above_one() -> None:
+    found = posed(PUSHED_BACK, "distance until the boat comes to rest").expression
+    assert isinstance(found, Expr)
+    assert to_text(found) == "m·v₀·(1 - log(2))/c"
+
+
+@pytest.mark.parametrize("changed", [("mu: 0.6", "mu: 0.1"), ("velocity: [0, Omega*R, 0]", "velocity: [0, 0, 0]")])
+def test_who_slips_in_a_drum_is_not_led_by_it(changed: tuple[str, str]) -> None:
+    assert posed(ROTOR_RIDE.replace(*changed), "normal force of wall at start").expression is None

@@ -32,7 +32,7 @@ _TYPES: tuple[tuple[Any, FieldType], ...] = (
 MEANT: Mapping[str, tuple[str, ...]] = {
     "from": ("first", "start"),
     "to": ("second",),
-    "between": ("first", "second"),
+    "between": ("first", "second", "body", "on", "reacts_on"),
     "direction": ("along",),
     "axis": ("along", "about"),
     "rest_length": ("length",),
@@ -166,10 +166,10 @@ class Spec(BaseModel, metaclass=_Described):
 
     @classmethod
     def meant(cls, key: str) -> tuple[str, ...]:
-        """The fields that people mean by a word: all of `between`, else the first that there is."""
+        """The fields that people mean by a word: the two of `between`, else the first that there is."""
         known = [field.alias or name for name, field in cls.model_fields.items()]
         found = tuple(field for field in MEANT.get(key, ()) if field in known)
-        return found if key == "between" else found[:1]
+        return found[: 2 if key == "between" else 1]
 
     @classmethod
     def second_words(cls) -> dict[str, tuple[str, ...]]:

@@ -164,12 +164,13 @@ def relation_of(head: str, event: str | None) -> tuple[str, str, str | None] | N
 
 _STEADILY = re.compile(
     r"^(?P<left>.+?)(?P<sign>\s*(?:>=|<=|[=<>≥≤])\s*|\s+(?:is|equals)\s+)(?P<right>.+?)"
-    r"(?P<steadily> in (?:the )?steady (?:motion|precession|turning))(?P<timed> when .+)?$"
+    r"(?P<steadily> in (?:the )?steady (?:motion|precession|turning)| (?:in|at) (?:the )?equilibrium| at rest)"
+    r"(?P<timed> when .+)?$"
 )
 
 
 def steadily(relation: str) -> str:
-    """theta = 30 deg in steady motion, as theta in steady motion = 30 deg."""
+    """theta = 30 deg in steady motion, as theta in steady motion = 30 deg; so in equilibrium."""
     return _STEADILY.sub(lambda m: f"{m['left']}{m['steadily']}{m['sign']}{m['right']}{m['timed'] or ''}", relation)
 
 

@@ -140,6 +140,12 @@ class SymbolicDynamics:
         return [*made_of, *(part for parts in self.inertias.values() for part in parts)]
 
     @cached_property
+    def moves_no_mass(self) -> bool:
+        """Whether something can move, and nothing that can has mass."""
+        moved = self._kinematics.partial_velocities.items() if self._speeds.coordinates else ()
+        return bool(moved) and all(p.is_zero() for b, partials in moved for v in partials for p in self.momentum(b, v))
+
+    @cached_property
     def vanishing_inertia(self) -> Ratio | None:
         """What of one freedom moves no mass where it vanishes, as a piston in its dead point beside a massless crank:
         there is no acceleration there. None where there is always some."""
@@ -220,7 +226,7 @@ class SymbolicDynamics:
         """What is told by `open_accelerations`. Raises NotDetermined where it depends on one that is open."""
         is_open = self._left_open & self.field.ingredients(x) if self._left_open else None
         if is_open:
-            raise NotDetermined(self._nothing_moves(is_open))
+            raise NotDetermined(self.nothing_moves(is_open))
         return x
 
     @cached_property
@@ -243,7 +249,7 @@ class SymbolicDynamics:
             rows.append(row)
         solved = solve(self.field, rows, accelerations, self._samples.vanishes)
         if solved.free and (solved.contradictory or not leaves_open):
-            raise NothingWithMass(self._nothing_moves(solved.free))
+            raise NothingWithMass(self.nothing_moves(solved.free))
         f = self.field
         found = {a: f.variable(a) for a in solved.free}
         for a, row in solved.pivots.items():
@@ -251,7 +257,7 @@ class SymbolicDynamics:
             found[a] = sum(others, row.get(RHS, f.zero))
         return {a: found[a] for a in accelerations}
 
-    def _nothing_moves(self, free: Container[int]) -> Message:
+    def nothing_moves(self, free: Container[int]) -> Message:
         named = zip(self._speeds.coordinates, self._speeds.accelerations, strict=True)
         return Message(
             "nothing with mass moves with {x}, so its acceleration is not determined. Give the body "

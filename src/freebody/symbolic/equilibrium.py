@@ -75,10 +75,10 @@ class StateOfRest(SymbolicState):
         super().__init__(model, {**at, **still})
 
     def multiplier(self, row: ConstraintRow) -> Ratio:
-        try:
-            return super().multiplier(row)
-        except (FormulaTooLong, NothingWithMass):
-            return self.model.reactions.at_rest(row, self.here)
+        if not self.model.dynamics.moves_no_mass:
+            with suppress(FormulaTooLong, NothingWithMass):
+                return super().multiplier(row)
+        return self.model.reactions.at_rest(row, self.here)
 
 
 def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: bool = True) -> ClosedFormRest:

@@ -28,6 +28,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.unknowns import Coordinate
+from freebody.system.modes import depends_on_time
 
 Matrix = list[list[Ratio]]
 
@@ -60,6 +61,8 @@ def timed_in(model: SymbolicModel, x: Ratio) -> set[int]:
 def swing_of(model: SymbolicModel) -> Swing | None:
     """How loads and drivers swing; None where nothing varies in time, or not in one sine."""
     f = model.field
+    if not depends_on_time(model.system):
+        return None
     entries = [*model.dynamics.forcing_near_rest, *model.dynamics.parts_of_inertia]
     timed = set[int]().union(*(timed_in(model, x) for x in entries))
     pair = next((p for p in f.pairs(timed) if timed <= set(p)), None) if timed else None

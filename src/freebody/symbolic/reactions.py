@@ -70,10 +70,17 @@ class Reactions:
         """The multiplier of a row where nothing moves or accelerates, made in that pose alone: J^T lambda = -loads.
         here: an element in the pose, at rest. Raises as `multiplier`."""
 
+        return self._unique(self._still(here), row)
+
+    def balance_at_rest(self, here: Callable[[Ratio], Ratio]) -> bool:
+        """Whether held rows balance the loads in a pose at rest, so that nothing is accelerated there."""
+        return not self._still(here).contradictory
+
+    def _still(self, here: Callable[[Ratio], Ratio]) -> Solved:
         def rest(body: str) -> Parts:
             return tuple(-here(w) for w in self._loads.wrenches[body])
 
-        return self._unique(self._balanced(rest, here), row)
+        return self._balanced(rest, here)
 
     def in_pose(self, row: ConstraintRow, here: Callable[[Ratio], Ratio], accelerations: Mapping[int, Ratio]) -> Ratio:
         """The multiplier of a row at one instant, made in its pose alone. here: an element at the instant;
@@ -93,11 +100,10 @@ class Reactions:
             needed = rest(body.name)
             for k, slot in enumerate(self._bodies.slots if body.turns else self._bodies.slots[: self._bodies.n_places]):
                 row = dict(by_slot.get((body.name, slot), {}))
-                if not row:
-                    continue
                 if not needed[k].is_zero():
                     row[RHS] = needed[k]
-                rows.append(row)
+                if row:
+                    rows.append(row)
         samples = self._samples  # a formula that is divided by what is zero at the start has no value there
         columns = list(self._columns.values())
         return solve(self.field, rows, columns, samples.vanishes, is_last=samples.vanishes_at_starts)

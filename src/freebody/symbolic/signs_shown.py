@@ -56,9 +56,10 @@ def raised(base: Expr, n: int) -> Expr:
 
 
 def logarithms_turned(e: Expr) -> Expr:
-    """-log(a/b) as log(b/a), in a product or in the terms of a sum."""
+    """-log(a/b) as log(b/a), in a product or in the terms of a sum; log(1/2) as -log(2)."""
     if isinstance(e, Sum):
         return add(*map(logarithms_turned, e.terms))
+    e = multiply(*map(_of_more_than_one, factors_of(e)))
     if not is_written_negative(e):
         return e
     factors = list(factors_of(negate(e)))
@@ -74,6 +75,17 @@ def logarithms_turned(e: Expr) -> Expr:
         return e
     factors[k] = Call("log", divide(multiply(*below), multiply(*above)))
     return multiply(*factors)
+
+
+def _of_more_than_one(factor: Expr) -> Expr:
+    """The logarithm of a number below one by that of its inverse, also among the terms of a sum."""
+    if isinstance(factor, Sum):
+        terms = [multiply(*map(_of_more_than_one, factors_of(term))) for term in factor.terms]
+        return factor if terms == list(factor.terms) else positive_first(terms)
+    inside = factor.argument if isinstance(factor, Call) and factor.function == "log" else None
+    if not isinstance(inside, Number) or not 0 < inside.value < 1:
+        return factor
+    return negate(Call("log", number(1 / inside.value)))
 
 
 def with_halves(e: Expr) -> Expr:

@@ -15,6 +15,7 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.language.expression import Call, Symbol
+from freebody.symbolic.dynamics import NothingWithMass
 from freebody.symbolic.field import Generator, Kind, Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
@@ -151,6 +152,8 @@ class StagedMotion:
             rows.append(row)
         samples = self._of.samples
         solved = solve(f, rows, self._of.accelerations, samples.vanishes, is_last=samples.vanishes_at_starts)
+        if solved.free:
+            raise NothingWithMass(moved.dynamics.nothing_moves(solved.free))
         for a in self._of.accelerations:
             self.accelerations.append(NamedElement(a, solved.pivots[a].get(RHS, f.zero)))
         for d in self._of.dependent:

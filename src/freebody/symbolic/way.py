@@ -59,9 +59,17 @@ class EnergyPath:
         self.q0, self.u0, a0 = start
         self._takes_side, self._others = takes_side, set[int]()  # samples on the other side
         self._coasts = coasts
-        self._drive = a0 if self.u0.is_zero() else self.u0
+        self._drive = self._outset(a0) if self.u0.is_zero() else self.u0
         if self._drive.is_zero():
             raise CannotAnswer(Message("{x} starts at rest where nothing accelerates it", x=c.name))
+
+    def _outset(self, a0: Ratio) -> Ratio:
+        """How it is accelerated where it starts at rest: a0, or where that is told by what loops bind, dW/dq/2."""
+        bound = {k for d in self.model.dependent for k in (d.index, d.speed)}
+        if not self.field.ingredients(a0) & bound:
+            return a0
+        slope = self.field.derivative(self.square, self.c.index) / 2
+        return self.field.lowest_terms(self.field.follow(slope, {self.c.index: self.q0}))
 
     # -- what is asked ------------------------------------------------------------------------
     def to(self, at: Ratio) -> tuple[Ratio, list[Need], list[str]]:

@@ -10,7 +10,7 @@ from freebody.language.expression import ZERO, n_operations
 from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
-from freebody.questions.base import Wanted
+from freebody.questions.base import Quantity, Wanted
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, RestValue, SmallOscillations
@@ -26,6 +26,7 @@ from freebody.symbolic.small_motion import FreeOscillations, free_oscillations, 
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
+from freebody.system.modes import depends_on_time
 from freebody.system.system import System
 
 _MOST_RESTS = 4  # that are named beside the one that is meant
@@ -166,6 +167,29 @@ def value(setup: Setup, question: Question, q: RestValue) -> Finding:
     conditions = needs_of_rest(setup, rest)
     evidence = at_equilibrium.value_at_rest(setup, question.text, q.of, rest.values, element, conditions)
     return Finding(element, evidence, conditions, _stability(setup, rest))
+
+
+def value_where_it_starts(setup: Setup, question: Question, q: Quantity) -> Finding | None:
+    """What a quantity is in the pose of the start, made in that pose alone, where the loads balance at rest there: it
+    stays. None where something moves, or where no instant is asked of."""
+    from freebody.study.answering import at_equilibrium
+
+    model = setup.model
+    if q.scope != "instant" or not q.is_of_state or depends_on_time(setup.system):
+        return None
+    start = setup.start.values
+    moving = (*model.coordinates, *model.dependent)
+    if not all(c.index in start and (c.speed not in start or start[c.speed].is_zero()) for c in moving):
+        return None
+    at = {c.index: start[c.index] for c in moving}
+    state = StateOfRest(model, at)
+    if not model.reactions.balance_at_rest(state.here):
+        return None
+    element: Elements = q.value(setup.system, state)
+    conditions = needs_of_rest(setup, ClosedFormRest(at))
+    evidence = at_equilibrium.value_at_rest(setup, question.text, q, at, element, conditions)
+    notes: list[str] = [Message("the loads balance in the pose of the start: it rests there")]
+    return Finding(element, evidence, conditions, notes, is_complete=True)
 
 
 def _other_rests(setup: Setup, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:

@@ -31,7 +31,7 @@ from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import ITS_RATE, Answer, Evidence, Value, made, point_moves
 from freebody.study.answering.chain import chain_of
 from freebody.study.answering.completing import AnswerCompletion
-from freebody.study.answering.conditions import as_written, real
+from freebody.study.answering.conditions import as_written, is_kinematic, real
 from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.extent import as_reached, turn_of
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise, answered
@@ -42,6 +42,7 @@ from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.staying import check_stays
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
+from freebody.symbolic.dynamics import NothingWithMass
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_until
 from freebody.symbolic.reached import HoldsOnce, Reached
@@ -149,7 +150,22 @@ class QuestionSolver:
             return self._of_answers(q)
         if self.question.event is not None:
             return self._at_event(q)
-        return self._found(q)
+        needs_forces = not is_kinematic(self.setup, q)
+        if needs_forces and self.model.dynamics.moves_no_mass and (found := self._where_it_starts(q)) is not None:
+            return found
+        try:
+            return self._found(q)
+        except (NothingWithMass, FormulaTooLong):
+            if not self.question.at_start or (found := self._where_it_starts(q)) is None:
+                raise
+            return found
+
+    def _where_it_starts(self, q: Quantity) -> Finding | None:
+        """What is asked at an instant, in the pose of the start if it rests there."""
+        found = about_rest.value_where_it_starts(self.setup, self.question, q)
+        if found is not None:
+            self.question = replace(self.question, at_start=True)
+        return found
 
     def _of_answers(self, q: Quantity) -> Finding:
         """Made of what is found for each operand, each with its own conditions."""
@@ -232,6 +248,8 @@ class QuestionSolver:
             ]
             if formula._holds_once:
                 self.question = replace(self.question, event=None, at_start=True)
+            elif formula.question.at_start:  # nothing can move, and what is so at the start stays so
+                self.question = replace(self.question, at_start=True)
             answer = solved_for(setup, self.question, formulas)
             answer.notes += stays
             self.setup, self.model, self.system = setup, setup.model, system

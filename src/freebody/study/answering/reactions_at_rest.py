@@ -12,6 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
+from freebody.numeric.jets import Array
 from freebody.questions.reactions_by_component import component_of
 from freebody.questions.reading import Question
 from freebody.questions.rest import ReactionRange
@@ -19,6 +20,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.system.modes import depends_on_time
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 
 def reaction_at_rest(system: System, question: Question) -> Answer | None:
@@ -26,23 +28,36 @@ def reaction_at_rest(system: System, question: Question) -> Answer | None:
     found = range_at_rest(system, question)
     if found is None or not isinstance(found.expression, Expr) or not isinstance(found.value, float):
         return None
+    if depends_on_time(system):
+        return replace(found, notes=(Message("at the start, while nothing slips beside what is driven"),))
     return replace(found, notes=(Message("while it stays at rest"),))
 
 
 def range_at_rest(system: System, question: Question) -> Answer | None:
-    """Between which values a reaction lies of a system that starts at rest and stays there, one formula where they are
-    one; None where it does not stay there."""
-    from freebody.study.friction.answers import answer
+    """Between which values a reaction lies of a system that starts at rest and stays there, be it beside what is
+    driven, one formula where they are one; None where it does not stay there."""
+    from freebody.study.friction.answers import answer, prepared
 
     of = component_of(question.quantity)
     if of is None or of.less or question.event or question.transition:
         return None
-    if not system.has_values or depends_on_time(system):
+    if not system.has_values:
         return None
     try:
-        if np.any(Setup(system).draws[0].start().v):
+        speeds = Setup(system).draws[0].start().v
+        if depends_on_time(system) and not _leads(Setup(prepared(system).touching.stuck), speeds):
+            return None
+        if np.any(speeds) and not depends_on_time(system):
             return None
         one = ReactionRange((of.row, *of.further), of.reaction, of.dimension)
         return answer(system, replace(question, quantity=one))
     except (CannotAnswer, ArithmeticError, ValueError):
         return None
+
+
+def _leads(stuck: Setup, speeds: Array) -> bool:
+    """Whether a drive leads all along where nothing slips, with the speeds of the start [SI, by column]."""
+    if stuck.model.degrees_of_freedom:
+        return False
+    led = stuck.draws[0].start().v
+    return led.shape == speeds.shape and bool(np.allclose(led, speeds, rtol=ROUND_OFF, atol=ROUND_OFF))

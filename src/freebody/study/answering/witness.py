@@ -19,10 +19,11 @@ from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm
+from freebody.numeric.balanced import Balanced
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
-from freebody.numeric.instant import place_of
+from freebody.numeric.instant import WithoutInertia, place_of
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels import factoring
 from freebody.numeric.options import SimulationOptions
@@ -35,6 +36,7 @@ MOST_STEPS = 100_000  # of a motion to an event
 N_LINKS = 33  # snapshots along a motion, by which angles are counted on
 TOLERANCE = 1e-11
 _FEW = 9  # links up to an event
+_BALANCED = 1e-7  # of the size of all loads that nothing balances: a pose is assembled to 1e-11 of its size
 _TURN = "turn"
 _SLOW = 1e-3  # [SI/s]
 _SLOWEST = 1e9  # [s] of these times: slower is round-off
@@ -75,8 +77,21 @@ class NumericSnapshot(Snapshot):
         value = float(multipliers[place_of(self.reference, row)])
         if is_plain:
             return value
-        dense = super().multiplier(row)  # refuses one that is not unique
+        dense = self._dense(row)
         return dense if self._engine.room.info[factoring.IS_REGULARISED] > 0.0 else value
+
+    def _dense(self, row: ConstraintRow) -> float:
+        """By the reference, which refuses what is not unique; at rest, where loads balance on what has no mass, by that
+        balance."""
+        try:
+            return super().multiplier(row)
+        except WithoutInertia:
+            if self.v.any():
+                raise
+            still = Balanced(self.reference, self.geometry, self.q, self.v, self.t)
+            if float(np.abs(still.accelerations).max(initial=0.0)) > _BALANCED:
+                raise
+            return still.multiplier(row)
 
 
 @dataclass(frozen=True)
@@ -109,6 +124,8 @@ def motion_to(
         return turn
     if course.status is Status.TOO_LONG:
         raise BudgetExhausted(_too_long(course))
+    if course.status is Status.NOT_FINITE and (last := _at_end(reference, start, course, event, target, size)):
+        return last
     if course.status is not Status.EVENT:
         told = Message("the event does not happen until t = {until:.6g} s", until=until)
         if course.status is not Status.FINISHED and course.message:
@@ -229,6 +246,18 @@ def _turn_at(
         if link.t in turns and abs(link.value(event.measure) - target) <= TOUCH * size:
             return Found(link.t, link, tuple(links[: k + 1]))
     return None
+
+
+def _at_end(
+    reference: Reference, start: Snapshot, course: Trajectory, event: QuestionEvent, target: float, size: float
+) -> Found | None:
+    """The instant at which a law ends, as the root of a speed does where that comes to rest, if it is the event."""
+    times = np.linspace(start.t, course.t_end, N_LINKS)
+    _course, links = _followed(reference, start, course.t_end, [], times)
+    if not links:
+        return None
+    here = links[-1].rate(event.measure) if event.order else links[-1].value(event.measure)
+    return Found(course.t_end, links[-1], links) if abs(here - target) <= TOUCH * size else None
 
 
 def _until_turn(here: NumericSnapshot, event: QuestionEvent, size: float) -> float | None:

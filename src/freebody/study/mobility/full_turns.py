@@ -64,7 +64,7 @@ def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
         notes.append(Message("what must not be negative; where it is zero the linkage passes a change point"))
     evidence = _turns_in_numbers(setup, question.text, q.link, turning.conditions)
     says = reworded(Message("{link} turns fully if {condition}", link=q.link, condition=turning.says), turning.says)
-    if not turning.needs:
+    if all(x.is_zero() for x in turning.needs):
         says = Message("{link} turns fully for all lengths", link=q.link)
     lengths = margins(links, q.link)
     element = lengths[0] if len(lengths) == 1 else lengths or setup.model.field.one

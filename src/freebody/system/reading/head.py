@@ -50,6 +50,7 @@ MEANT: Mapping[str, str] = {
     **dict.fromkeys(("name",), "title"),
     **dict.fromkeys(("description",), "about"),
 }
+OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
 
 
 def title(source: Source) -> str:
@@ -91,6 +92,10 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
             return Message(
                 "{key} belongs under {section}, with a name of its own: {entry}", key=key, section=section, entry=entry
             )
+    if key in OF_GROUND:
+        return Message(
+            "{key} stand under ground or under a body: {entry}", key=key, entry=flow_text({"ground": {key: value}})
+        )
     begun, space, rest = key.partition(" ")
     if space and begun in SECTIONS and rest.startswith("{"):
         return Message("a colon is missing after {name}: {name}: {rest}", name=begun, rest="{...}")
@@ -108,6 +113,8 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
 def _meant(key: str) -> str | None:
     """The section that is meant by another name."""
     known = (*SECTIONS, *MEANT)
+    if key in OF_GROUND:
+        return None
     near = key if key in MEANT else next(iter(get_close_matches(key, known, n=1, cutoff=0.7)), None)
     return None if near is None else MEANT.get(near, near)
 
