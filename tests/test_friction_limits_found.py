@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import freebody as fb
 from freebody.api import System
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -51,3 +52,26 @@ def test_a_coefficient_of_friction_decides_nothing_where_nothing_touches() -> No
     system = System.from_text(push)
     assert system.solve("least mu so that it does not slip").answers[0].value == pytest.approx(1 / 9.81)
     assert "open at the start: wall" in system.solve("least nu so that it does not slip").answers[0].reason
+
+
+def test_bell_crank_on_a_rough_journal_is_limited_by_the_circle_of_friction() -> None:
+    """F b - W a = +-mu r sqrt(F^2 + W^2): the force on the journal changes its direction with F."""
+    crank = """
+parameters: {W: 800 N, a: 0.2 m, b: 0.5 m, mu: 0.2, r: 20 mm, F: 320 N}
+ground: {points: {O: [0, 0]}}
+bodies: {crank: {body: {}, at: [0, 0], points: {A: [-a, 0], B: [0, b]}}}
+connections: {journal: {pin: {first: ground.O, second: crank, friction: mu, radius: r}}}
+loads:
+  load: {force: {at: crank.A, along: down, magnitude: W}}
+  hand: {force: {at: crank.B, along: right, magnitude: F}}
+questions: [largest F so that it stays at rest, least F so that it stays at rest]
+"""
+    solution = fb.solve(fb.System.from_text(crank))
+    arm = 0.2 * 0.02
+    for name, sign in (("q1", 1.0), ("q2", -1.0)):
+        answer = solution[name]
+        root = math.sqrt(0.2**2 + 0.5**2 - arm**2)
+        assert answer.value == pytest.approx(800 * (0.2 * 0.5 + sign * arm * root) / (0.5**2 - arm**2), rel=1e-12)
+        assert answer.expression is not None
+        assert answer.evidence is not None
+        assert answer.evidence.worst_relative_difference < 1e-12

@@ -969,3 +969,23 @@ connections:
 loads: {weight: {gravity: g}, pull: {force: {at: plank, along: right, magnitude: F}}}
 """)
     assert [case.what for case in phases(system).cases] == ["slides, then flies", "sticks"]
+
+
+def test_friction_of_two_feet_on_one_floor_is_told_as_a_sum_alone() -> None:
+    feet = """
+parameters: {m: 2 kg, F: 3 N, g: 9.81 m/s^2, mu: 0.5, b: 1 m, h: 0.4 m}
+ground: {lines: {floor: {along: right}}}
+bodies: {box: {rectangle: {mass: m, width: b, height: h}, at: [0, h/2]}}
+connections:
+  l: {contact: {between: [box.bottom_left, floor], friction: mu}}
+  r: {contact: {between: [box.bottom_right, floor], friction: mu}}
+loads: {weight: {gravity: g}, push: {force: {at: box, along: right, magnitude: F}}}
+"""
+    asked = ["friction force of l", "friction force of r at rest", "horizontal reaction of r", "vertical reaction of l"]
+    found = solved(feet, *asked)
+    for answer in (found[name] for name in ("q1", "q2", "q3")):
+        assert not answer.is_answered
+        assert "only the sum of the friction forces of l and r is determined" in str(answer.reason)
+    assert found["q4"].value == pytest.approx((2 * 9.81 * 1 - 3 * 0.4) / 2)
+    held = next(case for case in phases(fb.System.from_text(feet)).cases if case.is_own)
+    assert [to_text(x) for name, x in held.phases[0].forces if "friction" in str(name)] == ["-F"]

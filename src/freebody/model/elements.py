@@ -283,6 +283,7 @@ class ConstraintRow:
     instead: str = ""  # what to take where this is held by others as well, and may have been held by mistake
     closes: bool = False  # held from the start on, and not before: two parts meet and stay together
     pressed: Flank | None = None  # the side on which the row pushes as it does; on the other one otherwise
+    stands_for: tuple[str, ...] = ()  # rows that hold the same and are left out: its multiplier is the sum of all
 
     @property
     def in_symbols(self) -> Expr | None:
@@ -293,6 +294,11 @@ class ConstraintRow:
     def is_driven(self) -> bool:
         """Whether it is held at a function of the time."""
         return self.target is not None and "t" in free_symbols(self.target)
+
+    @property
+    def together(self) -> tuple[str, ...]:
+        """The rows whose sum its multiplier is, where it stands for others."""
+        return (self.name, *self.stands_for) if self.stands_for else ()
 
     @property
     def transmits(self) -> bool:

@@ -8,6 +8,9 @@ sector leaves open: with e the middle of a sector of half width d,
 The right side is a bound, from which the best sector is cut further until both agree at the force that it found (branch
 and bound). The bound is exact on the edges of a sector, so it is cut beside the force: next to the cut at a distance d
 the bound is too large by d^2/2 at most. A force along one line has two sectors of width zero, and nothing is left open.
+The walls of a sector that narrow are nearer to each other than a linear program tells apart, so that one may seem to
+decide where friction does. From the force found there the load is e . r with e along it, which is |r| there and less
+beside it, in a wide sector, until the force stays the same.
 Source: Land & Doig, Econometrica 28, 1960, 497-520.
 """
 
@@ -26,6 +29,11 @@ from freebody.numeric.rest_problem import FrictionCone, RestProblem
 N_SECTORS = 8
 _NARROW = 2e-7  # half a sector's width at which its bound is the value
 _EXCESS = 2e-14  # what a bound at an angle of that width is too large by
+_WIDE, _N_ALONG, _SAME = (
+    1e-2,
+    6,
+    1e-6,
+)  # half a sector about the force; how often; a value that is the same but for walls
 MOST = 4000
 
 Solve = Callable[[RestProblem], Optimum | None]
@@ -37,6 +45,11 @@ class Sector:
 
     middle: float
     half: float
+    share: float = 0.0  # of e . r that is taken for the size of the force; 0: as much as bounds it
+
+    @property
+    def taken(self) -> float:
+        return self.share or 1.0 / math.cos(self.half)
 
     def excess(self, x: float, y: float) -> float:
         """By what part of it the bound exceeds the size of the force (x, y)."""
@@ -111,10 +124,28 @@ def _best(problem: RestProblem, solve: Solve, sign: int = 1) -> Optimum | None:
         excess = [sector.excess(*load) for sector, load in zip(sectors, loads, strict=True)]
         worst = max(range(len(sectors)), key=excess.__getitem__)
         if excess[worst] <= _EXCESS or sectors[worst].half <= _NARROW:
-            return found
+            return _along_the_force(problem, solve, dict(zip(sized, sectors, strict=True)), found)
         for part in sectors[worst].cut(*loads[worst]):
             offer((*sectors[:worst], part, *sectors[worst + 1 :]))
     return heap[0][3] if heap else None
+
+
+def _along_the_force(problem: RestProblem, solve: Solve, sectors: dict[int, Sector], found: Optimum) -> Optimum:
+    """The optimum with the loads as they are at the force that it finds; what was found, where that is another one."""
+    last = found
+    for _ in range(_N_ALONG):
+        along: dict[int, Sector] = {}
+        for k, sector in sectors.items():
+            x, y = _load(problem.cones[k], last)
+            has_direction = sector.half > 0.0 and math.hypot(x, y) > 0.0
+            along[k] = Sector(math.atan2(y, x), _WIDE, 1.0) if has_direction else sector
+        better = solve(_in_sectors(problem, along))
+        if better is None or not abs(better.value - found.value) <= _SAME * max(1.0, abs(found.value)):
+            return found
+        if better.value == last.value:
+            break
+        last = better
+    return last
 
 
 def _load(cone: FrictionCone, found: Optimum) -> tuple[float, float]:
@@ -145,7 +176,7 @@ def _in_sectors(problem: RestProblem, sectors: dict[int, Sector]) -> RestProblem
             continue
         i, j = cone.size
         c, s = math.cos(sector.middle), math.sin(sector.middle)
-        wide = 1.0 / math.cos(sector.half)
+        wide = sector.taken
         cones.append(replace(cone, load=((i, c * wide), (j, s * wide)), size=()))
         for side in (-1.0, 1.0):
             # n . r >= 0 with n turned a quarter towards the middle from the edge of the sector

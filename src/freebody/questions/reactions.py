@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import NOTHING, Argument, Message, Sentence
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
 from freebody.language.units import FORCE, TORQUE, Dimension
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
 from freebody.model.elements import ConstraintRow
@@ -122,6 +122,7 @@ questions: {it: reaction of rod on bob}
         n = len(axes_of(system))
         force: Vector = (0,) * n
         moment: Vector = (0,) * (3 if system.space else 1)
+        self.must_have_whole(system.constraint_rows, body, n, state)
         for row in rows:
             push = state.gradient(row.measure, body)
             if not self.moment and self._is_across(push[:n], state):
@@ -139,6 +140,16 @@ questions: {it: reaction of rod on bob}
             return moment[0]
         return component(moment, self.along, self.size, state, self.basis)
 
+    def must_have_whole(self, rows: Iterable[ConstraintRow], body: str, n: int, state: State[Any]) -> None:
+        """Raises CannotAnswer where a row of the connection has a part in it that is determined only together with a
+        row of another connection. n: the components of a force."""
+        for row in rows:
+            own = [name for name in row.together if name.partition(".")[0] == self.connection]
+            if own and len(own) < len(row.together):
+                push = state.gradient(row.measure, body)[:n]
+                if self.moment or not self._is_across(push, state):
+                    raise _not_alone(row)
+
     def _is_across(self, push: Vector, state: State[Any]) -> bool:
         """Whether a row pushes across the direction that is asked for."""
         if self.along is None or self.size:
@@ -155,6 +166,18 @@ questions: {it: reaction of rod on bob}
         along = said_along(self.along, self.basis)
         args: dict[str, Argument] = {"connection": self.connection, "on": on, "along": along, "about": about}
         return Sentence(f"what.{size}{what}", args)
+
+
+def whole_only(rows: Iterable[ConstraintRow], wanted: Collection[str]) -> None:
+    """Raises CannotAnswer where of rows of which only the sum is determined some are wanted, and not all."""
+    for row in rows:
+        if not set(row.together) <= set(wanted) and not set(row.together).isdisjoint(wanted):
+            raise _not_alone(row)
+
+
+def _not_alone(row: ConstraintRow) -> CannotAnswer:
+    names = listed(list(dict.fromkeys(name.partition(".")[0] for name in row.together)))
+    return CannotAnswer(Message("only the sum of the friction forces of {contact} is determined", contact=names))
 
 
 def _acts_elsewhere(connection: str, body: str, bodies: Sequence[str]) -> CannotAnswer:

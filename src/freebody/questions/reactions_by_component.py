@@ -19,7 +19,7 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm, StringStret
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import FORMS, NAME, PLACE, Described, Found, Path, Quantity, asked
-from freebody.questions.reactions import has_connection, is_told
+from freebody.questions.reactions import has_connection, is_told, whole_only
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -96,6 +96,7 @@ questions: {it: tension of rod}
         """What the row transmits, less the dry friction on the way to the place that is asked for. Raises CannotAnswer
         where it is open; of several places those that are open transmit nothing."""
         rows = {row.name: row for row in system.rows}
+        whole_only(system.constraint_rows, (self.row, *self.further))
         touching = [rows[name] for name in (self.row, *self.further) if name in rows]
         if not touching:
             raise CannotAnswer(Message("{connection} is open there", connection=self.connection))

@@ -70,7 +70,7 @@ class Phase:
         self.dry_friction: dict[str, DryFriction] = {r.name: r for r in base.dry_friction}
         system, loads = in_mode(placed.put_into(base), mode)
         self.shared = self._shared(system, loads, values)
-        system = without_rows(system, self.dropped)
+        system = without_rows(system, self.shared)
         self.determinant: Ratio | None = None
         if loads:
             # any number will do for the loads while they are symbols: they move nothing at an instant
@@ -379,10 +379,11 @@ def has_lines(system: System) -> bool:
     return not all(isinstance(m, (Displacement, Angle)) for m in system.measures.values())
 
 
-def without_rows(system: System, names: frozenset[str]) -> System:
-    """Without rows that follow from the others."""
-    return (
-        replace(system, constraint_rows=tuple(row for row in system.constraint_rows if row.name not in names))
-        if names
-        else system
-    )
+def without_rows(system: System, shared: Mapping[str, Sequence[str]]) -> System:
+    """Without rows that hold what others hold, by these: each says for which it stands."""
+    if not shared:
+        return system
+    out = {name for names in shared.values() for name in names}
+    left = [row for row in system.constraint_rows if row.name not in out]
+    told = tuple(replace(row, stands_for=tuple(shared[row.name])) if row.name in shared else row for row in left)
+    return replace(system, constraint_rows=told)

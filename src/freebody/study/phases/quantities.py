@@ -20,7 +20,7 @@ from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
 from freebody.questions.blow import ImpulsiveWrench
 from freebody.questions.loads import Extension, LoadForce, Power
-from freebody.questions.reactions import Wrench
+from freebody.questions.reactions import Wrench, whole_only
 from freebody.questions.reactions_by_component import ReactionComponent
 from freebody.questions.vectors import component
 from freebody.study.conservation.balance import is_conservative
@@ -56,8 +56,9 @@ def _component(quantity: ReactionComponent, base: System, system: System, state:
         own = [row for row in base.rows if row.name in (quantity.row, *quantity.further)]
         if not quantity.less and all(row.name in held for row in own):
             return state.total([(row.sign, held[row.name]) for row in own])
-    found = reaction(quantity.row, quantity.less, base, system, state)
-    return reduce(operator.add, (_reaction(name, base, system, state) for name in quantity.further), found)
+    whole = frozenset((quantity.row, *quantity.further))
+    found = reaction(quantity.row, quantity.less, base, system, state, whole)
+    return reduce(operator.add, (_reaction(name, base, system, state, whole) for name in quantity.further), found)
 
 
 @_value.register(Wrench)
@@ -154,18 +155,27 @@ def connection_of(push: AppliedLoad) -> str:
     return push.load.partition(".")[0]
 
 
-def reaction(row: str, less: Iterable[str], base: System, system: System, state: State[Any]) -> Any:
-    """The reaction of a row, less those of others."""
-    parts = (_reaction(name, base, system, state) for name in less)
-    return reduce(operator.sub, parts, _reaction(row, base, system, state))
+def reaction(
+    row: str,
+    less: Iterable[str],
+    base: System,
+    system: System,
+    state: State[Any],
+    whole: frozenset[str] = frozenset(),
+) -> Any:
+    """The reaction of a row, less those of others; whole: the rows of the sum of which it is a part. Raises
+    CannotAnswer where only the sum with rows that are not in it is determined."""
+    parts = (_reaction(name, base, system, state, whole) for name in less)
+    return reduce(operator.sub, parts, _reaction(row, base, system, state, whole))
 
 
-def _reaction(name: str, base: System, system: System, state: State[Any]) -> Any:
+def _reaction(name: str, base: System, system: System, state: State[Any], whole: frozenset[str]) -> Any:
     row = next(row for row in base.rows if row.name == name)
     across = {rub.across.name: rub.name for rub in base.dry_friction if rub.across is not None}
     for held in system.constraint_rows:
-        if held.name == row.name:
-            return row.sign * state.multiplier(held)
+        if name in (held.name, *held.stands_for):
+            whole_only([held], whole | {name})
+            return row.sign * state.multiplier(held) if held.name == name else _zero(state)
     for push in system.applied_loads:
         if push.load == row.name or (name in across and push.load == across[name]):
             return row.sign * state.law(push) * _share(push, row, base, state)
@@ -184,6 +194,7 @@ def _share(push: AppliedLoad, row: ConstraintRow, base: System, state: State[Any
 def _force(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
     """The force of a contact on a body: its rows, and its friction where that slides."""
     rows = [row for row in system.constraint_rows if row.connection == quantity.connection and quantity.counts(row)]
+    quantity.must_have_whole(system.constraint_rows, _pushed(quantity, base), 3 if base.space else 2, state)
     if base.space and isinstance(state, Totals):
         body = _pushed(quantity, base)
         slopes = [state.gradient(row.measure, body)[:3] for row in rows]

@@ -14,7 +14,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, replace_rates, substitute
 from freebody.language.notation import stated_plain
-from freebody.language.sentences import Message, in_turn
+from freebody.language.sentences import Message, in_turn, listed
 from freebody.model.elements import ConstraintRow
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Report, Section
@@ -327,6 +327,7 @@ def _forces(tree: PhaseTree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
     state = SymbolicState(phase.model)
     acting = {row.name for row in phase.system.constraint_rows} | {p.load for p in phase.system.applied_loads}
     special = {b.name for b in phase.base.bounds} | {row.name for r in phase.base.dry_friction for row in r.rows}
+    together = {row.name: row.together for row in phase.system.constraint_rows if row.together}
     for row in phase.base.rows:
         if row.name not in special and not row.unilateral:
             continue
@@ -335,11 +336,13 @@ def _forces(tree: PhaseTree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
         course = _course(phase)
         for where, less in _stretches(row):
             try:
-                force = reaction(row.name, less, phase.base, phase.system, state)
+                whole = frozenset(together.get(row.name, ()))
+                force = reaction(row.name, less, phase.base, phase.system, state, whole)
             except CannotAnswer:
                 continue
             force = phase.model.field.lowest_terms(force) if course is None else course.plain(force)
-            name = Message("{reaction} of {connection}", reaction=row.reaction, connection=label(row.name) + where)
+            names = listed([label(one) for one in together.get(row.name, (row.name,))])
+            name = Message("{reaction} of {connection}", reaction=row.reaction, connection=names + where)
             found.append((name, _shown(tree, phase, force)))
     return tuple(found)
 

@@ -88,7 +88,7 @@ class NumericMode:
         base = straightened(base, phase.mode)
         self.base, self.mode, self.stage = base, phase.mode, stage
         system, self.loads = in_mode(base, phase.mode)
-        self.system = without_rows(system, phase.dropped)
+        self.system = without_rows(system, phase.shared)
         self.shared = phase.shared
         self.values = {n: v for n, v in values.items() if n in base.parameters}
         self.rows = named_rows(self.system)
