@@ -37,6 +37,16 @@ connections: {trip: {pin: [ground.K, box.bottom_right], closes: at start}}
 loads: {w: {gravity: g}}
 measures: {phi: angle of box clockwise}
 """
+BLOCK_FALLS_BACK = """
+parameters: {m: 50 kg, b: 0.4 m, h: 1.2 m, phi0: 10 deg, e: 0.3, g: 9.81 m/s^2}
+ground: {points: {H: [0, 0]}}
+bodies: {block: {rectangle: {mass: m, width: b, height: h}, at: {bottom_right: [0, 0]}, angle: -phi0}}
+connections:
+  H: {pin: [ground.H, block.bottom_right]}
+  c: {stop: {measure: phi, min: 0, restitution: e}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of block clockwise}
+"""
 
 
 @pytest.mark.parametrize(
@@ -50,6 +60,8 @@ measures: {phi: angle of box clockwise}
         # angular momentum about the ledge, m v b/2 = 2/3 m b^2 w, and the energy for the centre to pass over it
         (BOX_MEETS_A_LEDGE, "energy lost in the blow", "5*m*v^2/16"),
         (BOX_MEETS_A_LEDGE, "least v so that phi reaches 45 deg", "sqrt(8*g*b*(sqrt(2) - 1)/3)"),
+        # it turns about the edge with m (b^2 + h^2)/3, and falls back where b > h tan(phi0)
+        (BLOCK_FALLS_BACK, "energy lost in the impact", "(1 - e^2)/2*m*g*(b*sin(phi0) + h*cos(phi0) - h)"),
     ],
 )
 def test_a_problem_has_the_formula_that_follows_by_hand(model: str, question: str, expected: str) -> None:
