@@ -47,6 +47,14 @@ connections:
 loads: {weight: {gravity: g}}
 measures: {phi: angle of block clockwise}
 """
+SLANTED_ROD = """
+parameters: {m: 2 kg, L: 1 m, beta: 60 deg, h: 1 m, e: 0.6, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {rod: {rod: {mass: m, length: L}, at: {start: [0, h]}, angle: beta}}
+connections: {c: {contact: {between: [rod, floor], restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {y: height of rod}
+"""
 
 
 @pytest.mark.parametrize(
@@ -66,3 +74,11 @@ measures: {phi: angle of block clockwise}
 )
 def test_a_problem_has_the_formula_that_follows_by_hand(model: str, question: str, expected: str) -> None:
     is_formula(model, question, expected)
+
+
+def test_a_coefficient_of_restitution_that_is_asked_for_is_at_most_1() -> None:
+    """Of the impulse J = m (1 + e) v/(1 + 3 cos(beta)^2) the centre comes to rest where e = 3 cos(beta)^2."""
+    found = is_formula(SLANTED_ROD, "value of e for which velocity of y after the impact = 0", "3*cos(beta)^2")
+    assert "3·cos(β)² ≤ 1 (e is at most 1)" in [str(c) for c in found.conditions]
+    flat = SLANTED_ROD.replace("60 deg", "40 deg")
+    assert is_formula(flat, "value of e for which velocity of y after the impact = 0", "3*cos(beta)^2").value is None
