@@ -47,6 +47,24 @@ connections:
 loads: {weight: {gravity: g}}
 measures: {phi: angle of block clockwise}
 """
+BALL_OVER_A_FLOOR = """
+parameters: {m: 0.1 kg, h: 0.5 m, e: 0.7, v: 2 m/s, d: 1.2 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {particle: {mass: m}, at: [0, h], velocity: [v, 0]}}
+connections: {hit: {contact: {between: [ball, floor], restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {y: height of ball, x: x of ball}
+"""
+SPHERE_ROLLS_AGAINST_A_WALL = """
+parameters: {m: 3 kg, r: 0.1 m, v0: 4 m/s, d: 1 m, e: 0.8, mu: 0.2, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {through: [0, 0], along: up}}}
+bodies: {ball: {sphere: {mass: m, radius: r}, at: [-d - r, r], velocity: [v0, 0], angular_velocity: -v0/r}}
+connections:
+  floor: {contact: {between: [ball, ground.floor], friction: mu, restitution: 0}}
+  wall: {contact: {between: [ball, ground.wall], restitution: e}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball}
+"""
 SLANTED_ROD = """
 parameters: {m: 2 kg, L: 1 m, beta: 60 deg, h: 1 m, e: 0.6, g: 9.81 m/s^2}
 ground: {lines: {floor: {along: right}}}
@@ -69,6 +87,11 @@ measures: {y: height of rod}
         (BOX_MEETS_A_LEDGE, "energy lost in the blow", "5*m*v^2/16"),
         (BOX_MEETS_A_LEDGE, "least v so that phi reaches 45 deg", "sqrt(8*g*b*(sqrt(2) - 1)/3)"),
         # it turns about the edge with m (b^2 + h^2)/3, and falls back where b > h tan(phi0)
+        # it falls for sqrt(2 h/g) and then flies e times as long as it would rise and fall from h
+        (BALL_OVER_A_FLOOR, "range of v for which the second impact comes before x = d", "d*sqrt(g/(2*h))/(1 + 2*e)"),
+        # the wall takes nothing of the spin: it rolls in the end with (2 - 5 e) v0/7 towards the wall
+        (SPHERE_ROLLS_AGAINST_A_WALL, "range of e for which there is a second impact", "2/5"),
+        (SPHERE_ROLLS_AGAINST_A_WALL, "time between the impact and rolling begins", "2*(1 + e)*v0/(7*mu*g)"),
         (BLOCK_FALLS_BACK, "energy lost in the impact", "(1 - e^2)/2*m*g*(b*sin(phi0) + h*cos(phi0) - h)"),
     ],
 )
