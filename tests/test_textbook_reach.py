@@ -91,6 +91,7 @@ measures: {y: height of rod}
         (BALL_OVER_A_FLOOR, "range of v for which the second impact comes before x = d", "d*sqrt(g/(2*h))/(1 + 2*e)"),
         # the wall takes nothing of the spin: it rolls in the end with (2 - 5 e) v0/7 towards the wall
         (SPHERE_ROLLS_AGAINST_A_WALL, "range of e for which there is a second impact", "2/5"),
+        (SPHERE_ROLLS_AGAINST_A_WALL, "speed of ball when slipping ends", "(5*e - 2)*v0/7"),
         (SPHERE_ROLLS_AGAINST_A_WALL, "time between the impact and rolling begins", "2*(1 + e)*v0/(7*mu*g)"),
         (BLOCK_FALLS_BACK, "energy lost in the impact", "(1 - e^2)/2*m*g*(b*sin(phi0) + h*cos(phi0) - h)"),
     ],
@@ -105,3 +106,20 @@ def test_a_coefficient_of_restitution_that_is_asked_for_is_at_most_1() -> None:
     assert "3·cos(β)² ≤ 1 (e is at most 1)" in [str(c) for c in found.conditions]
     flat = SLANTED_ROD.replace("60 deg", "40 deg")
     assert is_formula(flat, "value of e for which velocity of y after the impact = 0", "3*cos(beta)^2").value is None
+
+
+def test_a_speed_behind_an_impact_says_in_which_sense_it_goes_on() -> None:
+    text = """
+parameters: {mA: 4 kg, mB: 3 kg, e: 0.5, v: 3 m/s, d: 1 m}
+bodies: {A: {particle: {mass: mA}}, B: {particle: {mass: mB}}}
+connections:
+  gA: {slider: {body: A, along: right}}
+  gB: {slider: {body: B, along: right}}
+  hit: {stop: {measure: gap, min: 0, restitution: e}}
+measures: {x: x of A, y: x of B, gap: {expression: y - x}}
+start: {x: 0, y: d, rate(x): v, rate(y): 0}
+"""
+    on = is_formula(text, "speed of A after the impact", "v*(mA - mB*e)/(mA + mB)")
+    back = is_formula(text.replace("mB: 3 kg", "mB: 30 kg"), "speed of A after the impact", "v*(mB*e - mA)/(mA + mB)")
+    assert [str(c) for c in on.conditions] == ["mA ≥ mB·e"]
+    assert [str(c) for c in back.conditions] == ["mB·e ≥ mA"]
