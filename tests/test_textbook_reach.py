@@ -47,6 +47,12 @@ connections:
 loads: {weight: {gravity: g}}
 measures: {phi: angle of block clockwise}
 """
+THROW = """
+parameters: {m: 1 kg, v0: 20 m/s, alpha: 60 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}, at: [0, 0], velocity: [v0*cos(alpha), v0*sin(alpha)]}}
+loads: {weight: {gravity: g}}
+measures: {y: height of ball, x: x of ball}
+"""
 BALL_OVER_A_FLOOR = """
 parameters: {m: 0.1 kg, h: 0.5 m, e: 0.7, v: 2 m/s, d: 1.2 m, g: 9.81 m/s^2}
 ground: {lines: {floor: {along: right}}}
@@ -80,6 +86,8 @@ measures: {y: height of rod}
     [
         # the momentum stays zero: m (s + x) + M x = 0
         (MAN_ON_A_BOAT, "displacement of the boat when s = L", "-m*L/(m + M)"),
+        # v^2 sin(alpha)^2/(2 g) = 2 v^2 sin(alpha) cos(alpha)/g
+        (THROW, "value of alpha for which greatest y = x when y = 0", "atan(4)"),
         # moments about A give the roller, 2 a N = W a + H h; then joint B
         (TRUSS, "force in AB", "W*a/(2*h) + H/2"),
         (TRUSS, "value of H for which force in AC = 0", "W*a/h"),
@@ -89,6 +97,11 @@ measures: {y: height of rod}
         # it turns about the edge with m (b^2 + h^2)/3, and falls back where b > h tan(phi0)
         # it falls for sqrt(2 h/g) and then flies e times as long as it would rise and fall from h
         (BALL_OVER_A_FLOOR, "range of v for which the second impact comes before x = d", "d*sqrt(g/(2*h))/(1 + 2*e)"),
+        (
+            BALL_OVER_A_FLOOR,
+            "value of v for which x at the second impact - x at the first impact = d",
+            "d*sqrt(g/(2*h))/(2*e)",
+        ),
         # the wall takes nothing of the spin: it rolls in the end with (2 - 5 e) v0/7 towards the wall
         (SPHERE_ROLLS_AGAINST_A_WALL, "range of e for which there is a second impact", "2/5"),
         (SPHERE_ROLLS_AGAINST_A_WALL, "speed of ball when slipping ends", "(5*e - 2)*v0/7"),

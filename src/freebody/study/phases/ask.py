@@ -62,7 +62,7 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
             )
     wanted = question.quantity.wanted
     behind = wanted is not None and wanted.of.turn is not None and is_behind_an_impact(question)
-    if wanted is not None and (wanted.of.is_of_state or behind):
+    if wanted is not None and (wanted.of.is_of_state or wanted.of.is_of_answers or behind):
         from freebody.study.phases import turned_round
 
         return turned_round.answer(tree, question, wanted)

@@ -17,6 +17,7 @@ from freebody.budgets import allowed
 from freebody.language.expression import n_operations
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import UnilateralConstraint
+from freebody.questions.at_events import AtEvent
 from freebody.questions.course import Transition
 from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
@@ -458,6 +459,7 @@ def tree_of(system: System, question: Question | None = None) -> PhaseTree:
         wanted = question.quantity.wanted
         of = None if wanted is None else wanted.of
         asked = [question.transition, *((of.what, of.before) if isinstance(of, Happening) else ())]
+        asked += [] if of is None else [q.transition for q in of.inner if isinstance(q, AtEvent)]
     counts = [one.count for one in asked if isinstance(one, Transition)]
     return _tree(system, allowed(_EFFORT), max([MAX_IMPACTS, *counts]))
 
