@@ -136,3 +136,18 @@ start: {x: 0, y: d, rate(x): v, rate(y): 0}
     back = is_formula(text.replace("mB: 3 kg", "mB: 30 kg"), "speed of A after the impact", "v*(mB*e - mA)/(mA + mB)")
     assert [str(c) for c in on.conditions] == ["mA ≥ mB·e"]
     assert [str(c) for c in back.conditions] == ["mB·e ≥ mA"]
+
+
+def test_a_string_that_swings_has_the_length_that_its_start_gives() -> None:
+    """A nail at the depth a catches the string of a pendulum of the length L: v^2 = v0^2 - 2 g (L - a) at its height."""
+    text = """
+parameters: {m: 0.4 kg, L: 1 m, a: 0.7 m, v0: 4 m/s, g: 9.81 m/s^2}
+ground: {points: {N: [0, -a]}}
+bodies: {bob: {particle: {mass: m}}}
+connections: {string: {string: {from: ground.N, to: bob, swings: true}}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of line from ground.N to bob from down, r: distance from ground.N to bob}
+start: {theta: 0, r: L - a, rate(theta): v0/(L - a)}
+"""
+    found = is_formula(text, "tension of string when theta = 90 deg", "m*(v0^2/(L - a) - 2*g)")
+    assert "length" not in " ".join(str(c) for c in found.conditions)
