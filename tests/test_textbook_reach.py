@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from posed import is_formula
+from freebody.errors import ModelError
+from posed import is_formula, posed
 
 MAN_ON_A_BOAT = """
 parameters: {m: 70 kg, M: 130 kg, L: 4 m, u: 1.5 m/s}
@@ -139,7 +140,7 @@ start: {x: 0, y: d, rate(x): v, rate(y): 0}
 
 
 def test_a_string_that_swings_has_the_length_that_its_start_gives() -> None:
-    """A nail at the depth a catches the string of a pendulum of the length L: v^2 = v0^2 - 2 g (L - a) at its height."""
+    """A nail at the depth a catches the string of a pendulum of length L: v^2 = v0^2 - 2 g (L - a) at its height."""
     text = """
 parameters: {m: 0.4 kg, L: 1 m, a: 0.7 m, v0: 4 m/s, g: 9.81 m/s^2}
 ground: {points: {N: [0, -a]}}
@@ -151,3 +152,19 @@ start: {theta: 0, r: L - a, rate(theta): v0/(L - a)}
 """
     found = is_formula(text, "tension of string when theta = 90 deg", "m*(v0^2/(L - a) - 2*g)")
     assert "length" not in " ".join(str(c) for c in found.conditions)
+
+
+def test_a_stop_of_an_angle_has_an_angular_impulse_and_none_of_a_force() -> None:
+    """A gate that turns with w0 is thrown back with e w0: m b^2/3 (1 + e) w0 about its hinge."""
+    text = """
+parameters: {m: 40 kg, b: 1.5 m, w0: 2 rad/s, e: 0.4}
+bodies: {gate: {rod: {mass: m, length: b}, angle: 0}}
+connections:
+  hinge: {pin: [ground.O, gate.start]}
+  stopper: {stop: {measure: phi, max: 60 deg, restitution: e}}
+measures: {phi: angle of gate}
+start: {phi: 0, rate(phi): w0}
+"""
+    with pytest.raises(ModelError, match="ask for the angular impulse of stopper"):
+        posed(text, "impulse of stopper")
+    is_formula(text, "angular impulse of stopper", "-m*b^2*w0*(1 + e)/3")
