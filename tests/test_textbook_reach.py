@@ -48,6 +48,24 @@ connections:
 loads: {weight: {gravity: g}}
 measures: {phi: angle of block clockwise}
 """
+WEIGHT_BRAKED_BY_A_LEVER = """
+parameters: {m: 200 kg, I: 30 kg m^2, R: 0.4 m, a: 0.3 m, b: 1.2 m, mu: 0.4, P: 3 kN, v0: 2 m/s, d: 2 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], H: [-a, R]}}
+bodies:
+  drum: {body: {inertia: I, radius: R}, at: [0, 0]}
+  weight: {particle: {mass: m}}
+  lever: {body: {}, at: [-a, R], angle: 0, points: {S: [a, 0], E: [b, 0]}}
+connections:
+  O: {pin: [ground.O, drum]}
+  H: {pin: [ground.H, lever]}
+  rope: {string: {from: wound on drum, to: weight}}
+  shoe: {contact: {between: [lever.S, drum], friction: mu}}
+loads:
+  w: {gravity: g}
+  hand: {force: {at: lever.E, along: down, magnitude: P}}
+measures: {y: drop of weight}
+start: {y: 0, rate(y): v0}
+"""
 THROW = """
 parameters: {m: 1 kg, v0: 20 m/s, alpha: 60 deg, g: 9.81 m/s^2}
 bodies: {ball: {particle: {mass: m}, at: [0, 0], velocity: [v0*cos(alpha), v0*sin(alpha)]}}
@@ -87,6 +105,12 @@ measures: {y: height of rod}
     [
         # the momentum stays zero: m (s + x) + M x = 0
         (MAN_ON_A_BOAT, "displacement of the boat when s = L", "-m*L/(m + M)"),
+        # the lever gives N = P b/a; (mu N - m g) d = (m + I/R^2) v0^2/2
+        (
+            WEIGHT_BRAKED_BY_A_LEVER,
+            "value of P for which y when rate(y) = 0 is d",
+            "a/(mu*b)*(m*g + (m + I/R^2)*v0^2/(2*d))",
+        ),
         # v^2 sin(alpha)^2/(2 g) = 2 v^2 sin(alpha) cos(alpha)/g
         (THROW, "value of alpha for which greatest y = x when y = 0", "atan(4)"),
         # moments about A give the roller, 2 a N = W a + H h; then joint B

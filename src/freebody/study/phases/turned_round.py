@@ -9,6 +9,7 @@ from itertools import product
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import ZERO
 from freebody.language.sentences import Message
+from freebody.numeric.instant import WithoutInertia
 from freebody.questions.base import Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.motion import Staying
@@ -30,6 +31,7 @@ from freebody.study.phases.happening import happening_cases
 from freebody.study.phases.happening_seen import is_seen
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import PhaseTree
+from freebody.study.settled import start_mode
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.system.system import System
@@ -145,6 +147,20 @@ def _of_happening(tree: PhaseTree, question: Question, happening: Happening) -> 
     return QuestionSolver(tree.home, question).finish(found)
 
 
+def _is_light(system: System) -> bool:
+    """Whether something without inertia is held by contacts alone: a lever that brakes. It has formulas while they hold
+    it, and is not followed in numbers."""
+    if not system.has_values:
+        return False
+    try:
+        start_mode(system)
+    except WithoutInertia:
+        return True
+    except CannotAnswer:
+        return False
+    return False
+
+
 def _no_evidence() -> Evidence:
     raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
 
@@ -181,6 +197,6 @@ def _formula(tree: PhaseTree, asked: Question, piece: AnswerBranch) -> Formula:
         return number_with_changes(system, asked)
 
     conditions = [*piece.conditions, *needs]
-    if asked.transition is not None or piece.in_blow:
+    if asked.transition is not None or piece.in_blow or _is_light(tree.system):
         return Formula(value, conditions, lambda: compare(tree, asked, piece), is_put_back=False)
     return Formula(value, conditions, lambda: compare(tree, asked, piece), in_numbers)
