@@ -192,3 +192,8 @@ start: {phi: 0, rate(phi): w0}
     with pytest.raises(ModelError, match="ask for the angular impulse of stopper"):
         posed(text, "impulse of stopper")
     is_formula(text, "angular impulse of stopper", "-m*b^2*w0*(1 + e)/3")
+
+
+def test_again_is_no_body_and_asks_which_impact_is_meant() -> None:
+    with pytest.raises(ModelError, match="ask for the first impact or the second impact"):
+        posed(BALL_OVER_A_FLOOR, "time when hit touches again")

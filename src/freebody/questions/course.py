@@ -285,6 +285,14 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         if found is None:
             continue
         name = found.groupdict().get("of")
+        if found.groupdict().get("on") == "again":
+            told = Message(
+                "'{text}' may mean the first or the second time, by where it starts: ask for the first impact or the "
+                "second impact",
+                text=text,
+            )
+            names.problem(told, *path)
+            return Transition(kind, (), text)
         rests, *lasts = (found.groupdict().get(word) is not None for word in ("rests", "stays", "last"))
         stays = any(lasts)
         if rests and not can_change(names):
