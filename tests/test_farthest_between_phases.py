@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from freebody.study.phases.along_time import _falls_unseen
-from posed import is_formula
+from posed import is_formula, posed
 
 SPRUNG = """
 parameters: {m: 0.02 kg, M: 2 kg, k: 500 N/m, v: 300 m/s}
@@ -50,3 +50,16 @@ def test_only_what_has_been_positive_falls_unseen() -> None:
     first = np.array([1.0, -1.0, -1.0, 0.0, 1.0])
     seen = np.array([[-1.0, -1.0, 1.0, -1.0, 1.0], [-1.0, -1.0, -1.0, -1.0, 1.0]])
     assert _falls_unseen(first, seen).tolist() == [True, False, True, True, False]
+
+
+def test_what_is_let_fall_is_highest_at_the_start_until_it_has_bounced() -> None:
+    text = """
+parameters: {m: 0.1 kg, h: 0.5 m, e: 0.7, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {particle: {mass: m}, at: [0, h]}}
+connections: {hit: {contact: {between: [ball, floor], restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {y: height of ball}
+"""
+    is_formula(text, "greatest y until the second impact", "h")
+    assert posed(text, "least y until the impact").value == 0.0

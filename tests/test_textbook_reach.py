@@ -6,6 +6,9 @@ import pytest
 
 from freebody.language.expression import Expr
 from freebody.language.notation import to_text
+
+
+from freebody.errors import ModelError
 from posed import is_formula, posed
 
 MAN_ON_A_BOAT = """
@@ -120,6 +123,67 @@ loads:
   outwards: {law: {measure: x, force: m*Omega^2*x}}
 measures: {theta: angle of crank clockwise, x: x of ball, h: height of crank.roller}
 start: {theta: 0}
+
+
+BLOCK_FALLS_BACK = """
+parameters: {m: 50 kg, b: 0.4 m, h: 1.2 m, phi0: 10 deg, e: 0.3, g: 9.81 m/s^2}
+ground: {points: {H: [0, 0]}}
+bodies: {block: {rectangle: {mass: m, width: b, height: h}, at: {bottom_right: [0, 0]}, angle: -phi0}}
+connections:
+  H: {pin: [ground.H, block.bottom_right]}
+  c: {stop: {measure: phi, min: 0, restitution: e}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of block clockwise}
+"""
+WEIGHT_BRAKED_BY_A_LEVER = """
+parameters: {m: 200 kg, I: 30 kg m^2, R: 0.4 m, a: 0.3 m, b: 1.2 m, mu: 0.4, P: 3 kN, v0: 2 m/s, d: 2 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], H: [-a, R]}}
+bodies:
+  drum: {body: {inertia: I, radius: R}, at: [0, 0]}
+  weight: {particle: {mass: m}}
+  lever: {body: {}, at: [-a, R], angle: 0, points: {S: [a, 0], E: [b, 0]}}
+connections:
+  O: {pin: [ground.O, drum]}
+  H: {pin: [ground.H, lever]}
+  rope: {string: {from: wound on drum, to: weight}}
+  shoe: {contact: {between: [lever.S, drum], friction: mu}}
+loads:
+  w: {gravity: g}
+  hand: {force: {at: lever.E, along: down, magnitude: P}}
+measures: {y: drop of weight}
+start: {y: 0, rate(y): v0}
+"""
+THROW = """
+parameters: {m: 1 kg, v0: 20 m/s, alpha: 60 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}, at: [0, 0], velocity: [v0*cos(alpha), v0*sin(alpha)]}}
+loads: {weight: {gravity: g}}
+measures: {y: height of ball, x: x of ball}
+"""
+BALL_OVER_A_FLOOR = """
+parameters: {m: 0.1 kg, h: 0.5 m, e: 0.7, v: 2 m/s, d: 1.2 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {particle: {mass: m}, at: [0, h], velocity: [v, 0]}}
+connections: {hit: {contact: {between: [ball, floor], restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {y: height of ball, x: x of ball}
+"""
+SPHERE_ROLLS_AGAINST_A_WALL = """
+parameters: {m: 3 kg, r: 0.1 m, v0: 4 m/s, d: 1 m, e: 0.8, mu: 0.2, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {through: [0, 0], along: up}}}
+bodies: {ball: {sphere: {mass: m, radius: r}, at: [-d - r, r], velocity: [v0, 0], angular_velocity: -v0/r}}
+connections:
+  floor: {contact: {between: [ball, ground.floor], friction: mu, restitution: 0}}
+  wall: {contact: {between: [ball, ground.wall], restitution: e}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball}
+"""
+SLANTED_ROD = """
+parameters: {m: 2 kg, L: 1 m, beta: 60 deg, h: 1 m, e: 0.6, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {rod: {rod: {mass: m, length: L}, at: {start: [0, h]}, angle: beta}}
+connections: {c: {contact: {between: [rod, floor], restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {y: height of rod}
 """
 
 
@@ -128,6 +192,14 @@ start: {theta: 0}
     [
         # the momentum stays zero: m (s + x) + M x = 0
         (MAN_ON_A_BOAT, "displacement of the boat when s = L", "-m*L/(m + M)"),
+        # the lever gives N = P b/a; (mu N - m g) d = (m + I/R^2) v0^2/2
+        (
+            WEIGHT_BRAKED_BY_A_LEVER,
+            "value of P for which y when rate(y) = 0 is d",
+            "a/(mu*b)*(m*g + (m + I/R^2)*v0^2/(2*d))",
+        ),
+        # v^2 sin(alpha)^2/(2 g) = 2 v^2 sin(alpha) cos(alpha)/g
+        (THROW, "value of alpha for which greatest y = x when y = 0", "atan(4)"),
         # moments about A give the roller, 2 a N = W a + H h; then joint B
         (TRUSS, "force in AB", "W*a/(2*h) + H/2"),
         (TRUSS, "value of H for which force in AC = 0", "W*a/h"),
@@ -154,6 +226,21 @@ start: {theta: 0}
         (ROTOR_RIDE, "normal force of wall at start", "m*R*Omega^2"),
         (ROOT_OF_THE_SPEED, "time when wheel comes to rest", "2*J*sqrt(w0)/c"),
         (ROOT_OF_THE_SPEED, "number of revolutions until it comes to rest", "J*w0*sqrt(w0)/(3*pi*c)"),
+
+
+        # it turns about the edge with m (b^2 + h^2)/3, and falls back where b > h tan(phi0)
+        # it falls for sqrt(2 h/g) and then flies e times as long as it would rise and fall from h
+        (BALL_OVER_A_FLOOR, "range of v for which the second impact comes before x = d", "d*sqrt(g/(2*h))/(1 + 2*e)"),
+        (
+            BALL_OVER_A_FLOOR,
+            "value of v for which x at the second impact - x at the first impact = d",
+            "d*sqrt(g/(2*h))/(2*e)",
+        ),
+        # the wall takes nothing of the spin: it rolls in the end with (2 - 5 e) v0/7 towards the wall
+        (SPHERE_ROLLS_AGAINST_A_WALL, "range of e for which there is a second impact", "2/5"),
+        (SPHERE_ROLLS_AGAINST_A_WALL, "speed of ball when slipping ends", "(5*e - 2)*v0/7"),
+        (SPHERE_ROLLS_AGAINST_A_WALL, "time between the impact and rolling begins", "2*(1 + e)*v0/(7*mu*g)"),
+        (BLOCK_FALLS_BACK, "energy lost in the impact", "(1 - e^2)/2*m*g*(b*sin(phi0) + h*cos(phi0) - h)"),
     ],
 )
 def test_a_problem_has_the_formula_that_follows_by_hand(model: str, question: str, expected: str) -> None:
@@ -182,3 +269,64 @@ def test_logarithms_are_of_numbers_above_one() -> None:
 @pytest.mark.parametrize("changed", [("mu: 0.6", "mu: 0.1"), ("velocity: [0, Omega*R, 0]", "velocity: [0, 0, 0]")])
 def test_who_slips_in_a_drum_is_not_led_by_it(changed: tuple[str, str]) -> None:
     assert posed(ROTOR_RIDE.replace(*changed), "normal force of wall at start").expression is None
+
+
+def test_a_coefficient_of_restitution_that_is_asked_for_is_at_most_1() -> None:
+    """Of the impulse J = m (1 + e) v/(1 + 3 cos(beta)^2) the centre comes to rest where e = 3 cos(beta)^2."""
+    found = is_formula(SLANTED_ROD, "value of e for which velocity of y after the impact = 0", "3*cos(beta)^2")
+    assert "3·cos(β)² ≤ 1 (e is at most 1)" in [str(c) for c in found.conditions]
+    flat = SLANTED_ROD.replace("60 deg", "40 deg")
+    assert is_formula(flat, "value of e for which velocity of y after the impact = 0", "3*cos(beta)^2").value is None
+
+
+def test_a_speed_behind_an_impact_says_in_which_sense_it_goes_on() -> None:
+    text = """
+parameters: {mA: 4 kg, mB: 3 kg, e: 0.5, v: 3 m/s, d: 1 m}
+bodies: {A: {particle: {mass: mA}}, B: {particle: {mass: mB}}}
+connections:
+  gA: {slider: {body: A, along: right}}
+  gB: {slider: {body: B, along: right}}
+  hit: {stop: {measure: gap, min: 0, restitution: e}}
+measures: {x: x of A, y: x of B, gap: {expression: y - x}}
+start: {x: 0, y: d, rate(x): v, rate(y): 0}
+"""
+    on = is_formula(text, "speed of A after the impact", "v*(mA - mB*e)/(mA + mB)")
+    back = is_formula(text.replace("mB: 3 kg", "mB: 30 kg"), "speed of A after the impact", "v*(mB*e - mA)/(mA + mB)")
+    assert [str(c) for c in on.conditions] == ["mA ≥ mB·e"]
+    assert [str(c) for c in back.conditions] == ["mB·e ≥ mA"]
+
+
+def test_a_string_that_swings_has_the_length_that_its_start_gives() -> None:
+    """A nail at the depth a catches the string of a pendulum of length L: v^2 = v0^2 - 2 g (L - a) at its height."""
+    text = """
+parameters: {m: 0.4 kg, L: 1 m, a: 0.7 m, v0: 4 m/s, g: 9.81 m/s^2}
+ground: {points: {N: [0, -a]}}
+bodies: {bob: {particle: {mass: m}}}
+connections: {string: {string: {from: ground.N, to: bob, swings: true}}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of line from ground.N to bob from down, r: distance from ground.N to bob}
+start: {theta: 0, r: L - a, rate(theta): v0/(L - a)}
+"""
+    found = is_formula(text, "tension of string when theta = 90 deg", "m*(v0^2/(L - a) - 2*g)")
+    assert "length" not in " ".join(str(c) for c in found.conditions)
+
+
+def test_a_stop_of_an_angle_has_an_angular_impulse_and_none_of_a_force() -> None:
+    """A gate that turns with w0 is thrown back with e w0: m b^2/3 (1 + e) w0 about its hinge."""
+    text = """
+parameters: {m: 40 kg, b: 1.5 m, w0: 2 rad/s, e: 0.4}
+bodies: {gate: {rod: {mass: m, length: b}, angle: 0}}
+connections:
+  hinge: {pin: [ground.O, gate.start]}
+  stopper: {stop: {measure: phi, max: 60 deg, restitution: e}}
+measures: {phi: angle of gate}
+start: {phi: 0, rate(phi): w0}
+"""
+    with pytest.raises(ModelError, match="ask for the angular impulse of stopper"):
+        posed(text, "impulse of stopper")
+    is_formula(text, "angular impulse of stopper", "-m*b^2*w0*(1 + e)/3")
+
+
+def test_again_is_no_body_and_asks_which_impact_is_meant() -> None:
+    with pytest.raises(ModelError, match="ask for the first impact or the second impact"):
+        posed(BALL_OVER_A_FLOOR, "time when hit touches again")

@@ -8,6 +8,7 @@ from typing import ClassVar, TypeVar
 
 from freebody.language.expression import Call, Expr
 from freebody.language.units import Dimension
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Geometry, Point, Scalar
 
@@ -74,3 +75,10 @@ class Composed(Measure):
     def lines(self) -> Iterator[tuple[Point, Point]]:
         for _name, measure in self.measures:
             yield from measure.lines()
+
+
+def is_of_turning(measure: object) -> bool:
+    """Whether a measure tells how bodies turn and nothing else, as the angle of a stop: what pushes it is a couple."""
+    if isinstance(measure, Composed):
+        return all(is_of_turning(part) for _name, part in measure.measures)
+    return isinstance(measure, Angle)

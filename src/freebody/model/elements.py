@@ -43,6 +43,7 @@ class Parameter:
     unit: str = ""
     is_angle: bool = False
     form: Expr | None = None
+    is_share: bool = False  # from 0 to 1: a coefficient of restitution
 
     @property
     def is_bare(self) -> bool:

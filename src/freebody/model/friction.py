@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
-from freebody.language.expression import ZERO, Expr
+from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.noting import did_you_mean
@@ -64,6 +64,8 @@ def read_restitution(names: Names, value: Any, field: str = "restitution") -> Ex
             Message("restitution is {number:g}; it lies between 0 (no rebound) and 1 (no loss)", number=number),
             field,
         )
+    if isinstance(expr, Symbol):
+        names.shares.add(expr.name)
     return expr
 
 

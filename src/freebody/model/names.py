@@ -222,6 +222,7 @@ class Names(Formulas):
         self.standing: dict[tuple[object, ...], Expr | None] | None = None  # where points stand on a way
         self.up: Components = (ZERO, ONE)
         self.unused = frozenset[str]()  # parameters that only questions can name
+        self.shares: set[str] = set()  # parameters that are coefficients of restitution
         self.usual_questions: tuple[str, ...] = ()  # what the file asks, in the words of the grammar
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
 

@@ -19,7 +19,6 @@ from freebody.narrative.lines.script import Item, Listing, Sentence
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
-from freebody.study.phases.numbers import coefficients_of_restitution
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
@@ -97,7 +96,8 @@ def _is_admissible(context: Context, answer: Answer, names: tuple[str, Expr, Exp
     kind, p, q = names
     if not _is_possible(context, kind, p):
         return False
-    if kind == "grows" and rate_key(p) in coefficients_of_restitution(context.system):
+    parameter = context.system.parameters.get(rate_key(p))
+    if kind == "grows" and parameter is not None and parameter.is_share:
         return False  # they are at most 1
     conditions = [c.expression for c in answer.conditions if isinstance(c, Stated)]
     own, inside = rate_key(q if kind == "equal" else p), 0

@@ -8,7 +8,7 @@ Each operand is a question of its own; the answers are calculated with, on the c
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -125,10 +125,15 @@ def is_at_several(operands: Operands, condition: str | None) -> bool:
 
 
 def read_at_events(
-    names: Names, phrase: str, operands: Operands, at_end: Operand, meant: Callable[[Operand], Meant | None]
+    names: Names,
+    phrase: str,
+    operands: Operands,
+    at_end: Operand,
+    meant: Callable[[Operand], Meant | None],
+    wholes: Set[int],
 ) -> Meant | None:
     """What is calculated from operands that each say when they are meant. at_end: what is said of that at the very end,
-    which belongs to the last one; meant: how one of them is read."""
+    which belongs to the last one; meant: how one of them is read; wholes: those of the whole motion."""
     times = [o.condition for o in operands.phrases.values() if TIME_ALONE.fullmatch(o.phrase) and o.condition]
     if len({*times}) < len(times):
         told = Message("{event} is meant twice, and each time as it comes first: name two events", event=times[0] or "")
@@ -140,7 +145,7 @@ def read_at_events(
         said = operand
         if k == last and operand.condition is None and not operand.at_start:
             said = replace(at_end, phrase=operand.phrase)
-        if said.condition is None and not said.at_start:
+        if said.condition is None and not said.at_start and k not in wholes:
             names.problem(Message("say of each quantity in '{text}' when it is meant", text=phrase), "find")
             return None
         placed = meant(said)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
+from freebody.measures.combination import is_of_turning
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
@@ -149,7 +150,16 @@ _IN_BLOW = r"(?: in (?:the )?(?:blow|impact|collision|jerk))?"
     rank=_RANK,
 )
 def _impulse(names: Names, found: Found, path: Path) -> Quantity | None:
-    return read_wrench(names, _between(names, found), path, ImpulsiveWrench)
+    found = _between(names, found)
+    rows = [row for row in names.constraint_rows if row.connection == found["of"]]
+    if rows and all(is_of_turning(row.measure) for row in rows):
+        told = Message(
+            "{name} acts with a couple, and its impulse as a force is nothing: ask for the angular impulse of {name}",
+            name=str(found["of"]),
+        )
+        names.problem(told, *path)
+        return None
+    return read_wrench(names, found, path, ImpulsiveWrench)
 
 
 def _between(names: Names, found: Found) -> Found:

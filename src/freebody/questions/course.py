@@ -257,7 +257,8 @@ _WORDS: tuple[tuple[str, TransitionKind], ...] = (
     (rf"{_SUBJECT} (?:closes?|(?:goes?|becomes?|is) taut|is (?:reached|touched|met))", "touches"),
 )
 _NTH_IMPACT = re.compile(
-    rf"^(?:the )?(?P<nth>{NTH}) {IMPACT}(?: (?:of|with|by|at) (?:the )?{_NAME})?(?: (?:comes|happens))?$"
+    rf"^(?:(?:the |there is an? )?(?P<nth>{NTH})|the|there is an) {IMPACT}(?: (?:of|with|by|at) (?:the )?{_NAME})?"
+    r"(?: (?:comes|happens|occurs|takes place))?$"
 )
 _NTH_TIME = re.compile(rf"^(?P<what>.+?) (?:for )?(?:a|the) (?P<nth>{NTH}) time$")
 _TRANSITIONS: list[tuple[re.Pattern[str], TransitionKind]] = [
@@ -274,7 +275,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         return Transition("before" if side == "before" else "after", of, text, which_blow(text))
     if (nth := _NTH_IMPACT.match(text.strip())) is not None:
         of = () if nth["of"] is None else connections_of(names, nth["of"], path)
-        return Transition("touches", of, text, ORDINALS[nth["nth"]])
+        return Transition("touches", of, text, ORDINALS.get(nth["nth"] or "", 1))
     if (again := _NTH_TIME.match(text.strip())) is not None:
         once = read_transition(names, again["what"], path)
         counts = once is not None and (once.kind == "touches" or (once.rests and not once.stays))
@@ -284,6 +285,14 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         if found is None:
             continue
         name = found.groupdict().get("of")
+        if found.groupdict().get("on") == "again":
+            told = Message(
+                "'{text}' may mean the first or the second time, by where it starts: ask for the first impact or the "
+                "second impact",
+                text=text,
+            )
+            names.problem(told, *path)
+            return Transition(kind, (), text)
         rests, *lasts = (found.groupdict().get(word) is not None for word in ("rests", "stays", "last"))
         stays = any(lasts)
         if rests and not can_change(names):

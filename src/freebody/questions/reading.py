@@ -381,10 +381,13 @@ def _calculated(
         read[k] = between_bars(names, operands, k, quantity)
     if any(map(is_of_start, read.values())):
         return _with_blow(names, phrase, operands, read, condition, at_start)
-    if is_at_several(operands, condition):
+    said = [o.condition for o in operands.phrases.values()]
+    wholes = {k for k, q in read.items() if q.scope == "whole motion" and operands.phrases[k].condition is None}
+    beside = len(wholes) < len(said) and any(one is not None for one in (*said, condition))  # (greatest y) - (x when E)
+    if is_at_several(operands, condition) or (wholes and beside):
         at_end = Operand("", condition, at_start)
         return read_at_events(
-            names, phrase, operands, at_end, lambda o: _meant(names, o.phrase, o.condition, o.at_start, path)
+            names, phrase, operands, at_end, lambda o: _meant(names, o.phrase, o.condition, o.at_start, path), wholes
         )
     events = {o.condition for o in operands.phrases.values()} - {None}
     condition = next(iter(events), condition)

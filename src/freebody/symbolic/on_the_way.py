@@ -77,11 +77,17 @@ def _least_of_all(motion: SmoothMotion, c: Condition) -> list[Condition] | None:
             places = _places_of_least(motion, q, x, *ends)
             if places is None:
                 return None
-            least, needs = [f.lowest_terms(f.follow(x, {q.index: place})) for place in places], []
+            least, needs = [_at(motion, x, q, place) for place in places], []
     except (_NotOne, CannotAnswer, ZeroDivisionError, ValueError):
         return None
     told = [require(x, c.relation, c.purpose)[0] for x in least] + [require(x, r, c.purpose)[0] for x, r in needs]
     return [condition for condition in told if condition is not None]
+
+
+def _at(motion: SmoothMotion, x: Ratio, variable: Indexed, place: Ratio) -> Ratio:
+    """A function of one variable at a place; lengths that are held are by what they are at the start."""
+    f = motion.field
+    return f.lowest_terms(f.follow(f.follow(x, {variable.index: place}), motion.model.given_constants))
 
 
 def _moves(x: Ratio) -> bool:
@@ -98,8 +104,7 @@ def _least(motion: SmoothMotion, reached: Reached, c: Condition, *, is_strict: b
         places = _places_of_least(motion, variable, x, *ends)
         if places is None:
             return None
-        f = motion.field
-        least = [f.lowest_terms(f.follow(x, {variable.index: place})) for place in places]
+        least = [_at(motion, x, variable, place) for place in places]
     except (_NotOne, CannotAnswer, ZeroDivisionError):
         return None
     relations = [c.relation] * 2 + [">" if is_strict else c.relation] * (len(least) - 2)

@@ -55,6 +55,16 @@ class Samples:
         finally:
             del self.assumed[n_assumed:]
 
+    @contextmanager
+    def taking(self) -> Generator[list[Ratio]]:
+        """What is assumed inside, of what was not assumed before, and for what is found there only."""
+        before, self.assumed, taken = self.assumed, list[Ratio](), list[Ratio]()
+        try:
+            yield taken
+        finally:
+            taken += [x for x in self.assumed if x not in before]
+            self.assumed = before
+
     # -- numbers of the generators ------------------------------------------------------------
     def read_again(self) -> None:
         """Numbers for all generators there are by now."""

@@ -49,10 +49,10 @@ class SymbolicState:
 
     def here(self, x: Ratio) -> Ratio:
         """An element at this instant."""
-        given = self.model.given_constants
-        if self.values:
-            return self.model.field.follow(self.model.in_independent_speeds(x), {**given, **self.values})
-        return self.model.field.follow(x, given) if self.model.field.ingredients(x) & given.keys() else x
+        given, field = self.model.given_constants, self.model.field
+        if self.values:  # which may contain the constants, as a speed by energy does
+            x = field.follow(self.model.in_independent_speeds(x), {**given, **self.values})
+        return field.follow(x, given) if field.ingredients(x) & given.keys() else x
 
     def scalar(self, expr: Expr) -> Ratio:
         return self.model.geometry.scalar(expr)

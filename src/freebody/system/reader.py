@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from freebody.connections.base import Connection
 from freebody.errors import ModelError
 from freebody.language.document import Document
@@ -104,7 +106,7 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     return SystemDescription(
         title=title(source),
         about=plain(str(source.data.get("about") or "")).strip(),
-        parameters=names.parameters,
+        parameters={name: replace(p, is_share=name in names.shares) for name, p in names.parameters.items()},
         bodies=names.bodies | {it.carrier: it.body() for it in carried},
         constraint_rows=tuple(held),
         applied_loads=tuple(applied_loads),

@@ -319,7 +319,8 @@ class QuestionSolver:
                 raise
             return self._at_the_start_alone(q, event)
         purpose, never = event.comes, NeverHappens(event.never)
-        conditions = insisted((Condition(x, relation, purpose) for x, relation in reached.conditions), never)
+        told = self.setup.state.here  # lengths that are held, by what they are at the start
+        conditions = insisted((Condition(told(x), relation, purpose) for x, relation in reached.conditions), never)
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         x, there = self._there(q, reached)
         if has_integrals(x):

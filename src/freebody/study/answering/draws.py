@@ -177,6 +177,8 @@ def draw_parameters(system: System, rng: random.Random, spread: float, *, length
             values[p.name] = p.value * math.exp(spread * rng.uniform(-0.7, 0.7))
             if p.value == 0 and spread and p.sign != "positive":
                 values[p.name] = spread * rng.uniform(0.2, 1.0)
+        if p.is_share and values.get(p.name, 0.0) > 1.0:
+            values[p.name] = 1.0 / values[p.name]
     return values
 
 

@@ -10,6 +10,7 @@ from freebody.model.elements import Parameter
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
+from freebody.tolerances import ROUND_OFF
 
 _ARCS = {  # the ranges of their values, in half turns
     "asin": (Fraction(-1, 2), Fraction(1, 2)),
@@ -29,6 +30,8 @@ def domain_of(parameter: Parameter, value: Ratio) -> list[Condition]:
     if parameter.acute:
         below = above(value.field.pi / 2 - value)
         found.append(Condition(below, ">", Message("{name} is less than a right angle", name=name)))
+    if parameter.is_share:
+        found.append(Condition(1 - value, ">=", Message("{name} is at most 1", name=name)))
     return found
 
 
@@ -72,6 +75,8 @@ def for_every(parameter: Parameter) -> str:
     name = parameter.name
     if parameter.acute:
         return Message("that is so for every acute angle {name}", name=name)
+    if parameter.is_share:
+        return Message("that is so for every value of {name} up to 1", name=name)
     if parameter.sign == "positive":
         return Message("that is so for every positive value of {name}", name=name)
     return Message("that is so for every value of {name}", name=name)
@@ -79,5 +84,7 @@ def for_every(parameter: Parameter) -> str:
 
 def is_within(parameter: Parameter, number: float) -> bool:
     if parameter.acute and not 0.0 < number < math.pi / 2:
+        return False
+    if parameter.is_share and number > 1.0 + ROUND_OFF:
         return False
     return number > 0.0 or (number == 0.0 and parameter.sign == "nonnegative") or parameter.sign == "any"

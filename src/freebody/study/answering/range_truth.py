@@ -155,7 +155,8 @@ class TruthInNumbers:
 
     def domain(self) -> tuple[float, float]:
         low = -math.inf if self.parameter.sign == "any" else 0.0
-        return (0.0, math.pi / 2) if self.parameter.acute else (low, math.inf)
+        high = math.pi / 2 if self.parameter.acute else 1.0 if self.parameter.is_share else math.inf
+        return (0.0 if self.parameter.acute else low, high)
 
     def places_between(self, a: float, b: float) -> list[float]:
         if math.isfinite(a) and math.isfinite(b):

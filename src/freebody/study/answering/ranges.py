@@ -347,6 +347,8 @@ class RangeSearch(TruthInNumbers):
             return Message("there is no least value: it is so for all small ones")
         if self.parameter.acute:
             return Message("there is no largest value: it is so for all acute angles up to 90°")
+        if self.parameter.is_share:
+            return Message("there is no largest value: it is so for all up to 1")
         return Message("there is no largest value: it is so for all large ones")
 
     def _told(self, interval: Interval) -> str:

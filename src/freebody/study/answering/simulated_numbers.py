@@ -166,9 +166,9 @@ def _refuse_without_direction(system: System, now: SimulatedInstant) -> None:
                 raise CannotAnswer(NO_DIRECTION)
 
 
-def farthest(system: System, of: Measure | Quantity, side: int) -> tuple[float, float]:
-    """How far a measure gets on one side in a simulated motion, and until when that was followed: a minute, or to where
-    the motion cannot be followed further."""
+def farthest(system: System, of: Measure | Quantity, side: int) -> tuple[float, float, float]:
+    """How far a measure gets on one side in a simulated motion, until when that was followed: a minute, or to where
+    the motion cannot be followed further, and how large it becomes."""
     simulator = Simulator(system)
     options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
     course = simulator.run(LONGEST, options, outputs=np.linspace(0.0, LONGEST, _N_SEEN))
@@ -179,4 +179,4 @@ def farthest(system: System, of: Measure | Quantity, side: int) -> tuple[float, 
         seen = np.array([float(value_in_mode(of, system, held, now)) for now in instants])
     else:
         seen = observed(motion, {"it": of})["it"][0]
-    return side * float((side * seen).max()), float(course.times[-1])
+    return side * float((side * seen).max()), float(course.times[-1]), float(np.abs(seen).max())

@@ -154,6 +154,9 @@ class _Search:
             low, high = (0.0, math.pi / 2) if p.acute else (0.0 if p.sign != "any" else -math.pi, math.pi)
             yield from pairwise(low + (high - low) * k / _PARTS for k in range(_PARTS + 1))
             return
+        if p.is_share:
+            yield from pairwise(k / _PARTS for k in range(_PARTS + 1))
+            return
         size = abs(p.value or 1.0) * math.sqrt(1.1)  # seldom a solution itself
         steps = range(-_DECADES * _PER_DECADE, _DECADES * _PER_DECADE + 1)
         ends = [size * 10.0 ** (k / _PER_DECADE) for k in steps]

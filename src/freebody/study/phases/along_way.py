@@ -85,11 +85,14 @@ class EnergyRoad:
         shifts = (0,) if turn is None else (0, turn, -turn)
         listed = [place + shift if shift else place for shift in shifts for place in places]
         found = [(place, self.sets.evaluate(self.model, place)) for place in listed]
+        begins_at_one = self.model.field.follow(of, {self.c.index: self.start}).is_zero()
         for _place, at in found:
-            near = np.abs(at - self.q0) < _CLOSE * self._size(at)
+            apart = np.abs(at - self.q0) / self._size(at)
+            near = apart < _CLOSE
             own = self.mine[: self.sets.n_near]  # of other sets it says nothing
             if not near[: self.sets.n_near][own].all():  # else it is the start, however it is written
-                self.too_near |= near
+                # a root and its sign: the start is one branch at some sets, the other one at others
+                self.too_near |= near & (apart > _HERE) if begins_at_one else near
         return found
 
     def _size(self, at: Array) -> Array:

@@ -40,6 +40,10 @@ from freebody.symbolic.spatial.balls import looks_at_axes
 from freebody.symbolic.validity import texts, validity
 
 _FARTHER = 1e-6  # of the size: what is more than how exactly a simulation is seen
+NOT_UNTIL = Message(
+    "how far it gets up to a change of its contacts is found only where it gets no farther later on; ask for the value "
+    "at that change, or where its rate is 0"
+)
 
 
 def answer(tree: PhaseTree, question: Question) -> Answer:
@@ -58,7 +62,7 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
             )
     wanted = question.quantity.wanted
     behind = wanted is not None and wanted.of.turn is not None and is_behind_an_impact(question)
-    if wanted is not None and (wanted.of.is_of_state or behind):
+    if wanted is not None and (wanted.of.is_of_state or wanted.of.is_of_answers or behind):
         from freebody.study.phases import turned_round
 
         return turned_round.answer(tree, question, wanted)
@@ -87,27 +91,35 @@ def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     behind = is_behind_an_impact(question)
     question, rate, found = first_turns(tree, question)
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
-    is_plain = question.event is None and question.transition is None
-    if own is None and is_plain and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
-        answer = _at_start_of_way(tree, replace(question, quantity=of, at_start=True), side * rate)
-        return _no_farther(tree, answer, event, side)
+    is_whole = question.event is None and question.transition is None
+    is_ended = question.transition is not None and not behind  # the way up to a change of a contact is meant
+    if own is None and (is_whole or is_ended) and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
+        begun = replace(question, quantity=of, at_start=True, transition=None)
+        return _no_farther(tree, _at_start_of_way(tree, begun, side * rate), event, side, is_ended=is_ended)
     if own is None:
-        raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
+        raise CannotAnswer(
+            NOT_UNTIL if is_ended else Message("no turn on that side was found among the phases of the motion")
+        )
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
     answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
-    return answer if behind else _no_farther(tree, answer, event, side)
+    return answer if behind else _no_farther(tree, answer, event, side, is_ended=is_ended)
 
 
-def _no_farther(tree: PhaseTree, answer: Answer, event: QuestionEvent, side: int) -> Answer:
-    """The farthest of the way so far, where a simulation gets no farther later. Raises CannotAnswer where it does."""
+def _no_farther(tree: PhaseTree, answer: Answer, event: QuestionEvent, side: int, *, is_ended: bool) -> Answer:
+    """The farthest of the way so far, where a simulation gets no farther later. Raises CannotAnswer where it does.
+    is_ended: where only the way up to a change of a contact is meant."""
     value = answer.value
     if not isinstance(value, float):
         return replace(answer, notes=(*answer.notes, Message("whether it gets farther later was not looked at")))
     of = event.quantity if isinstance(event, Peak) else event.measure
-    reached, until = farthest(tree.system, of, side)
-    if side * (reached - value) > _FARTHER * max(abs(reached), abs(value)):
+    reached, until, size = farthest(tree.system, of, side)
+    if side * (reached - value) > _FARTHER * max(size, abs(value)):
         raise CannotAnswer(
-            Message("it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=until, value=reached)
+            NOT_UNTIL
+            if is_ended
+            else Message(
+                "it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=until, value=reached
+            )
         )
     note = Message("in a simulation of {t:.3g} s it gets no farther later on", t=until)
     return replace(answer, notes=(*answer.notes, note))

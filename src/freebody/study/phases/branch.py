@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import Elements
 from freebody.study.phases.changes_asked import is_before_impact
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
-from freebody.study.phases.numbers import Chosen
+from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.passage import passage_of
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import happening, label
-from freebody.symbolic.conditions import Condition
+from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.energy_motion import EnergyMotion
+from freebody.symbolic.validity import TAKEN
 
 
 @dataclass
@@ -49,6 +53,28 @@ class AnswerBranch:
         return self.first is None and self.time is not None
 
 
+@contextmanager
+def signs_taken(tree: PhaseTree, phase: Phase) -> Generator[list[Condition]]:
+    """What the values that are found inside need: the speed behind an impact is the velocity or its opposite, by the
+    sign that this has at the model's own numbers."""
+    needed = list[Condition]()
+    with phase.model.samples.taking() as own, tree.home.model.samples.taking() as there:
+        yield needed
+    for phase_or_home, taken in ((phase, own), (None, there)):
+        for x in taken:
+            with suppress(CannotAnswer):
+                known = x if phase_or_home is None else tree.to_home(phase_or_home, x)
+                condition, _possible = require(known, ">=", TAKEN)
+                needed += [] if condition is None or condition in needed else [condition]
+
+
+def where_so(tree: PhaseTree, conditions: Sequence[Condition], sets: Chosen) -> Chosen:
+    """Those of some parameter sets at which conditions hold."""
+    for c in conditions:
+        sets = sets[holds(c, tree.numbers(c.element))[sets]]
+    return sets
+
+
 def branch_at(
     tree: PhaseTree,
     question: Question,
@@ -77,8 +103,10 @@ def branch_at(
         )
     elif first.watch.kind == "is reached" and any(other.kind == STRIKES for other in first.together):
         notes.append(Message("just before the blow, which comes at the same instant"))
-    value = question.quantity.counted(passage_of(tree, way, time, sets, first, after))
-    return AnswerBranch(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
+    with signs_taken(tree, (way.last if after is None else after).phase) as taken:
+        value = question.quantity.counted(passage_of(tree, way, time, sets, first, after))
+    needed, sets = [*way.conditions, *conditions, *taken], where_so(tree, taken, sets)
+    return AnswerBranch(value, True, list(way.nodes), first, needed, sets, time, notes, after)
 
 
 def _collides(tree: PhaseTree, watch: PhaseWatch) -> bool:

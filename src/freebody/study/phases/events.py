@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.study.phases.along_time import by_laws, in_time
 from freebody.study.phases.along_way import EnergyRoad
@@ -40,6 +41,8 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
     if found.too_near is not None:
         indices = np.setdiff1d(indices, np.flatnonzero(found.too_near))
         sets.left_out |= found.too_near
+        if not indices.size:
+            raise CannotAnswer(Message("at no values of the parameters can what ends it be told from its beginning"))
     candidates = found.candidates
     labels = np.full(sets.n, NOTHING)
     if candidates:

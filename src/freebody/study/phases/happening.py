@@ -50,7 +50,7 @@ def happening_cases(tree: PhaseTree, happening: Happening) -> list[HappeningCase
         )
         raise CannotAnswer(told)
     roots = [WayToPhase((node,), (), (*tree.assumed, *node.conditions)) for node in tree.roots]
-    found = [case for way in roots for case in _Walk(tree, happening).cases(way)]
+    found = [case for way in roots for case in _Walk.begun(tree, happening, way.last).cases(way)]
     if happening.is_so:
         return found
     found = [replace(case, is_so=None if case.is_so is None else not case.is_so) for case in found]
@@ -78,11 +78,33 @@ _Ends = Iterator[tuple[PhaseWatch | PhaseEnd | None, list[Condition], Chosen]]
 
 
 class _Walk:
-    """From the start along all ways."""
+    """From the start along all ways. counted: of what is asked for, that which was counted as it happened at the
+    start."""
 
-    def __init__(self, tree: PhaseTree, happening: Happening) -> None:
-        self.tree, self.what, self.before = tree, happening.what, happening.before
+    def __init__(self, tree: PhaseTree, happening: Happening, counted: Sequence[Transition] = ()) -> None:
+        self.tree, self.happening, self.counted = tree, happening, tuple(counted)
+        self.what, self.before = happening.what, happening.before
         self.at_once = happening.at_once
+
+    @classmethod
+    def begun(cls, tree: PhaseTree, happening: Happening, node: PhaseNode) -> _Walk:
+        """From a first phase on: the second impact is the next one where the motion begins with an impact."""
+        walk = cls(tree, happening)
+        for asked in (happening.what, happening.before):
+            if isinstance(asked, Transition) and asked.count > 1 and begins_with(tree, asked, node):
+                walk = walk._past(asked)
+                walk.counted = (*walk.counted, replace(asked, count=asked.count - 1))
+        return walk
+
+    def _past(self, asked: Transition) -> _Walk:
+        """The same behind one of several impacts that are counted."""
+        later = replace(asked, count=asked.count - 1)
+        what = later if asked is self.what else self.what
+        before = later if asked is self.before else self.before
+        return _Walk(self.tree, replace(self.happening, what=what, before=before), self.counted)
+
+    def _begins(self, asked: Transition, node: PhaseNode) -> bool:
+        return asked.count == 1 and asked not in self.counted and bool(begins_with(self.tree, asked, node))
 
     def cases(self, way: WayToPhase) -> Iterator[HappeningCase]:
         """Those of the ways that go on from here."""
@@ -116,10 +138,10 @@ class _Walk:
         if not is_first:
             return None
         if isinstance(self.what, Transition):
-            begins = bool(begins_with(self.tree, self.what, node)) or self._rolls_at_once(node)
+            begins = self._begins(self.what, node) or self._rolls_at_once(node)
             if begins or self.at_once:
                 return begins
-        if isinstance(self.before, Transition) and begins_with(self.tree, self.before, node):
+        if isinstance(self.before, Transition) and self._begins(self.before, node):
             return isinstance(self.what, Lasting)
         return None
 
@@ -183,10 +205,13 @@ class _Walk:
     def _behind(self, way: WayToPhase, edge: PhaseEnd, sets: Chosen) -> Iterator[HappeningCase]:
         """What a phase ends by is asked for, or other phases follow."""
         assert edge.first is not None
+        walk = self
         for asked, is_so in ((self.what, True), (self.before, isinstance(self.what, Lasting))):
             if isinstance(asked, Transition) and asked.kind != "rolls" and meant_of(asked, edge.first):
-                yield HappeningCase(is_so, way.conditions)
-                return
+                if asked.count == 1:
+                    yield HappeningCase(is_so, way.conditions)
+                    return
+                walk = walk._past(asked)
         for node in edge.nodes:
             own = np.intersect1d(sets, node.sets)
             if not len(own):
@@ -198,7 +223,7 @@ class _Walk:
                 if isinstance(asked, Transition) and event_behind(asked, edge.first, node):
                     known = is_so
             if known is None:
-                yield from self.cases(there)
+                yield from walk.cases(there)
             else:
                 yield HappeningCase(known, there.conditions)
         if not edge.nodes:

@@ -187,6 +187,9 @@ class _Seen:
                     for c in record.collisions
                     if any(not asked.of or n.partition(".")[0] in asked.of for n in c.before)
                 ]
+                if asked.count > 1:
+                    times = sorted({*hits})
+                    return times[asked.count - 1] if len(times) >= asked.count else np.inf
                 return min([self._first(closed[:, k] & ~closed[0, k]) for k in range(len(own))] + hits, default=np.inf)
             closed[0] |= [record.bounds[k] in self.places for k in own]
             was = np.maximum.accumulate(closed, axis=0)

@@ -75,11 +75,6 @@ def coefficients_of_friction(system: System) -> tuple[str, ...]:
     return tuple(n for n, p in system.parameters.items() if n in used and p.dimension == DIMENSIONLESS)
 
 
-def coefficients_of_restitution(system: System) -> set[str]:
-    """Parameters that are coefficients of restitution."""
-    return {str(getattr(bound.restitution, "name", "")) for bound in system.bounds} & system.parameters.keys()
-
-
 def _far(p: Parameter, center: float, share: Array, width: Array) -> Array:
     """Values over up to five decades; angles no farther than they are drawn near. share: from -1 to 1."""
     if p.acute:
@@ -102,7 +97,7 @@ class Sets:
 
     def __init__(self, system: System, n: int = N_SETS, n_wide: int = N_WIDE) -> None:
         rng = np.random.default_rng(_SEED)
-        friction, restitution = set(coefficients_of_friction(system)), coefficients_of_restitution(system)
+        friction = set(coefficients_of_friction(system))
         self.values: dict[str, Array] = {}
         width = np.random.default_rng(_SEED + 1).uniform(0.0, _WIDEST, n_wide)
         wide = np.random.default_rng(_SEED + 2)
@@ -114,7 +109,7 @@ class Sets:
                 drawn = rng.uniform(0.03, math.pi / 2 - 0.03, n)
             elif p.name in friction:
                 drawn = rng.uniform(0.0, _MOST_FRICTION, n)
-            elif p.name in restitution:
+            elif p.is_share:
                 drawn = rng.uniform(0.02, 0.98, n)
             else:
                 drawn = (center or 1.0) * np.exp(rng.uniform(-_SPREAD, _SPREAD, n))
@@ -127,7 +122,7 @@ class Sets:
             share = wide.uniform(-1.0, 1.0, n_wide)
             if p.name in friction:
                 far = 10.0 ** (2.0 * share - 1.0)
-            elif p.name in restitution:
+            elif p.is_share:
                 far = 0.5 + 0.499 * share
             else:
                 far = _far(p, center, share, width) * (wide.choice((-1.0, 1.0), n_wide) if p.sign == "any" else 1.0)

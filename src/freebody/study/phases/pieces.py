@@ -20,7 +20,7 @@ from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, NotHere, why
 from freebody.study.phases.bouncing import ends_of_bouncing
-from freebody.study.phases.branch import AnswerBranch, branch_at, just_after, time_of
+from freebody.study.phases.branch import AnswerBranch, branch_at, just_after, signs_taken, time_of, where_so
 from freebody.study.phases.changes_asked import (
     begins_with,
     event_behind,
@@ -240,8 +240,11 @@ def _beside_start(tree: PhaseTree, question: Question, asked: Transition, way: W
     """Where the motion begins with an impact."""
     node, zero = way.last, tree.home.model.field.zero
     assert node.impact is not None
+    conditions, sets = list(way.conditions), node.sets
     if asked.kind == "after":
-        value, note = question.quantity.counted(passage_of(tree, way, zero, node.sets)), just_after(node)
+        with signs_taken(tree, node.phase) as taken:
+            value, note = question.quantity.counted(passage_of(tree, way, zero, node.sets)), just_after(node)
+        conditions, sets = [*conditions, *taken], where_so(tree, taken, sets)
     else:
         before = node.impact.before
         found = value_in_mode(question.quantity, tree.system, before.setup.system, before.now)
@@ -249,7 +252,7 @@ def _beside_start(tree: PhaseTree, question: Question, asked: Transition, way: W
         homes = tuple(tree.to_home(before.setup, before.setup.model.field.element(x)) for x in parts)
         value = homes if isinstance(found, tuple) else homes[0]
         note = Message("just before: {event}", event=node.impact.words)
-    return AnswerBranch(value, True, [node], None, list(way.conditions), node.sets, zero, [note])
+    return AnswerBranch(value, True, [node], None, conditions, sets, zero, [note])
 
 
 def ways_behind(ways: list[WayToPhase], asked: Transition) -> Iterator[WayToPhase]:
@@ -308,18 +311,11 @@ def _of_blow(
     first: FirstEvent | None,
 ) -> Iterator[AnswerBranch]:
     phase, state = node.phase, after_in_formulas(tree, node, way.nodes[0])
-    samples, sets = phase.model.samples, node.sets
-    before, samples.assumed = samples.assumed, []
-    try:
+    with signs_taken(tree, phase) as taken:
         found = value_in_mode(question.quantity, tree.system, phase.system, cast("Any", state))
-    finally:
-        taken, samples.assumed = samples.assumed, before
-    for x in taken:  # the sign of what a magnitude is of
-        home = tree.to_home(phase, x)
-        sets = sets[tree.numbers(home)[sets] > 0]
-        conditions = [*conditions, Condition(home, ">", TAKEN)]
-    parts = cast("tuple[Any, ...]", found) if isinstance(found, tuple) else (found,)
-    homes = tuple(tree.to_home(phase, phase.model.field.element(x)) for x in parts)
+        parts = cast("tuple[Any, ...]", found) if isinstance(found, tuple) else (found,)
+        homes = tuple(tree.to_home(phase, phase.model.field.element(x)) for x in parts)
+    conditions, sets = [*conditions, *taken], where_so(tree, taken, node.sets)
     value: Elements = homes if isinstance(found, tuple) else homes[0]
     assert node.impact is not None
     notes: list[str] = [Message("in: {event}", event=node.impact.words)]
@@ -331,6 +327,7 @@ def _of_blow(
 
 def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str) -> AnswerBranch:
     zero = tree.home.model.field.zero
+    conditions, sets = list(way.conditions), way.last.sets
     notes, is_given = [why], way.last.impact is None or is_before_impact(question)
     if not is_given:
         notes.append(just_after(way.last))
@@ -343,8 +340,10 @@ def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str
         else:
             value = f.lowest_terms(f.element(given))
     else:
-        value = question.quantity.counted(passage_of(tree, way, zero, way.last.sets))
-    return AnswerBranch(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
+        with signs_taken(tree, way.last.phase) as taken:
+            value = question.quantity.counted(passage_of(tree, way, zero, way.last.sets))
+        conditions, sets = [*conditions, *taken], where_so(tree, taken, sets)
+    return AnswerBranch(value, True, [way.last], None, conditions, sets, zero, notes)
 
 
 # -- a measure reaches a value ----------------------------------------------------------------

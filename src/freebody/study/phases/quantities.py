@@ -13,6 +13,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ONE
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.measures.combination import is_of_turning
 from freebody.measures.geometry import Direction
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.state import State
@@ -217,10 +218,12 @@ def _resultant(
         for measure, size in pushes:
             force = tuple(f + g * size for f, g in zip(force, state.gradient(measure, body), strict=False))
         return component(force, quantity.along, quantity.size, state, quantity.basis)
-    fx, fy = _zero(state), _zero(state)
+    fx, fy, couple = _zero(state), _zero(state), _zero(state)
     for measure, size in pushes:
-        gx, gy, _g = state.gradient(measure, body)
-        fx, fy = fx + gx * size, fy + gy * size
+        gx, gy, g = state.gradient(measure, body)
+        fx, fy, couple = fx + gx * size, fy + gy * size, couple + g * size
+    if quantity.moment:
+        return state.sqrt(couple * couple) if quantity.size else couple
     if quantity.size:
         return state.sqrt(fx * fx + fy * fy)
     if quantity.along is None:
@@ -231,8 +234,9 @@ def _resultant(
 
 def _pushed(quantity: Wrench, base: System) -> str:
     """The body on which the force of a contact is asked: the one named, else the first that moves. Raises CannotAnswer
-    where its moment is asked."""
-    if quantity.moment:
+    where its moment is asked and it is no couple."""
+    pushed = [row.measure for row in base.rows if row.connection == quantity.connection]
+    if quantity.moment and (base.space or not all(map(is_of_turning, pushed))):
         raise CannotAnswer(
             Message("the moment of a contact is asked by its forces; ask for its normal and friction force")
         )

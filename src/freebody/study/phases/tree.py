@@ -17,6 +17,9 @@ from freebody.budgets import allowed
 from freebody.language.expression import n_operations
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import UnilateralConstraint
+from freebody.questions.at_events import AtEvent
+from freebody.questions.course import Transition
+from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.blown import after_blow
@@ -451,8 +454,14 @@ def _has_too_long(conditions: Sequence[Condition]) -> bool:
 def tree_of(system: System, question: Question | None = None) -> PhaseTree:
     """The tree of a system, made once for all that is asked of it, but for what comes after many impacts. Raises
     CannotAnswer where there is none."""
-    asked = None if question is None else question.transition
-    return _tree(system, allowed(_EFFORT), MAX_IMPACTS if asked is None else max(MAX_IMPACTS, asked.count))
+    asked = list[object]()
+    if question is not None:
+        wanted = question.quantity.wanted
+        of = None if wanted is None else wanted.of
+        asked = [question.transition, *((of.what, of.before) if isinstance(of, Happening) else ())]
+        asked += [] if of is None else [q.transition for q in of.inner if isinstance(q, AtEvent)]
+    counts = [one.count for one in asked if isinstance(one, Transition)]
+    return _tree(system, allowed(_EFFORT), max([MAX_IMPACTS, *counts]))
 
 
 @lru_cache(maxsize=4)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import ZERO
 from freebody.language.sentences import Message
+from freebody.numeric.instant import WithoutInertia
 from freebody.questions.base import Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.motion import Staying
@@ -16,7 +18,9 @@ from freebody.questions.reading import Question
 from freebody.questions.turned_round import RangeFor
 from freebody.study.answering.answer import Answer, Evidence, Value
 from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula
+from freebody.study.answering.of_answers import found_of, questions_in
 from freebody.study.answering.of_parameter import solved_for
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.turned_round import first_found
@@ -27,6 +31,8 @@ from freebody.study.phases.happening import happening_cases
 from freebody.study.phases.happening_seen import is_seen
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import PhaseTree
+from freebody.study.settled import start_mode
+from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.system.system import System
 
@@ -45,9 +51,12 @@ def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
     asked = replace(question, quantity=quantity.of, options={}, key=None)
 
     def attempt(system: System) -> Answer:
-        there = tree if system is tree.system else PhaseTree(system)
-        told, is_whole = _formulas(there, asked, quantity) if quantity.of.turn is None else _turns(there, asked)
-        found = solved_for(there.home, question, _at_the_start(there, asked, told))
+        there = tree if system is tree.system else PhaseTree(system, tree.most_impacts)
+        if quantity.of.is_of_answers:
+            found, is_whole = solved_for(there.home, question, _calculated(there, asked, quantity)), True
+        else:
+            told, is_whole = _told(there, asked, quantity)
+            found = solved_for(there.home, question, _at_the_start(there, asked, told))
         if not is_whole:
             found.notes.append(Message("cases in which it changes along the motion are left out"))
         return QuestionSolver(there.home, question).finish(found)
@@ -74,6 +83,33 @@ def _formulas(tree: PhaseTree, asked: Question, quantity: Wanted) -> tuple[list[
     if untold and (not found or quantity.relation != "="):
         raise untold[0]
     return found, not untold
+
+
+def _told(tree: PhaseTree, asked: Question, quantity: Wanted) -> tuple[list[tuple[AnswerBranch, Formula]], bool]:
+    return _formulas(tree, asked, quantity) if asked.quantity.turn is None else _turns(tree, asked)
+
+
+def _calculated(tree: PhaseTree, asked: Question, quantity: Wanted) -> list[Formula]:
+    """The formulas of what is calculated from quantities at several events, each of them in each of its cases."""
+    parts = questions_in(asked)
+    cases = [[formula for _piece, formula in _told(tree, part, quantity)[0]] for part in parts]
+    found = list[Formula]()
+    untold = list[CannotAnswer]()
+    for chosen in product(*cases):
+        by_part = {part.id: formula for part, formula in zip(parts, chosen, strict=True)}
+        try:
+            one = found_of(tree.home, asked, lambda part, by_part=by_part: _as_found(by_part[part.id]))
+        except CannotAnswer as error:  # a case that is too rare to be compared
+            untold.append(error)
+            continue
+        found.append(Formula(one.element, one.conditions, lambda one=one: one.evidence, is_put_back=False))
+    if not found:
+        raise untold[0]
+    return found
+
+
+def _as_found(formula: Formula) -> tuple[Finding, list[Condition]]:
+    return Finding(formula.element, formula.evidence()), list(formula.needed)
 
 
 def _turns(tree: PhaseTree, asked: Question) -> tuple[list[tuple[AnswerBranch, Formula]], bool]:
@@ -109,6 +145,20 @@ def _of_happening(tree: PhaseTree, question: Question, happening: Happening) -> 
             )
         )
     return QuestionSolver(tree.home, question).finish(found)
+
+
+def _is_light(system: System) -> bool:
+    """Whether something without inertia is held by contacts alone: a lever that brakes. It has formulas while they hold
+    it, and is not followed in numbers."""
+    if not system.has_values:
+        return False
+    try:
+        start_mode(system)
+    except WithoutInertia:
+        return True
+    except CannotAnswer:
+        return False
+    return False
 
 
 def _no_evidence() -> Evidence:
@@ -147,6 +197,6 @@ def _formula(tree: PhaseTree, asked: Question, piece: AnswerBranch) -> Formula:
         return number_with_changes(system, asked)
 
     conditions = [*piece.conditions, *needs]
-    if asked.transition is not None or piece.in_blow:
+    if asked.transition is not None or piece.in_blow or _is_light(tree.system):
         return Formula(value, conditions, lambda: compare(tree, asked, piece), is_put_back=False)
     return Formula(value, conditions, lambda: compare(tree, asked, piece), in_numbers)
