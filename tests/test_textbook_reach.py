@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from freebody.errors import ModelError
 from freebody.language.expression import Expr
 from freebody.language.notation import to_text
-
-
-from freebody.errors import ModelError
 from posed import is_formula, posed
 
 MAN_ON_A_BOAT = """
@@ -123,8 +121,7 @@ loads:
   outwards: {law: {measure: x, force: m*Omega^2*x}}
 measures: {theta: angle of crank clockwise, x: x of ball, h: height of crank.roller}
 start: {theta: 0}
-
-
+"""
 BLOCK_FALLS_BACK = """
 parameters: {m: 50 kg, b: 0.4 m, h: 1.2 m, phi0: 10 deg, e: 0.3, g: 9.81 m/s^2}
 ground: {points: {H: [0, 0]}}
@@ -192,14 +189,6 @@ measures: {y: height of rod}
     [
         # the momentum stays zero: m (s + x) + M x = 0
         (MAN_ON_A_BOAT, "displacement of the boat when s = L", "-m*L/(m + M)"),
-        # the lever gives N = P b/a; (mu N - m g) d = (m + I/R^2) v0^2/2
-        (
-            WEIGHT_BRAKED_BY_A_LEVER,
-            "value of P for which y when rate(y) = 0 is d",
-            "a/(mu*b)*(m*g + (m + I/R^2)*v0^2/(2*d))",
-        ),
-        # v^2 sin(alpha)^2/(2 g) = 2 v^2 sin(alpha) cos(alpha)/g
-        (THROW, "value of alpha for which greatest y = x when y = 0", "atan(4)"),
         # moments about A give the roller, 2 a N = W a + H h; then joint B
         (TRUSS, "force in AB", "W*a/(2*h) + H/2"),
         (TRUSS, "value of H for which force in AC = 0", "W*a/h"),
@@ -226,8 +215,14 @@ measures: {y: height of rod}
         (ROTOR_RIDE, "normal force of wall at start", "m*R*Omega^2"),
         (ROOT_OF_THE_SPEED, "time when wheel comes to rest", "2*J*sqrt(w0)/c"),
         (ROOT_OF_THE_SPEED, "number of revolutions until it comes to rest", "J*w0*sqrt(w0)/(3*pi*c)"),
-
-
+        # the lever gives N = P b/a; (mu N - m g) d = (m + I/R^2) v0^2/2
+        (
+            WEIGHT_BRAKED_BY_A_LEVER,
+            "value of P for which y when rate(y) = 0 is d",
+            "a/(mu*b)*(m*g + (m + I/R^2)*v0^2/(2*d))",
+        ),
+        # v^2 sin(alpha)^2/(2 g) = 2 v^2 sin(alpha) cos(alpha)/g
+        (THROW, "value of alpha for which greatest y = x when y = 0", "atan(4)"),
         # it turns about the edge with m (b^2 + h^2)/3, and falls back where b > h tan(phi0)
         # it falls for sqrt(2 h/g) and then flies e times as long as it would rise and fall from h
         (BALL_OVER_A_FLOOR, "range of v for which the second impact comes before x = d", "d*sqrt(g/(2*h))/(1 + 2*e)"),

@@ -43,7 +43,6 @@ from freebody.study.phases.reached import pending, sides
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.state import SymbolicState
-from freebody.symbolic.validity import TAKEN
 from freebody.system.modes import ideal_bounds
 from freebody.tolerances import ROUND_OFF
 
