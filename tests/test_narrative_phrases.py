@@ -75,6 +75,29 @@ def test_a_phrase_is_the_one_that_fits_its_own_pattern() -> None:
         assert (of.said(text, phrase.kind) or text) == phrase.text.format_map(expected), phrase
 
 
+@pytest.mark.parametrize(
+    ("understood", "in_german"),
+    [
+        (
+            "kinetic energy at start - kinetic energy when rolling begins",
+            "kinetische Energie am Anfang - kinetische Energie beim Beginn des Rollens",
+        ),
+        ("time when it stops", "Zeitpunkt: Stillstand"),
+        ("change of x until rate(x) = 0", "Änderung von x bis x' = 0"),
+        ("energy lost in the impact", "Energieverlust beim Stoß"),
+        ("speed of ball after the second impact", "Betrag der Geschwindigkeit von ball nach dem zweiten Stoß"),
+        ("|acceleration of x| at start", "|Beschleunigung von x| am Anfang"),
+        ("s when speed of crate is greatest", "s, wenn Betrag der Geschwindigkeit von crate am größten ist"),
+        (
+            "least h so that tension of track >= 0 when theta = 180 deg",
+            "kleinstes h mit Zugkraft von track ≥ 0 bei theta = 180 deg",
+        ),
+    ],
+)
+def test_how_a_question_is_understood_is_told_in_german(understood: str, in_german: str) -> None:
+    assert phrases_of("de").said(understood) == in_german
+
+
 def test_kinds_of_places_have_phrases() -> None:
     known = {*phrases_of("de").kinds, "", "name", "words", "list", "most"}
     assert {kind for p in PHRASES for _name, kind in PLACE.findall(p.english)} <= known

@@ -21,7 +21,7 @@ from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.expressed import kinds_without_entry
 from freebody.questions.spoken.inflecting import inflected
 from freebody.questions.spoken.lexicon import languages, phrases_at, spelt_out, tables
-from freebody.questions.spoken.words import respelt
+from freebody.questions.spoken.words import in_own_letters, respelt
 from freebody.system.system import System
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -596,6 +596,20 @@ def test_as_long_as_it_does_not_slip_is_a_limit() -> None:
 )
 def test_a_slip_of_the_hand_is_put_right_and_no_other_word(written: str, meant: str) -> None:
     assert respelt(written, "en", set[str]()) == meant
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("waehrend", "während"),
+        ("Hoechstgeschwindigkeit", "Höchstgeschwindigkeit"),
+        ("Kraefte", "Kräfte"),
+        ("steuert", "steuert"),
+        ("does", "does"),
+    ],
+)
+def test_letters_that_are_written_as_two_are_put_right_and_no_others(written: str, meant: str) -> None:
+    assert in_own_letters(written, "de", set[str]()) == meant
 
 
 def test_a_german_word_with_another_first_part_is_no_misspelling() -> None:

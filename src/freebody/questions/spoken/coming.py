@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, dimensions, joining, lookup
+from freebody.questions.spoken import along_lines, dimensions, joining, lookup, strings
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -76,6 +76,8 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         yield [f"{angle} = {value}" for angle in angles]  # the crank has reached 90 deg, the car is at 90 deg
     elif turns or doing == {"turn"}:
         yield [f"{angle} = {value}" for angle in joining.turned(names, who)]
+    elif doing == {"hang"}:
+        yield strings.hung_down(names, who, value) if dimensions.is_length(value, names) else []
     elif doing == {"fall"}:
         yield lookup.climbed(names, who, value, -1)
     elif doing == {"rise"}:

@@ -203,14 +203,20 @@ def lost(names: Names, sentence: Sentence) -> Groups:
 
 def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups:
     """What fraction of the energy is lost up to an event: of the kinetic energy, where there is no other."""
-    main = sentence.main
+    main = sentence.main.without("part", "initial")  # of what there is at first
+    whole_loss = Word("quantity", "energy lost")
+    main = Clause([whole_loss if w == Word("quantity", "kinetic energy lost") else w for w in main.words])
+    is_first = sentence.main.has("part", "initial") and not joining.is_struck_at_start_alone(names)
+    sentence = Sentence(main, sentence.others)
     is_lost = asked in (["energy lost"], ["kinetic energy lost"])
+    is_lost = is_lost and not (is_first and asked == ["energy lost"] and not losing.has_kinetic_energy_alone(names))
     is_all = all(lookup.is_all_that_moves(names, name) for _, name in main.names)
     blows = ("in the impact", "at the impact")
     if is_lost and not sentence.others and (main.has("instant", *blows) or losing.only_loses_in_the_blow(names)):
         if main.only("quantity", "ask", "instant", *SILENT):
             blow = "blow" if joining.is_struck_at_start_alone(names) else "impact"
-            yield [f"ratio of energy lost in the {blow} to (kinetic energy before the {blow})"]
+            whole = "kinetic energy at start" if is_first else f"(kinetic energy before the {blow})"
+            yield [f"ratio of energy lost in the {blow} to {whole}"]
         return
     if is_lost and is_all and losing.has_kinetic_energy_alone(names) and main.only("quantity", "ask", "name", *SILENT):
         for end in ends(names, sentence):

@@ -394,6 +394,11 @@ def _hangs(names: Names, who: str, other: str) -> Groups:
     yield poses.lowermost(names, who if who in names.bodies else "") if alone or who in names.bodies else []
 
 
+def _hangs_by_half(names: Names, who: str, other: str) -> Groups:
+    """Half of a chain hangs over the edge."""
+    yield strings.hung_down(names, who, "{}/2") if not other else []
+
+
 def _slackens(names: Names, who: str, other: str) -> Groups:
     who, other = (other, "") if other in names.loads and not who else (who, other)
     yield [f"{who or 'it'} goes slack"] if not other else []
@@ -440,6 +445,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("hit return", _returns),
         ("reach", _reaches),
         ("hang", _hangs),
+        ("halve hang", _hangs_by_half),
         ("vanish", _passes_zero),
         ("top", _at_top),
         ("bottom", _at_bottom),

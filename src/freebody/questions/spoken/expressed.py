@@ -89,7 +89,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         rf"level|\by\b|tension",
         "vertical": rf"vertical|\bup\b|down|along|\by\b|component|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|"
         rf"level|tension|when",
-        "initial": rf"start|initial|{_CHOICE}|\d",
+        "initial": rf"start|initial|before the blow|{_CHOICE}|\d",
         "size": r"size|\||speed|magnitude|of|greatest|largest",
         "small": r"small|frequenc|period|damp|stab|mode|decrement|swing|natural|equation|acceleration",
         "driving": r"driving|motor|torque|force|power",
@@ -110,6 +110,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "impact speed": r"velocity|speed|rate",
         "impact angle": r"angle of velocity",
         "angle of descent": r"angle of velocity",
+        "angle to the horizontal": r"angle of velocity",
         "direction of motion": r"direction of velocity",
         "common speed": r"velocity|speed|rate",
         "relative velocity": r"velocity|speed|rate",

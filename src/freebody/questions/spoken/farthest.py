@@ -74,7 +74,7 @@ def how_far(names: Names, main: Clause) -> Groups:
         and not names.struck_at_start
     ):
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
-    elif set(main.all("verb")) - {"move"} == {"slide"} and not lookup.rests(names):
+    elif set(main.all("verb")) - {"move"} == {"slide"} and (names.impulses or not lookup.rests(names)):
         if not _slips_on_what_moves(names, who):
             yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
     elif set(main.all("verb")) == {"turn"}:

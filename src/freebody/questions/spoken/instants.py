@@ -26,6 +26,7 @@ _CONTINUOUS = (
         "speed",
         "angular velocity",
         "angle of descent",
+        "angle to the horizontal",
         "direction of motion",
         "deflection",
         *lookup.STRETCHED,
@@ -41,7 +42,8 @@ _CONTINUOUS = (
 )
 _OF_WHAT_MOVES = (
     *("velocity", "speed", "angular velocity", "kinetic energy", "linear momentum", "angular momentum"),
-    *("rotational energy", "translational energy", "angle of descent", "direction of motion"),
+    *("rotational energy", "translational energy"),
+    *("direction of motion", "angle of descent", "angle to the horizontal"),
 )
 _PLACES = {
     "at the top": poses.tops,

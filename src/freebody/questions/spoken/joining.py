@@ -49,9 +49,9 @@ def is_all_that_slips(names: Names, body: str) -> bool:
     return bool(rough(names, "")) and rough(names, "") == rough(names, body)
 
 
-def drivers(names: Names, body: str) -> list[str]:
-    """Connections that say how the angle of a body against the ground goes with time."""
-    rows = [row for row in names.constraint_rows if row.reaction == "driving torque"]
+def drivers(names: Names, body: str, push: str = "driving torque") -> list[str]:
+    """Connections that say how the angle of a body, or its place (a driving force), goes with time."""
+    rows = [row for row in names.constraint_rows if row.reaction == push]
     return [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == {body}]
 
 

@@ -34,12 +34,13 @@ _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?\w+ (?:for|s
 _STATES = ("move", "slide", "slip", "rest", "stay", "hold", "tip", "stand", "stick", "start")  # of the whole, too
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
+_OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 
 def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether each name and each number of what was asked stands in words of the grammar, and its kind and way."""
-    if dropped(words, text) or not is_accounted_for(names, words, text):
+    if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(
         load.load == found[1] and free_symbols(load.law) <= names.parameters.keys() for load in names.applied_loads

@@ -323,6 +323,19 @@ def umlauts(language: str) -> dict[str, str]:
 
 
 @cache
+def digraphs(language: str) -> dict[str, str]:
+    """Pairs of letters that are written for a letter of the language: ae for ä."""
+    return dict(_file(language).get("endings", {}).get("digraphs", {}))
+
+
+@cache
+def ruled(language: str) -> frozenset[str]:
+    """The words that rules of spelling know."""
+    rules = cast("list[list[str]]", _file(language)["spelling"]["rules"])
+    return frozenset(word.lower() for rule in rules for word in re.findall(r"[^\W\d_]+", rule[0]))
+
+
+@cache
 def plurals(language: str) -> tuple[tuple[str, str], ...]:
     """The endings of plurals of quantities, and what stands in their place in the singular."""
     return tuple(dict(_file(language).get("endings", {}).get("quantities", {})).items())

@@ -247,18 +247,20 @@ def _farthest(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, next(iter(of), ""))]
 
 
-@said_of("angle of descent", "direction of motion")
+_HEADINGS = {
+    "angle of descent": "angle of velocity of {} below the horizontal",
+    "angle to the horizontal": "angle of velocity of {} to the horizontal",
+    "direction of motion": "direction of velocity of {}",
+}
+
+
+@said_of(*_HEADINGS)
 def _heading(names: Names, quantity: str, rest: Clause) -> Groups:
     """Where the velocity of a body points; below the horizontal, where it comes down."""
     of = [name for _, name in rest.names if name in lookup.massive(names)]
     if rest.only("name", *SILENT) and len(of) == len(rest.names) <= 1:
         bodies = of or lookup.massive(names)
-        form = (
-            "angle of velocity of {} below the horizontal"
-            if quantity == "angle of descent"
-            else "direction of velocity of {}"
-        )
-        yield [form.format(body) for body in bodies]
+        yield [_HEADINGS[quantity].format(body) for body in bodies]
 
 
 @said_of("bounce height")

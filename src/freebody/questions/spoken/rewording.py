@@ -235,15 +235,19 @@ def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}
     words = _as_driven(names, words)
     k = words.index(_TO) if _TO in words else 0
-    goes = words[k + 1 : k + 2] and words[k + 1].kind == "verb" and words[k + 1].what in ("move", "turn", "exert")
-    who = words[k + 2 : k + 3]
-    if not goes or not who or words[0].what not in kinds:
+    asked = [word for word in words[:k] if word.kind not in ("filler", "ask")]
+    behind = [word for word in words[k + 1 :] if word.kind != "filler" and word != Word("preposition", "to")]
+    said, rest = behind[:2], behind[2:]  # to move the trolley; um die Katze zu bewegen
+    goes = [word.what for word in said if word.kind == "verb" and word.what in ("move", "turn", "exert")]
+    who = [word.what for word in said if word.kind == "name"]
+    if not goes or not who or not asked or asked[0].what not in kinds:
         return words
-    thing = who[0].what
-    driven = [body for body in (thing, *joining.joined_by(names, thing)) if joining.drivers(names, body)]
+    push = kinds[asked[0].what]
+    driven = [body for body in (who[0], *joining.joined_by(names, who[0])) if joining.drivers(names, body, push)]
     if not driven:
         return words
-    return [Word("quantity", kinds[words[0].what]), *words[1:k], Word("name", driven[0]), *words[k + 3 :]]
+    thing = driven[0] if push == "driving torque" else joining.drivers(names, driven[0], push)[0]
+    return [Word("quantity", push), *asked[1:], Word("name", thing), *rest]
 
 
 def at_driven_joint(names: Names, words: list[Word], modal: set[str]) -> list[Word]:

@@ -32,6 +32,11 @@ def hanging(names: Names) -> frozenset[str]:
 
 def run_off(names: Names, of: str) -> list[str]:
     """The condition that a rope with mass has left its drum, or the edge that it runs over: all of it hangs."""
+    return hung_down(names, of, "{}")
+
+
+def hung_down(names: Names, of: str, length: str) -> list[str]:
+    """The condition that a length of a rope with mass hangs from its drum, or over an edge: {} is all of it."""
     found: list[str] = []
     for name, spec in names.connections.items():
         given = given_of(spec)
@@ -39,8 +44,9 @@ def run_off(names: Names, of: str) -> list[str]:
         n_places = (len(cast("list[object]", over)) if isinstance(over, list) else 0) + (drum is not None)
         is_free = rope in names.bodies and n_places == 1 and given.get("start") is None
         if is_free and of in ("", rope, name):
-            length = to_python(names.bodies[rope].sizes[0]).replace("**", "^")
-            found += [f"{way} = {length}" for way in lookup.places(names, rope)]
+            whole = to_python(names.bodies[rope].sizes[0]).replace("**", "^")
+            whole = whole if whole.isidentifier() or length == "{}" else f"({whole})"
+            found += [f"{way} = {length.format(whole)}" for way in lookup.places(names, rope)]
     return found
 
 

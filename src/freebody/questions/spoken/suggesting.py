@@ -118,9 +118,9 @@ def absent(elements: Elements, text: str) -> str:
     known = {word for element in elements.exact.values() for word in element.words}
     known |= {word for key in elements.spoken for word in key}
     for word in re.findall(r"[^\W\d_]{3,}", text):
+        if any(m.kind == "filler" for language in languages() for m, _ in phrases_at(word.lower(), 0, language)):
+            continue  # Germans say `man` of anyone
         for language in languages():
-            if any(meant.kind == "filler" for meant, _ in phrases_at(word.lower(), 0, language)):
-                break  # Germans say `man` of anyone
             said = in_english_nouns(word, language).lower()
             is_thing = not ({said, word.lower()} & known or is_verb(said)) and said not in quantity_words(language)
             if is_thing and any(form in things() for form in (said, said.removesuffix("s"))):

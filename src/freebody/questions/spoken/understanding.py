@@ -41,7 +41,7 @@ from freebody.questions.spoken.suggesting import MOST, absent, not_understood, s
 from freebody.questions.spoken.symbols import parameter_asked, spelt_out
 from freebody.questions.spoken.wanted_unit import without_units
 from freebody.questions.spoken.weights import in_weights
-from freebody.questions.spoken.words import Unknown, respelt, words_of
+from freebody.questions.spoken.words import Unknown, in_own_letters, respelt, words_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -57,6 +57,8 @@ class Asked(Protocol):
     def event(self) -> object | None: ...
     @property
     def transition(self) -> object | None: ...
+    @property
+    def at_start(self) -> bool: ...
 
 
 AskedT = TypeVar("AskedT", bound=Asked)
@@ -126,6 +128,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
+    if (put := _in_own_letters(names, text)) != text:
+        return understood(names, put, read)
     if (asked := without_context(names, elements_of(names), text)) != text:
         return understood(names, asked, read)
     if (counted := as_third(text)) is not None and (later := _at_later_impact(names, *counted, read)):
@@ -290,6 +294,8 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
 def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
     """Whether what is asked of an instant has a value there: a stroke, or a period, is that of a whole turn."""
     timed = [one for one in asked if one.event is not None or one.transition is not None]
+    if any(one.at_start and one.quantity.scope == "whole motion" for one in asked):
+        return False  # what is greatest over the motion is so at no instant
     lasts = any(one.quantity.scope in _OF_EVERY_TURN for one in timed)
     return not timed or not (lasts or words.startswith(("stroke of ", "phase lag of ")))
 
@@ -561,9 +567,19 @@ def _concepts(names: Names, text: str) -> Iterator[str]:
 
 
 def _respelt(names: Names, text: str, language: str) -> str:
-    elements = elements_of(names)
-    taken = {word for key in elements.spoken for word in key}
-    return respelt(text, language, taken)
+    return respelt(text, language, _taken(names))
+
+
+def _in_own_letters(names: Names, text: str) -> str:
+    taken = _taken(names)
+    for language in languages():
+        text = in_own_letters(text, language, taken)
+    return text
+
+
+def _taken(names: Names) -> set[str]:
+    """Words for what the model has."""
+    return {word for key in elements_of(names).spoken for word in key}
 
 
 def _told_of_words(names: Names, text: str) -> Message | None:

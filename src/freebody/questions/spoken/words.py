@@ -15,6 +15,7 @@ from freebody.questions.spoken.lexicon import (
     MARKED,
     Word,
     changes_value,
+    digraphs,
     goes_beside,
     is_adjective,
     is_adverb,
@@ -22,6 +23,7 @@ from freebody.questions.spoken.lexicon import (
     phrases_at,
     places,
     plurals,
+    ruled,
     spelt,
     tells_apart,
     translated,
@@ -330,6 +332,23 @@ def _with_letters_in_order(word: str, words: Container[str]) -> str:
     swapped = {f"{word[:k]}{word[k + 1]}{word[k]}{word[k + 2 :]}" for k in range(len(word) - 1)}
     right = [other for other in sorted(swapped) if other in words]
     return right[0] if len(right) == 1 else word
+
+
+def in_own_letters(text: str, language: str, taken: Container[str]) -> str:
+    """The text with waehrend as während, where that is a word of the language, and waehrend is none.
+
+    taken: words for what the model has."""
+
+    def told(found: re.Match[str]) -> str:
+        put = word = found[0]
+        for pair, letter in digraphs(language).items():
+            put = put.replace(pair, letter).replace(pair.capitalize(), letter.upper())
+        said = put.lower().replace("ß", "ss")
+        is_own = word.lower() in taken or word.lower() in vocabulary(language) or _is_thing(word)
+        is_word = said in vocabulary(language) or said in ruled(language) or _is_thing(put)
+        return word if put == word or is_own or not (is_word or phrases_at(said, 0, language)) else put
+
+    return re.sub(r"(?<![\w.])[^\W\d_]+(?![\w.(])", told, text) if digraphs(language) else text
 
 
 def respelt(text: str, language: str, taken: Container[str]) -> str:
