@@ -101,3 +101,20 @@ loads: {{weight: {{gravity: 9.81 m/s^2}}}}
         places = system.simulate(0.1).dataset["body_position"].sel(axis="y")
         for body, height in (("upper", 0.75), ("lower", 0.3)):
             assert places.sel(body=body).values == pytest.approx(height, abs=1e-9)
+
+
+def test_a_guided_plank_lies_on_the_roller_under_it_wherever_its_guide_is() -> None:
+    """The roller goes half as far as the plank: F = (M + m/4 + m/8) a, and m/2 r^2 alpha needs m a/8 on either side."""
+    text = """
+parameters: {m: 4 kg, M: 10 kg, r: 0.1 m, F: 30 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {roller: {cylinder: {mass: m, radius: r}}, plank: {block: {mass: M, width: 2 m, height: 5 cm}}}
+connections:
+  guide: {slider: {body: plank, along: right}}
+  below: {rolling: {body: roller, on: floor}}
+  above: {rolling: {body: roller, on: plank.bottom}}
+loads: {weight: {gravity: g}, pull: {force: {at: plank, along: right, magnitude: F}}}
+"""
+    assert solved(text, "acceleration of plank").value[0] == pytest.approx(30.0 / (10.0 + 1.5))
+    heights = fb.System.from_text(text).simulate(0.1).dataset["body_position"].sel(body="plank", axis="y")
+    assert heights.values == pytest.approx(0.225, abs=1e-9)

@@ -16,7 +16,15 @@ from freebody.connections.rolling_in_space import (
     rows_on_cylinder,
     rows_on_sphere,
 )
-from freebody.connections.standing import is_parallel, moves_out_of_plane, same_way, stands_at
+from freebody.connections.standing import (
+    along_of,
+    arm_on_ground,
+    ground_guide_of,
+    is_parallel,
+    moves_out_of_plane,
+    same_way,
+    stands_at,
+)
 from freebody.language.expression import ZERO, Expr, add, divide, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
@@ -249,8 +257,10 @@ connections:
         return line.direction if line is not None and line.direction.body == GROUND else None
 
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
-        """Its centre is a radius away from the line."""
+        """Its centre is a radius away from the line, and so is a guided body whose line it rolls on."""
         direction = self.lies_along(names, point.body)
+        if direction is None and point.body != self.body:
+            return self._carrier_at(names, point, along, seen)
         if direction is None or not is_parallel(names, direction.normal(), along):
             return None
         with names.quietly():
@@ -261,6 +271,22 @@ connections:
         base = stands_at(names, line.through, along, seen)
         is_up = same_way(names, direction.normal(), along) != self.below
         return None if base is None else add(base, radius if is_up else negate(radius))
+
+    def _carrier_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        """Where the body is that has the line, which does not turn from its axes: by where what rolls on it is."""
+        with names.quietly():
+            line, body, own = self._line(names), names.body(self.body), names.optional(self, "radius", LENGTH)
+            is_level = ground_guide_of(names, point.body, turning=False) is not None
+        radius = body.radius if own is None else own
+        if line is None or radius is None or names.space or line.direction.body != point.body or not is_level:
+            return None
+        normal = Direction(GROUND, line.direction.components, "").normal()
+        if names.known(point.body).start.angle is not None or not is_parallel(names, normal, along):
+            return None
+        center = stands_at(names, body.center, along, seen)
+        is_up = same_way(names, normal, along) != self.below
+        arm = along_of(arm_on_ground(names.known(point.body), line.through.offset, point.offset), along)
+        return None if center is None else add(center, negate(radius) if is_up else radius, arm)
 
     def _line(self, names: Names) -> Line | None:
         with names.quietly():
