@@ -150,6 +150,14 @@ loads:
 measures: {y: drop of weight}
 start: {y: 0, rate(y): v0}
 """
+CAR_COASTS = """
+parameters: {m: 900 kg, c: 0.6 kg/m, mu: 0.02, v0: 30 m/s, g: 9.81 m/s^2}
+bodies: {car: {particle: {mass: m}}}
+connections: {road: {slider: {body: car, along: right, friction: mu}}}
+loads: {air: {drag: {body: car, quadratic: c}}, weight: {gravity: g}}
+measures: {x: x of car}
+start: {x: 0, rate(x): v0}
+"""
 THROW = """
 parameters: {m: 1 kg, v0: 20 m/s, alpha: 60 deg, g: 9.81 m/s^2}
 bodies: {ball: {particle: {mass: m}, at: [0, 0], velocity: [v0*cos(alpha), v0*sin(alpha)]}}
@@ -184,60 +192,66 @@ measures: {y: height of rod}
 """
 
 
-@pytest.mark.parametrize(
-    ("model", "question", "expected"),
-    [
-        # the momentum stays zero: m (s + x) + M x = 0
-        (MAN_ON_A_BOAT, "displacement of the boat when s = L", "-m*L/(m + M)"),
-        # moments about A give the roller, 2 a N = W a + H h; then joint B
-        (TRUSS, "force in AB", "W*a/(2*h) + H/2"),
-        (TRUSS, "value of H for which force in AC = 0", "W*a/h"),
-        # angular momentum about the ledge, m v b/2 = 2/3 m b^2 w, and the energy for the centre to pass over it
-        (BOX_MEETS_A_LEDGE, "energy lost in the blow", "5*m*v^2/16"),
-        (BOX_MEETS_A_LEDGE, "least v so that phi reaches 45 deg", "sqrt(8*g*b*(sqrt(2) - 1)/3)"),
-        # joint B: T h/sqrt(a^2 + h^2) = W, and level T_BC = T a/sqrt(a^2 + h^2)
-        (CABLE_WITH_TWO_LOADS, "tension of AB", "W*sqrt(a^2 + h^2)/h"),
-        (CABLE_WITH_TWO_LOADS, "tension of BC at start", "W*a/h"),
-        (CABLE_WITH_TWO_LOADS, "least h so that tension of AB <= T0", "W*a/sqrt(T0^2 - W^2)"),
-        # by symmetry H is upright, H f = F e about E; then a (H - F) = c B about the pin of the jaw
-        (BOLT_CUTTER, "force in bolt", "-F*a*(e - f)/(c*f)"),
-        (BOLT_CUTTER, "size of reaction of H", "F*e/f"),
-        # w^2 (h^2 + a^2/3) = 2 g h (1 - cos(phi0)) with h^2 = R^2 - a^2
-        (
-            ROD_IN_A_BOWL,
-            "angular velocity of rod when phi = 0",
-            "-sqrt(6*g*sqrt(R^2 - a^2)*(1 - cos(phi0))/(3*R^2 - 2*a^2))",
-        ),
-        # J dw/dt = -c sqrt(w) and J w dw/dphi = -c sqrt(w); behind the rest the law has no value
-        # m Omega^2 r a = S b about the hinge
-        (BELL_CRANK_GOVERNOR, "value of Omega for which theta = 0 in equilibrium", "sqrt(S*b/(m*a*r))"),
-        # who does not slip goes round with the drum
-        (ROTOR_RIDE, "normal force of wall at start", "m*R*Omega^2"),
-        (ROOT_OF_THE_SPEED, "time when wheel comes to rest", "2*J*sqrt(w0)/c"),
-        (ROOT_OF_THE_SPEED, "number of revolutions until it comes to rest", "J*w0*sqrt(w0)/(3*pi*c)"),
-        # the lever gives N = P b/a; (mu N - m g) d = (m + I/R^2) v0^2/2
-        (
-            WEIGHT_BRAKED_BY_A_LEVER,
-            "value of P for which y when rate(y) = 0 is d",
-            "a/(mu*b)*(m*g + (m + I/R^2)*v0^2/(2*d))",
-        ),
-        # v^2 sin(alpha)^2/(2 g) = 2 v^2 sin(alpha) cos(alpha)/g
-        (THROW, "value of alpha for which greatest y = x when y = 0", "atan(4)"),
-        # it turns about the edge with m (b^2 + h^2)/3, and falls back where b > h tan(phi0)
-        # it falls for sqrt(2 h/g) and then flies e times as long as it would rise and fall from h
-        (BALL_OVER_A_FLOOR, "range of v for which the second impact comes before x = d", "d*sqrt(g/(2*h))/(1 + 2*e)"),
-        (
-            BALL_OVER_A_FLOOR,
-            "value of v for which x at the second impact - x at the first impact = d",
-            "d*sqrt(g/(2*h))/(2*e)",
-        ),
-        # the wall takes nothing of the spin: it rolls in the end with (2 - 5 e) v0/7 towards the wall
-        (SPHERE_ROLLS_AGAINST_A_WALL, "range of e for which there is a second impact", "2/5"),
-        (SPHERE_ROLLS_AGAINST_A_WALL, "speed of ball when slipping ends", "(5*e - 2)*v0/7"),
-        (SPHERE_ROLLS_AGAINST_A_WALL, "time between the impact and rolling begins", "2*(1 + e)*v0/(7*mu*g)"),
-        (BLOCK_FALLS_BACK, "energy lost in the impact", "(1 - e^2)/2*m*g*(b*sin(phi0) + h*cos(phi0) - h)"),
-    ],
+PROBLEMS = (
+    # the momentum stays zero: m (s + x) + M x = 0
+    (MAN_ON_A_BOAT, "displacement of the boat when s = L", "-m*L/(m + M)"),
+    # moments about A give the roller, 2 a N = W a + H h; then joint B
+    (TRUSS, "force in AB", "W*a/(2*h) + H/2"),
+    (TRUSS, "value of H for which force in AC = 0", "W*a/h"),
+    # angular momentum about the ledge, m v b/2 = 2/3 m b^2 w, and the energy for the centre to pass over it
+    (BOX_MEETS_A_LEDGE, "energy lost in the blow", "5*m*v^2/16"),
+    (BOX_MEETS_A_LEDGE, "least v so that phi reaches 45 deg", "sqrt(8*g*b*(sqrt(2) - 1)/3)"),
+    # joint B: T h/sqrt(a^2 + h^2) = W, and level T_BC = T a/sqrt(a^2 + h^2)
+    (CABLE_WITH_TWO_LOADS, "tension of AB", "W*sqrt(a^2 + h^2)/h"),
+    (CABLE_WITH_TWO_LOADS, "tension of BC at start", "W*a/h"),
+    (CABLE_WITH_TWO_LOADS, "least h so that tension of AB <= T0", "W*a/sqrt(T0^2 - W^2)"),
+    # by symmetry H is upright, H f = F e about E; then a (H - F) = c B about the pin of the jaw
+    (BOLT_CUTTER, "force in bolt", "-F*a*(e - f)/(c*f)"),
+    (BOLT_CUTTER, "size of reaction of H", "F*e/f"),
+    # w^2 (h^2 + a^2/3) = 2 g h (1 - cos(phi0)) with h^2 = R^2 - a^2
+    (
+        ROD_IN_A_BOWL,
+        "angular velocity of rod when phi = 0",
+        "-sqrt(6*g*sqrt(R^2 - a^2)*(1 - cos(phi0))/(3*R^2 - 2*a^2))",
+    ),
+    # J dw/dt = -c sqrt(w) and J w dw/dphi = -c sqrt(w); behind the rest the law has no value
+    # m Omega^2 r a = S b about the hinge
+    (BELL_CRANK_GOVERNOR, "value of Omega for which theta = 0 in equilibrium", "sqrt(S*b/(m*a*r))"),
+    # who does not slip goes round with the drum
+    (ROTOR_RIDE, "normal force of wall at start", "m*R*Omega^2"),
+    (ROOT_OF_THE_SPEED, "time when wheel comes to rest", "2*J*sqrt(w0)/c"),
+    (ROOT_OF_THE_SPEED, "number of revolutions until it comes to rest", "J*w0*sqrt(w0)/(3*pi*c)"),
+    # the lever gives N = P b/a; (mu N - m g) d = (m + I/R^2) v0^2/2
+    (
+        WEIGHT_BRAKED_BY_A_LEVER,
+        "value of P for which y when rate(y) = 0 is d",
+        "a/(mu*b)*(m*g + (m + I/R^2)*v0^2/(2*d))",
+    ),
+    # m dv/dt = -mu m g - c v^2
+    (
+        CAR_COASTS,
+        "speed of car after 10 s",
+        "sqrt(m*mu*g/c)*tan(atan(v0*sqrt(c/(m*mu*g))) - 10*sqrt(c*mu*g/m))",
+    ),
+    # v^2 sin(alpha)^2/(2 g) = 2 v^2 sin(alpha) cos(alpha)/g
+    (THROW, "value of alpha for which greatest y = x when y = 0", "atan(4)"),
+    # it turns about the edge with m (b^2 + h^2)/3, and falls back where b > h tan(phi0)
+    # it falls for sqrt(2 h/g) and then flies e times as long as it would rise and fall from h
+    (BALL_OVER_A_FLOOR, "range of v for which the second impact comes before x = d", "d*sqrt(g/(2*h))/(1 + 2*e)"),
+    (
+        BALL_OVER_A_FLOOR,
+        "value of v for which x at the second impact - x at the first impact = d",
+        "d*sqrt(g/(2*h))/(2*e)",
+    ),
+    # the wall takes nothing of the spin: it rolls in the end with (2 - 5 e) v0/7 towards the wall
+    (SPHERE_ROLLS_AGAINST_A_WALL, "range of e for which there is a second impact", "2/5"),
+    (SPHERE_ROLLS_AGAINST_A_WALL, "speed of ball when slipping ends", "(5*e - 2)*v0/7"),
+    (SPHERE_ROLLS_AGAINST_A_WALL, "time between the impact and rolling begins", "2*(1 + e)*v0/(7*mu*g)"),
+    (BLOCK_FALLS_BACK, "energy lost in the impact", "(1 - e^2)/2*m*g*(b*sin(phi0) + h*cos(phi0) - h)"),
 )
+
+
+@pytest.mark.parametrize(("model", "question", "expected"), PROBLEMS, ids=[question for _m, question, _f in PROBLEMS])
 def test_a_problem_has_the_formula_that_follows_by_hand(model: str, question: str, expected: str) -> None:
     is_formula(model, question, expected)
 

@@ -76,7 +76,7 @@ def _in_known_angles(field: Field, base: Ratio, multiple: int) -> tuple[Ratio, i
     """multiple * base as a small multiple of an atom: of `base` itself where that is an angle (or a constant), else of
     the largest such term that is an atom already, else it is one from now on."""
     if not base.generators() & field.no_angles:
-        most = MOST_MULTIPLE if base.generators() else 2  # cos 3 rad is a number as good as cos 1 rad
+        most = 2 if _is_of_numbers(field, base) else MOST_MULTIPLE
         return (base, multiple) if abs(multiple) <= most else (base * abs(multiple), 1 if multiple > 0 else -1)
     below = math.gcd(*field.terms(base.denominator().num).values())
     share, direction = Fraction(abs(multiple), below), base * below
@@ -87,6 +87,14 @@ def _in_known_angles(field: Field, base: Ratio, multiple: int) -> tuple[Ratio, i
         units = [share]
     unit = max(units)
     return direction * field.element(unit), int(share / unit) * (1 if multiple > 0 else -1)
+
+
+def _is_of_numbers(field: Field, base: Ratio) -> bool:
+    """Whether a multiple of a constant is as good an angle as the constant itself: cos 3 rad is a number as cos 1 rad
+    is, and in cos(10 sqrt(k/m)) ten is a number of seconds."""
+    inside = base.generators()
+    is_constant = all(field.is_constant_generator(g) for g in inside)
+    return not inside or (is_constant and any(field.generators[g].kind == "root" for g in inside))
 
 
 def _standard(field: Field, term: Ratio) -> tuple[Ratio, int]:
