@@ -158,6 +158,16 @@ loads: {air: {drag: {body: car, quadratic: c}}, weight: {gravity: g}}
 measures: {x: x of car}
 start: {x: 0, rate(x): v0}
 """
+BLOCKS_ON_A_SLOPE = """
+parameters: {m1: 5 kg, m2: 8 kg, mu1: 0.3, mu2: 0.15, theta: 25 deg, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: -theta}}}
+bodies: {A: {block: {mass: m1}}, B: {block: {mass: m2}}}
+connections:
+  sA: {slider: {body: A, along: slope, friction: mu1}}
+  sB: {slider: {body: B, along: slope, friction: mu2}}
+  rod: {link: {between: [A, B], length: 1 m}}
+loads: {weight: {gravity: g}}
+"""
 THROW = """
 parameters: {m: 1 kg, v0: 20 m/s, alpha: 60 deg, g: 9.81 m/s^2}
 bodies: {ball: {particle: {mass: m}, at: [0, 0], velocity: [v0*cos(alpha), v0*sin(alpha)]}}
@@ -233,6 +243,8 @@ PROBLEMS = (
         "speed of car after 10 s",
         "sqrt(m*mu*g/c)*tan(atan(v0*sqrt(c/(m*mu*g))) - 10*sqrt(c*mu*g/m))",
     ),
+    # on the smoother one, which is below at all numbers: S = m2 g (sin(theta) - mu2 cos(theta)) - m2 a
+    (BLOCKS_ON_A_SLOPE, "force in the rod", "m1*m2*g*(mu1 - mu2)*cos(theta)/(m1 + m2)"),
     # v^2 sin(alpha)^2/(2 g) = 2 v^2 sin(alpha) cos(alpha)/g
     (THROW, "value of alpha for which greatest y = x when y = 0", "atan(4)"),
     # it turns about the edge with m (b^2 + h^2)/3, and falls back where b > h tan(phi0)

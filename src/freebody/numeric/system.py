@@ -130,15 +130,18 @@ class NumericSystem:
         return self.placing.placed(q, equations, t, self.branches).q
 
     def by_rows(self) -> list[str]:
-        """Moving bodies in an order that neither the file nor units change: by how many rows hold them, the most
-        first, by mass, then by name."""
+        """Moving bodies in an order that neither the file nor units nor other numbers of parameters change, so that a
+        side that nobody gives is the same at all of them: by how many rows hold them, the most first, by the mass that
+        the model gives, then by name."""
+        own = {p.name: 1.0 if p.value is None else p.value for p in self.system.parameters.values()}
+        masses = {b.name: evaluate(b.mass, {**self.frame.values, **own, TIME: 0.0}) for b in self.system.all_moving}
         n_rows = dict.fromkeys(self.frame.columns, 0)
         for row in self.system.constraint_rows:
             for name in n_rows.keys() & set(row.measure.bodies()):
                 n_rows[name] += 1
 
         def rank(name: str) -> tuple[object, ...]:
-            return -n_rows[name], float(f"{self.masses[self.columns(name)[0]]:.9g}"), natural(name)
+            return -n_rows[name], float(f"{masses[name]:.9g}"), natural(name)
 
         return sorted(n_rows, key=rank)
 
