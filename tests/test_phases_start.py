@@ -14,7 +14,7 @@ import pytest
 import freebody as fb
 from conftest import assert_same_function
 from freebody.study.phases.case import PhaseCase
-from freebody.study.phases.numbers import coefficients_of_friction, coefficients_of_restitution, holds
+from freebody.study.phases.numbers import coefficients_of_friction, holds
 from freebody.study.phases.result import Phases, phases
 from freebody.system.system import System
 
@@ -399,13 +399,13 @@ def test_exactly_one_case_holds_at_parameters_over_ten_decades(name: str) -> Non
 def _drawn(model: System, n: int) -> dict[str, np.ndarray]:
     """Values within ten decades, as many of them near those of the file; static friction not below the kinetic one."""
     rng = np.random.default_rng(5)
-    friction, restitution = coefficients_of_friction(model), coefficients_of_restitution(model)
+    friction = coefficients_of_friction(model)
     found: dict[str, np.ndarray] = {}
     for p in model.parameters.values():
         width = np.where(rng.random(n) < 0.5, 1.0, 5.0)
         if p.acute:
             found[p.name] = rng.uniform(1e-3, math.pi / 2 - 1e-3, n)
-        elif p.name in restitution:
+        elif p.is_share:
             found[p.name] = rng.uniform(0.001, 0.999, n)
         elif p.name in friction:
             found[p.name] = 10 ** rng.uniform(-3.0, 1.0, n)

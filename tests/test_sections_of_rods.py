@@ -226,3 +226,14 @@ def test_a_load_that_is_spread_somehow_over_a_rod_is_refused() -> None:
         fb.System.from_text(text.replace("weight: {gravity: g}", air)).solve("axial force of chimney at P").answers
     )
     assert "air acts on all of chimney" in str(answer.reason)
+
+
+def test_a_point_that_one_rod_alone_has_tells_the_rod() -> None:
+    text = """
+parameters: {F: 5 kN, a: 2 m, L: 6 m}
+bodies: {beam: {beam: {length: L}, points: {C: [a - L/2, 0]}}}
+connections: {A: {pin: [ground.A, beam.start]}, B: {roller: {pin: beam.end, along: right}}}
+loads: {F: {force: {at: beam.C, along: down, magnitude: F}}}
+"""
+    found = fb.System.from_text(text).solve(["bending moment at C", "shear force just before C"]).answers
+    assert [answer.value for answer in found] == pytest.approx([5000 * 2 * 4 / 6, 5000 * 4 / 6])

@@ -68,16 +68,16 @@ def model_and_unread(
     """The system of a file, with other values of parameters, and whether the file has questions that cannot be read.
     These and what is unlikely in it are told on stderr; the others are answered. asked: what is said of it on the
     command line; answers_file: whether the questions of the file are to be answered."""
-    system, is_unread = _loaded(file, answers_file=answers_file)
+    system, is_unread = _loaded(file, language, answers_file=answers_file)
     if assignments:
         system = system.with_parameters(**dict(assignment(text) for text in assignments))
     tell_warnings(system, language, asked)
     return system, is_unread
 
 
-def _loaded(file: Path, *, answers_file: bool) -> tuple[System, bool]:
+def _loaded(file: Path, language: object, *, answers_file: bool) -> tuple[System, bool]:
     """Raises ModelError where more than questions cannot be read, or where none is left of those to be answered."""
-    from freebody.cli.running import say
+    from freebody.cli.running import in_language, say
     from freebody.errors import ModelError
     from freebody.language.document import Document
     from freebody.system.system import System
@@ -98,8 +98,8 @@ def _loaded(file: Path, *, answers_file: bool) -> tuple[System, bool]:
         if answers_file and not left:
             raise
         system = System.from_document(document.with_value(("questions",), left))
-        for line in str(error).splitlines():
-            say(line if answers_file else f"warning: {line}")
+        told: str = error.args[0] if answers_file else Message("warning: {text}", text=error.args[0])
+        say(in_language(told, language))
         return system, True
 
 

@@ -44,7 +44,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "value": ("magnitude", "strength"),
     "force": ("magnitude",),
     "torque": ("magnitude",),
-    "body": ("pin", "on", "at", "pinion"),
+    "body": ("on", "at", "pinion"),
     "point": ("pin",),
     "on": ("at",),
     "at": ("on",),

@@ -285,6 +285,35 @@ def _at_a_point(names: Names, found: Found, path: Path) -> Quantity | None:
     return _section(names, rod, part, point.offset[0], str(point), is_thrust=asked_for == "compression", side=side)
 
 
+def _is_of_one_rod(names: Names, found: Found) -> bool:
+    return _rod_of(names, str(found["at"])) is not None
+
+
+def _rod_of(names: Names, point: str) -> str | None:
+    """The one rod that has a point: `C` or `beam.C`."""
+    owner, _, name = point.rpartition(".")
+    rods = [body for body in names.bodies.values() if body.solid is ROD and name in body.points]
+    rods = [rod for rod in rods if owner in ("", rod.name)]
+    return rods[0].name if len(rods) == 1 else None
+
+
+@asked(
+    "axial force | shear force | bending moment at | just before | just behind POINT of a rod",
+    r"(?P<part>(?:axial|shear|shearing) force|bending moment) "
+    rf"(?:at|just (?P<side>before|behind|after)) (?:the )?(?:point )?(?P<at>{PLACE})",
+    rank=61,
+    example="""
+bodies: {beam: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}, points: {C: [0.5 m, 0]}}}
+connections: {clamp: {weld: [ground.A, beam.start]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: bending moment at C}
+""",
+    fits=_is_of_one_rod,
+)
+def _at_a_point_alone(names: Names, found: Found, path: Path) -> Quantity | None:
+    return _at_a_point(names, {**found, "of": _rod_of(names, str(found["at"]))}, path)
+
+
 @asked(
     "axial force of ROD; tension, compression, force in ROD",
     r"(?P<part>(?:axial|shear|shearing|bar|member) force|bending moment|tension|compression|force) (?:of|in) "
