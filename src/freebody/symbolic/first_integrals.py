@@ -26,7 +26,8 @@ coordinates, Routh's procedure).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, FormulaTooLong
@@ -51,9 +52,11 @@ class FirstIntegrals:
     """Energy and momenta of a model from its start on. Everything raises CannotAnswer where they are none, or do not
     suffice."""
 
-    def __init__(self, model: SymbolicModel, start: StartState) -> None:
+    def __init__(self, model: SymbolicModel, start: StartState, apart: Sequence[Coordinate] = ()) -> None:
+        """apart: coordinates that neither act on the others nor feel them; they count as if they rested."""
         self.model = model
-        self.start = start
+        self.apart = {g: x for c in apart for g, x in ((c.index, start.of(c.index)), (c.speed, model.field.zero))}
+        self.start = replace(start, values={**start.values, **self.apart}) if apart else start
         self.keeps_side = False  # of a motion that is followed only as long as it stays on the side of its start
         self.field = model.field
 
@@ -182,7 +185,7 @@ class FirstIntegrals:
         all of them are there none is accelerated, whatever the others do."""
         if self.model.dependent or is_driven(self.model) or len(self.model.coordinates) < 2:
             return {}
-        return staying_of(self.model, self.start)
+        return staying_of(self.model, self.start) | self.apart
 
     @cached_property
     def _closure(self) -> Closure:
@@ -325,6 +328,8 @@ class FirstIntegrals:
             return None
         law, forces = model.loads.law(push), list[tuple[Coordinate, Ratio]]()
         for k, c in enumerate(model.coordinates):
+            if c.index in self.apart:
+                continue
             force = f.zero
             for (body, slot), slope in model.gradient(push.measure).items():
                 if body in model.kinematics.partial_velocities:

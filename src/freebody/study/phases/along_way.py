@@ -7,7 +7,8 @@ stands in sines and cosines alone goes round for ever.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -28,6 +29,7 @@ from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.course import TAU
 from freebody.symbolic.phases.energy_motion import EnergyMotion
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.zeros import reals, turn_of
@@ -39,6 +41,18 @@ N_ALONG = 24  # places on the way at which a speed must be real
 _FAR = 1e4  # how far a way without an end is looked along, by its own size
 _STEPS = 1e-3 * 1.1 ** np.arange(180)  # at which a turn without a formula is looked for
 _HALVINGS = 50
+_N_TIMED = 200  # places on a way at which the time is known
+
+
+def _comes_to_touch(seen: Array, inside: Mask) -> Mask:
+    """Where a gap that was open falls below zero, where the place exists at which it touches; or has no number."""
+    with np.errstate(invalid="ignore"):
+        size = np.abs(seen).max(axis=0)
+        was_open = np.logical_or.accumulate(seen > _NOW * size, axis=0)
+        negative = seen < -_NOW * size
+    falls = negative[1:] & ~negative[:-1] & was_open[:-1] & (inside[1:] | inside[:-1])
+    result: Mask = falls.any(axis=0) | np.isnan(seen).any(axis=0)
+    return result
 
 
 class TurnsSomewhere(CannotAnswer):
@@ -117,7 +131,11 @@ class EnergyRoad:
         the turn itself has no formula."""
         found = PossibleEnds()
         turn: TurnsSomewhere | None = None
+        beside = [w for w in watches[n_asked:] if self.course.depends_on_others(w.element)]
         for watch in watches:
+            if watch in beside:
+                found.unsure.append(())
+                continue
             try:
                 places = self._variants(self.course.places(watch.element), self.course.as_function(watch.element))
             except CannotAnswer as error:
@@ -141,8 +159,59 @@ class EnergyRoad:
             if not any(np.isfinite(c.reached[self.mine]).any() for c in asked):
                 raise turn
             found.is_exact = False
+        if beside:
+            self._require_apart(beside, found)
         found.tests = self._tests(found.candidates)
         return found
+
+    def _require_apart(self, watches: Sequence[PhaseWatch], found: PossibleEnds) -> None:
+        """What depends on other coordinates as well is looked at along the motion up to the first event, in which the
+        time passes as int dq/u; sets at which it vanishes, or no event is known, are left out. Raises CannotAnswer
+        where that of the model is one of them."""
+        first = np.full(self.sets.n, np.min([c.reached for c in found.candidates], axis=0, initial=np.inf))
+        self._leave_out(~np.isfinite(first), watches[0])
+        f, tau = self.model.field, self.model.field.parameter(TAU)
+        along = list(self._timed(first, f.index(tau)))
+        for watch in watches:
+            gap, *spans = (self.course.in_course(x, tau) for x in (watch.element, *watch.within))
+            seen = np.array([self.sets.evaluate(self.model, gap, there) for there in along])
+            inside = np.ones(seen.shape, dtype=bool)
+            for x in spans:
+                inside &= ~np.array([self.sets.evaluate(self.model, x, there) < 0 for there in along])
+            self._leave_out(_comes_to_touch(seen, inside), watch)
+        found.is_exact = False
+
+    def _leave_out(self, unknown: Mask, watch: PhaseWatch) -> None:
+        """Sets at which nobody knows when an event comes; CannotAnswer where that of the model is one of them."""
+        unknown = unknown & self.mine & ~self.too_near
+        if unknown.any() and (unknown[0] or not self.mine[0]):
+            raise CannotAnswer(
+                Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
+            )
+        self.too_near |= unknown
+
+    def _timed(self, first: Array, tau: int) -> Iterator[dict[int, Array]]:
+        """States along the way to an event, out to a turn and back again where it is behind one: the coordinate, its
+        speed, the time, and cyclic coordinates, which go on by int (dq_k/dt) dt. By d = (a + b)/2 - (b - a)/2 cos s no
+        pole of 1/u is left where the way begins or ends at rest."""
+        course, time = self.course, np.zeros(self.sets.n)
+        cyclic = {k: self.sets.evaluate(self.model, course.start.of(k.index)) for k in course.cyclic}
+        turn = np.minimum(first, self.ahead)
+        for sign, a, b in ((1.0, np.zeros(self.sets.n), turn), (-1.0, turn, first)):
+            shares = (np.arange(_N_TIMED) + 0.5) * math.pi / _N_TIMED if (b > a).any() else ()
+            for s in shares:
+                with np.errstate(all="ignore"):
+                    d = 0.5 * (a + b) - 0.5 * (b - a) * np.cos(s)
+                    place = self.q0 + self.way * (d if sign > 0 else 2.0 * turn - d)
+                    speed = np.sqrt(self.sets.evaluate(self.model, course.square, {self.c.index: place}))
+                    passed = 0.5 * (b - a) * np.sin(s) / speed * math.pi / _N_TIMED
+                    step = np.where(b > a, passed, 0.0)
+                state = {self.c.index: place, self.c.speed: sign * self.way * speed}
+                rates = {k: self.sets.evaluate(self.model, course.rate_of(k), state) for k in cyclic}
+                half = 0.5 * step
+                yield {**state, tau: time + half, **{k.index: x + half * rates[k] for k, x in cyclic.items()}}
+                cyclic = {k: x + step * rates[k] for k, x in cyclic.items()}
+                time = time + step
 
     def _turn_in_numbers(self) -> Array:
         """The distance ahead at which the speed first vanishes, by its sign along the way; inf where it never does."""

@@ -194,7 +194,7 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
     if main.first is not None and not main.first.is_exact:
         notes.append(
             Message(
-                "that it does not turn back before was checked at the draws; the conditions are not all that this needs"
+                "that nothing else comes before was checked at the draws; the conditions are not all that this needs"
             )
         )
     if not main.is_home:

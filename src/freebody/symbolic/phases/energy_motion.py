@@ -13,6 +13,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.symbolic.blocks import apart_from
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven, staying_of
 from freebody.symbolic.laws.base import MotionLaw
@@ -27,21 +28,29 @@ from freebody.symbolic.zeros import reals, without_root, zeros_of
 
 
 class EnergyMotion(ClosedFormMotion):
-    """One coordinate by the first integral of energy; the speeds of others, on which nothing depends, by momenta."""
+    """One coordinate by the first integral of energy; the speeds of others, on which nothing depends, by momenta.
+    beside: the laws of coordinates that move apart from it (`blocks.py`), whose energy is no part of the integral."""
 
     @property
     def kind(self) -> str:
         return "energy"
 
-    def __init__(self, model: SymbolicModel, start: StartState, coordinate: Coordinate) -> None:
+    def __init__(
+        self,
+        model: SymbolicModel,
+        start: StartState,
+        coordinate: Coordinate,
+        beside: Mapping[Coordinate, MotionLaw] | None = None,
+    ) -> None:
         super().__init__(model, start, {})
-        self.coordinate = coordinate
-        self.integrals, f = FirstIntegrals(model, start), model.field
+        self.coordinate, self.beside = coordinate, dict(beside or {})
+        self.integrals, f = FirstIntegrals(model, start, tuple(self.beside)), model.field
         self.integrals.keeps_side = True
         integrals = self.integrals
         # u^2 as a function of q
         self.square = f.lowest_terms(integrals.speed_squared(coordinate, f.variable(coordinate.index)))
-        self._others = {k: x for k, x in integrals.speeds(coordinate).items() if k != coordinate.speed}
+        not_told = {coordinate.speed, *(k.speed for k in self.beside)}
+        self._others = {k: x for k, x in integrals.speeds(coordinate).items() if k not in not_told}
 
     @property
     def cyclic(self) -> tuple[Coordinate, ...]:
@@ -51,14 +60,38 @@ class EnergyMotion(ClosedFormMotion):
 
     def reduced(self, x: Ratio) -> Ratio:
         """With the speeds that momenta give put in. Raises CannotAnswer where it depends on another coordinate."""
-        x = self.model.in_independent_speeds(x)
-        if self._others:
-            x = self.integrals.on_its_line(self.model.field.follow(x, {**self._others, **self.integrals.resting}))
-        inside = self.model.field.ingredients(x) if self._others else set[int]()
-        others = [c.name for c in self.model.coordinates if c is not self.coordinate and c.index in inside]
-        if others:
-            raise CannotAnswer(Message("it depends on {names} as well", names=", ".join(others)))
+        x = self._with_momenta(x)
+        if others := self._met(x):
+            raise CannotAnswer(Message("it depends on {names} as well", names=", ".join(c.name for c in others)))
         return x
+
+    def _with_momenta(self, x: Ratio) -> Ratio:
+        x = self.model.in_independent_speeds(x)
+        if not self._others:
+            return x
+        resting = {k: value for k, value in self.integrals.resting.items() if k not in self.integrals.apart}
+        return self.integrals.on_its_line(self.model.field.follow(x, {**self._others, **resting}))
+
+    def _met(self, x: Ratio) -> list[Coordinate]:
+        if not self._others and not self.beside:
+            return []
+        inside = self.model.field.ingredients(self.model.field.lowest_terms(x))
+        others = [c for c in self.model.coordinates if c is not self.coordinate]
+        return [c for c in others if inside & {c.index, c.speed}]
+
+    def depends_on_others(self, x: Ratio) -> bool:
+        """Whether a function of the state depends on coordinates of which the integral does not give the places."""
+        return bool(self._met(self._with_momenta(x)))
+
+    def rate_of(self, k: Coordinate) -> Ratio:
+        """The speed of a cyclic coordinate, as a function of the coordinate and its speed."""
+        return self._others[k.speed]
+
+    def in_course(self, x: Ratio, tau: Ratio) -> Ratio:
+        """A function of the state as one of the coordinate, its speed, the places of cyclic coordinates and the time
+        since the phase began."""
+        own = {g: x for c, law in self.beside.items() for g, x in zip((c.index, c.speed), law.at(tau), strict=True)}
+        return self.model.field.follow(self._with_momenta(x), own)
 
     def is_odd(self, x: Ratio) -> bool:
         """Whether a function of the state changes its sign with the direction of the motion."""
@@ -124,7 +157,8 @@ class EnergyMotion(ClosedFormMotion):
         own = {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}
         others = {k: f.follow(x, own) for k, x in self._others.items()}
         if self._others:
-            others |= self.integrals.places_at(c, value, None)
+            there = self.integrals.places_at(c, value, None)
+            others |= {k: x for k, x in there.items() if k not in self.integrals.apart}
         return CourseZero(None, {**others, **own}, value)
 
     def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:
@@ -214,12 +248,25 @@ def course_of(model: SymbolicModel, start: StartState, slips: Sequence[Ratio] = 
     if free:
         with suppress(CannotAnswer):
             return ModalMotion(smooth)
+        if (of_block := _by_energy_of_a_block(smooth)) is not None:
+            return of_block
     names = ", ".join(c.name for c in model.coordinates)
     raise CannotAnswer(
         Message(
             "the accelerations of {names} are not constant, and energy alone gives the speed of one only", names=names
         )
     )
+
+
+def _by_energy_of_a_block(smooth: SmoothMotion) -> EnergyMotion | None:
+    """One coordinate by the energy of its block, where all others move apart from it by laws of their own."""
+    for c in smooth.model.coordinates:
+        laws = {k: smooth.law_of(k) for k in apart_from(smooth.model, c)}
+        known = {k: law for k, law in laws.items() if law is not None and law.has_course}
+        if laws and len(known) == len(laws):
+            with suppress(CannotAnswer):
+                return EnergyMotion(smooth.model, smooth.start, c, known)
+    return None
 
 
 def _is_steady(f: Field, acceleration: Ratio) -> bool:
