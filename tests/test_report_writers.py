@@ -20,6 +20,7 @@ from markdown_it import MarkdownIt
 from freebody.errors import InputError
 from freebody.language.expression import Number
 from freebody.language.parser import parse
+from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report import formats
 from freebody.present.report.blocks import (
     Columns,
@@ -386,6 +387,17 @@ def test_a_summary_tells_the_size_of_a_condition_that_nobody_would_read_in_table
     assert long in full
     assert f"({len(long) + 4} characters;" in short
     assert len(short) < 400
+
+
+def test_a_summary_says_in_the_language_of_the_report_what_is_shown_on_request() -> None:
+    german = Catalogue("de").report_words
+    steps = Equations((Equation(formula("a", "=", "b")), Equation(formula("c", "=", "d"))), on_request=True)
+    long = Equations((Equation(formula("a", "=", "+".join(f"sin({k}*b)" for k in range(2, 40)))),))
+    report = Report("Formeln", "de", "", (steps, long), german, is_summary=True)
+    told = terminal_text(report, is_short=True)
+    assert "nacheinander über 2 benannte Formeln (--full" in told
+    assert "eine Formel aus " in told
+    assert "formulas" not in told
 
 
 def test_a_terminal_is_given_no_control_characters() -> None:

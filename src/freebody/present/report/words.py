@@ -14,6 +14,12 @@ ENGLISH = {
     "contents": "Contents",
     "right": "right",
     "wrong": "wrong",
+    "by one formula": "by one named formula",  # of a long result on a terminal, and where it is shown
+    "by formulas in turn": "by {n} named formulas in turn",
+    "a long formula": "a formula of {n} operations",
+    "characters": "{n} characters",
+    "where it is": "--full or --formula long shows it, --json has it, too",
+    "where they are": "--full or --formula long shows them, --json has them, too",
     "babel": "english",  # the name by which LaTeX knows the language
 }
 

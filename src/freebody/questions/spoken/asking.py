@@ -127,7 +127,8 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     goes = set(clause.all("verb")) <= {"slide", "roll", "turn", "rise", "fly"}
     if degree == "greatest" and clause.has("ask", "far", "much") and not clause.has("quantity") and goes:
         found = lookup.angles if clause.has("verb", "turn") else lookup.places
-        yield [f"greatest {measure}" for measure in found(names, next((name for _, name in clause.names), ""))]
+        most = lookup.farthest if clause.has("verb", "turn") else "greatest {1}".format
+        yield [most(names, measure) for measure in found(names, next((name for _, name in clause.names), ""))]
         return
     if clause.has("quantity", "transmission angle"):
         yield [f"{degree} transmission angle"] if clause.only("quantity", *SILENT) else []
@@ -158,6 +159,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         found = lookup.deflections if clause.has("quantity", "deflection") else found
         who = next(iter(of), "")
         hung = lookup.hung(names, who) if clause.has("quantity", "angle") else []
+        if degree == "greatest" and clause.has("quantity", "angle") and not whole:
+            yield [lookup.farthest(names, angle) for angle in found(names, who) or hung]
+            return
         yield [f"{degree} {measure}{whole}" for measure in found(names, who) or hung]
         return
     if clause.has("quantity", "horizontal range"):  # over what can be chosen: the angle

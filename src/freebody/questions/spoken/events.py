@@ -316,7 +316,7 @@ def _is_rough_to(names: Names, who: str, other: str) -> bool:
     """Whether what a body slips on is the only thing that it can slip on, where that is named."""
     if not other:
         return True
-    rough = {row.connection for row in names.constraint_rows if row.reaction == "friction force"}
+    rough = {row.connection for row in names.constraint_rows if row.reaction.startswith("friction force")}
     own = [joint for joint in rough if not who or joining.touches(names, joint, who)]
     return len(own) == 1 and joining.touches(names, own[0], other)
 

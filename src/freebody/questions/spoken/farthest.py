@@ -83,7 +83,7 @@ def how_far(names: Names, main: Clause) -> Groups:
             f"stroke of {angle}" if angle in led or lookup.is_forced(names) else f"{angle} when rate({angle}) = 0"
             for angle in lookup.angles(names, who)
         ]
-        yield [f"greatest {angle}" for angle in lookup.hung(names, who)]
+        yield [lookup.farthest(names, angle) for angle in lookup.hung(names, who)]
 
 
 def _slips_on_what_moves(names: Names, who: str) -> bool:

@@ -136,6 +136,12 @@ def hung(names: Names, body: str) -> list[str]:
     return [name for name in names.measures if (m := bearing(names, name)) is not None and m.end.body == body]
 
 
+def farthest(names: Names, angle: str) -> str:
+    """How far an angle gets: from zero and at rest it may go either way, or farther when it comes back."""
+    is_at_rest = names.start_rates.get(angle, ZERO) == ZERO and not names.struck_at_start
+    return f"greatest {'change of ' if angle in names.started_at_zero and is_at_rest else ''}{angle}"
+
+
 def bearing(names: Names, name: str) -> Bearing | None:
     """The angle of a line that a measure is, which way round it may be counted."""
     measure = names.measures[name]

@@ -429,7 +429,8 @@ def _at_extreme(names: Names, sentence: Sentence) -> Groups:
 def _which_way(names: Names, sentence: Sentence) -> Groups:
     """Which way something moves that is let go: the way in which it is accelerated."""
     main, verbs = sentence.main, set(sentence.main.all("verb"))
-    if main.has("ask", "way") and set(main.all("quantity")) & {*FORCES}:  # as its components tell
+    is_size = names.space and main.has("quantity", "friction force")  # which tells no direction
+    if main.has("ask", "way") and set(main.all("quantity")) & {*FORCES} and not is_size:  # as its components tell
         yield from timed(names, Sentence(main.without("ask", "way").without("verb", "act", "move"), sentence.others))
     of = [name for _, name in main.names if name in lookup.moving(names)]
     goes = main.has("ask", "way") and verbs <= {*GOES_ON, "hit", "leave"} and not main.has("quantity")

@@ -41,8 +41,6 @@ _NO_BREAK = "\u00a0"
 # of summaries: columns of labels, and from where on something is told by its size
 _LABEL, _LONGEST_RULE, _WIDEST = 12, 78, 100  # characters; a formula that is wider stands on one line
 _LONGEST_FORMULA, _LONGEST_TEXT, _SHOWN = 70, 600, 120  # operations, some twelve terms; characters
-_WHERE_IT_IS = "--full or --formula long shows it, --json has it, too"
-_WHERE_THEY_ARE = "--full or --formula long shows them, --json has them, too"
 _SHORT_BRACKETS = re.compile(r"\([^()]{1,30}\)")
 
 
@@ -243,8 +241,9 @@ class _Summary(_Writer):
     def _told(self, block: Equations) -> str:
         """That formulas come before the next one, which are shown on request."""
         if len(block.lines) == 1:
-            return f"{' ' * 6}by one named formula ({_WHERE_IT_IS})"
-        return f"{' ' * 6}by {len(block.lines)} named formulas in turn ({_WHERE_THEY_ARE})"
+            return f"{' ' * 6}{self.word('by one formula')} ({self.word('where it is')})"
+        told = self.word("by formulas in turn").format(n=len(block.lines))
+        return f"{' ' * 6}{told} ({self.word('where they are')})"
 
     def section(self, section: Section) -> list[str]:
         title = ("  " if self.depth else "") + self.text(section.title)
@@ -265,7 +264,7 @@ class _Summary(_Writer):
             prefix = f"{line.label} = " if line.label else "" if line.formula.relations else "= "
             n = sum(n_operations(side) for side in line.formula.sides if isinstance(side, Expr))
             if self.is_short and n > _LONGEST_FORMULA:
-                box = flat(f"a formula of {n} operations ({_WHERE_IT_IS})")
+                box = flat(f"{self.word('a long formula').format(n=n)} ({self.word('where it is')})")
             else:
                 box = _STACKED.formula(line.formula)
                 box = box if box.width <= _WIDEST else flat(_LINE.formula(line.formula))
@@ -295,7 +294,8 @@ class _Summary(_Writer):
 
     def _shortened(self, text: str) -> str:
         if self.is_short and len(text) > _LONGEST_TEXT:
-            return f"{text[:_SHOWN]} ... ({len(text)} characters; {_WHERE_IT_IS})"
+            told = self.word("characters").format(n=len(text))
+            return f"{text[:_SHOWN]} ... ({told}; {self.word('where it is')})"
         return text
 
     def table(self, table: Table) -> list[str]:
