@@ -101,7 +101,8 @@ class EnergyRoad:
         found = [(place, self.sets.evaluate(self.model, place)) for place in listed]
         begins_at_one = self.model.field.follow(of, {self.c.index: self.start}).is_zero()
         for _place, at in found:
-            apart = np.abs(at - self.q0) / self._size(at)
+            size = self._size(at)
+            apart = np.abs(at - self.q0) / np.where(size > 0.0, size, 1.0)  # where both are zero they are one
             near = apart < _CLOSE
             own = self.mine[: self.sets.n_near]  # of other sets it says nothing
             if not near[: self.sets.n_near][own].all():  # else it is the start, however it is written
