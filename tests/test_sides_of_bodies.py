@@ -83,6 +83,8 @@ def test_where_a_body_has_several_sides_they_are_named() -> None:
     text = carried(shape="disk: {mass: m, radius: r}", joint="rolling: {body: load, on: cart}")
     with pytest.raises(fb.ModelError, match=r"name the one: cart\.bottom, cart\.right, cart\.top, cart\.left"):
         fb.System.from_text(text)
+    with pytest.raises(fb.ModelError, match=r"Did you mean cart\.top\?"):
+        fb.System.from_text(text.replace("on: cart}", "on: cart.topp}"))
 
 
 def test_a_stack_without_places_stands_on_the_floor_whatever_its_contacts_are_called() -> None:

@@ -229,7 +229,7 @@ connections:
                 Message("{body} has straight sides, name the one: {sides}", body=body.name, sides=sides), "on"
             )
             return []
-        known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]
+        known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes, *b.sides)]
         told = Message(
             "{name} is neither a plane, a line nor a round body.{hint} For a plane: ground: {{planes: {{floor: "
             "{{normal: up}}}}}}"
