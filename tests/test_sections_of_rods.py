@@ -53,6 +53,104 @@ def test_shear_force_and_bending_moment_are_those_of_the_part_to_the_left(point:
     assert value(BEAM, f"bending moment of beam at {point}") == pytest.approx(M, rel=1e-12)
 
 
+LOADED = """
+parameters: {L: 4 m, q: 500 N/m, w: 300 N/m, P: 200 N}
+ground: {points: {A: [0, 0], B: [L, 0]}}
+bodies: {beam: {rod: {length: L}, angle: 0, at: {start: [0, 0]}, points: {C: [-L/4, 0], D: [L/4, 0]}}}
+connections: {left: {pin: [ground.A, beam.start]}, right: {slot: {pin: beam.end, along: right, through: ground.B}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("load", "expected"),
+    [
+        # q x (L - x)/2 and its slope
+        pytest.param(
+            "between: [beam.start, beam.end], intensity: q",
+            {"M C": "3*L**2*q/32", "M center": "L**2*q/8", "V C": "L*q/4", "V center": "0", "A": "L*q/2"},
+            id="even",
+        ),
+        # rises to w at the end: B = w L/3, M = w L x/6 - w x^3/(6 L)
+        pytest.param(
+            "between: [beam.start, beam.end], intensity: [0, w]",
+            {"M center": "L**2*w/16", "V center": "w*L/24", "M C": "5*w*L**2/128", "A": "w*L/6"},
+            id="rises",
+        ),
+        # the same from the other end
+        pytest.param(
+            "between: [beam.end, beam.start], intensity: [w, 0]",
+            {"M center": "L**2*w/16", "V center": "w*L/24", "M C": "5*w*L**2/128", "A": "w*L/6"},
+            id="falls on the way back",
+        ),
+        # falls: that of the even one less that of the one that rises
+        pytest.param(
+            "between: [beam.start, beam.end], intensity: [w, 0]",
+            {"M center": "L**2*w/16", "M C": "7*L**2*w/128", "A": "w*L/3", "V center": "-w*L/24"},
+            id="falls",
+        ),
+        pytest.param(
+            "between: [beam.start, beam.end], intensity: [q, w]",
+            {"M center": "L**2*(q + w)/16", "M C": "L**2*(7*q + 5*w)/128", "A": "L*(2*q + w)/6"},
+            id="trapezium",
+        ),
+        # on the right half: A = q L/8, 3/8 of it at B; before it M rises evenly
+        pytest.param(
+            "between: [beam.center, beam.end], intensity: q",
+            {"M C": "q*L**2/32", "M center": "q*L**2/16", "M D": "q*L**2/16", "V C": "q*L/8", "V D": "-q*L/8"},
+            id="half",
+        ),
+    ],
+)
+def test_a_load_along_a_beam_bends_it_as_in_the_tables(load: str, expected: dict[str, str]) -> None:
+    # Source: Gere & Goodno, Mechanics of Materials, sec. 4.5 and app. H
+    system = fb.System.from_text(LOADED + f"loads: {{it: {{distributed: {{{load}, along: down}}}}}}")
+    asked = {"M": "bending moment of beam at", "V": "shear force of beam at", "A": "reaction of left along up"}
+    numbers = {"L": 4.0, "q": 500.0, "w": 300.0}
+    for what, by_hand in expected.items():
+        part, _, point = what.partition(" ")
+        found = value(system, f"{asked[part]} {point}".strip())
+        assert found == pytest.approx(eval(by_hand, numbers.copy()), rel=1e-12, abs=1e-9), what
+
+
+def test_a_load_along_a_slanting_rod_pulls_at_it_as_well() -> None:
+    # by q l along the ground's vertical on the part l beyond the cut: N = -q l sin(alpha), V = q l cos(alpha)
+    system = fb.System.from_text("""
+parameters: {L: 3 m, q: 200 N/m, alpha: 30 deg}
+bodies: {arm: {rod: {length: L}, angle: alpha, at: {start: [0, 0]}, points: {C: [L/6, 0]}}}
+connections: {clamp: {weld: [ground.A, arm.start]}}
+loads: {it: {distributed: {between: [arm.start, arm.end], along: down, intensity: q}}}
+""")
+    assert value(system, "axial force of arm at C") == pytest.approx(-200 * sin(radians(30)), rel=1e-12)
+    assert value(system, "shear force of arm at C") == pytest.approx(200 * cos(radians(30)), rel=1e-12)
+    assert value(system, "bending moment of arm at C") == pytest.approx(-200 * cos(radians(30)) / 2, rel=1e-12)
+    (answer,) = system.solve("axial force of arm").answers
+    assert "it acts between the ends of arm" in str(answer.reason)
+
+
+def test_where_a_load_along_a_line_begins_behind_a_section_may_depend_on_lengths() -> None:
+    system = fb.System.from_text("""
+parameters: {L: 3 m, s: 1 m, q: 200 N/m}
+bodies: {arm: {rod: {length: L}, angle: 0, at: {start: [0, 0]}, points: {S: [s - L/4, 0]}}}
+connections: {clamp: {weld: [ground.A, arm.start]}}
+loads: {it: {distributed: {between: [arm.S, arm.end], along: down, intensity: q}}}
+""")
+    assert value(system, "bending moment of arm at arm.start") == pytest.approx(-200 * 1.25 * 2.375, rel=1e-12)
+    (answer,) = system.solve("bending moment of arm at center").answers
+    assert "depends on lengths" in str(answer.reason)
+
+
+def test_a_body_swings_under_a_load_along_it_that_turns_with_it() -> None:
+    # p a on the lever's arm, always across it: J alpha = p a b, whatever the angle
+    system = fb.System.from_text("""
+parameters: {m: 3 kg, L: 2 m, p: 5 N/m}
+bodies: {lever: {rod: {mass: m, length: L}}}
+connections: {axle: {pin: [ground.A, lever.start]}}
+measures: {phi: angle of lever}
+loads: {it: {distributed: {between: [lever.center, lever.end], along: lever.y, intensity: p}}}
+""")
+    assert value(system, "acceleration of phi") == pytest.approx(5 * 1 * 1.5 / (3 * 4 / 3), rel=1e-12)
+
+
 def test_the_shear_force_under_a_load_is_not_told() -> None:
     (answer,) = BEAM.solve("shear force of beam at center").answers
     assert answer.expression is None
@@ -177,6 +275,18 @@ connections: {foot: {pin: [ground.O, rod.start]}, drive: {driver: {measure: phi,
 measures: {phi: angle of rod from right}
 """)
     assert value(system, question) == pytest.approx(3 * 400 * (4 - 0.36) / 4, rel=1e-12)
+    assert value(system, "bending moment of rod at P") == pytest.approx(
+        0.0, abs=1e-12
+    )  # the driver has no couple to give
+
+
+def test_where_on_a_rod_the_couple_of_a_driver_acts_is_not_known() -> None:
+    system = fb.System.from_text("""
+parameters: {m: 3 kg, L: 2 m, x: 0.6 m, alpha: 2 rad/s^2}
+bodies: {rod: {rod: {mass: m, length: L}, points: {P: [x - L/2, 0]}}}
+connections: {foot: {pin: [ground.O, rod.start]}, drive: {driver: {measure: phi, follows: alpha*t^2/2}}}
+measures: {phi: angle of rod from right}
+""")
     (answer,) = system.solve("bending moment of rod at P").answers
     assert "couple of drive" in str(answer.reason)
 

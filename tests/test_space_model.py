@@ -321,3 +321,32 @@ questions: [driving torque of motor]
         found = fb.solve(fb.System.from_text(table.replace("AXIS", axis))).answers[0]
         inertia = {"up": 3.0, "z": 2.0, "[1, 1, 0]": 2.5}[axis]
         assert found.value == pytest.approx(2.0 * inertia), axis
+
+
+@pytest.mark.parametrize(
+    "weld",
+    [
+        "[ground.A, mast.start]",
+        "[mast.start, ground.A]",
+        "{first: ground.A, second: mast.start, turned: [-90 deg about y]}",
+    ],
+)
+def test_a_mast_is_welded_as_it_stands_and_its_clamp_holds_the_moment_about_the_foot(weld: str) -> None:
+    # a force P at the height L, a load that rises to q: M = P L + (q L/2)(2 L/3) about -x
+    system = fb.System.from_text(f"""
+space: true
+parameters: {{L: 2 m, P: 30 N, q: 60 N/m, m: 3 kg, g: 9.81 m/s^2}}
+bodies: {{mast: {{rod: {{mass: m, length: L}}, turned: [-90 deg about y]}}}}
+connections: {{foot: {{weld: {weld}}}}}
+loads:
+  weight: {{gravity: g}}
+  pull: {{force: {{at: mast.end, along: y, magnitude: P}}}}
+  wind: {{distributed: {{between: [mast.start, mast.end], along: y, intensity: [0, q]}}}}
+""")
+    result = system.solve(
+        "moment of foot on mast", "moment of foot on mast about mast.end", "axial force of mast at center"
+    )
+    at_foot, at_end, axial = result.answers
+    assert at_foot.value == pytest.approx((30 * 2 + 60 * 4 / 3, 0.0, 0.0), abs=1e-9)
+    assert at_end.value == pytest.approx((-60 * 4 / 6, 0.0, 0.0), abs=1e-9)
+    assert axial.value == pytest.approx(-3 * 9.81 / 2, rel=1e-9)

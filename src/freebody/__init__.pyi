@@ -59,6 +59,7 @@ from freebody.exercises.export import export as export
 from freebody.loads.angular_impulse import AngularImpulse as _AngularImpulse
 from freebody.loads.attraction import Attraction as _Attraction
 from freebody.loads.buoyancy import Buoyancy as _Buoyancy
+from freebody.loads.distributed import Distributed as _Distributed
 from freebody.loads.drag import Drag as _Drag
 from freebody.loads.elastic_string import ElasticString as _ElasticString
 from freebody.loads.elastic_string import TensionedString as _TensionedString
@@ -540,6 +541,17 @@ class Disk(_Disk):
         radius: _Formula | None = ...,
         inertia: _Formula | None = ...,
         axis: _Along = ...,
+    ) -> None: ...
+
+class Distributed(_Distributed):
+    """`distributed: {between: [beam.start, beam.B], along: down, intensity: q}`: a force per length along the line from
+    one point of a body to another; `intensity: [q0, q1]` rises or falls evenly from the first point to the second."""
+
+    def __init__(
+        self,
+        between: Any,
+        intensity: _Formula | _List,
+        along: _Along = ...,
     ) -> None: ...
 
 class Drag(_Drag):

@@ -15,9 +15,9 @@ from freebody.measures.geometry import ONE, Direction, Point
 from freebody.measures.turn import Alignment
 from freebody.model import glyphs
 from freebody.model.chains import read_chain
-from freebody.model.elements import Attitude, ConstraintRow
+from freebody.model.elements import Attitude, ConstraintRow, RigidBody
 from freebody.model.glyphs import Glyph
-from freebody.model.rotations import UNIT, columns_of
+from freebody.model.rotations import UNIT, Columns, columns_of, product, transposed
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 class Weld(Connection, kind="weld"):
     """`weld: [ground.A, beam.start]`. Two points coincide and the angle between the bodies stays as it is at
     the start (3 rows). In space the second body is `turned` from the first by known rotations, such as [30 deg about
-    x], and parallel to it without any (6 rows)."""
+    x]; without any it stays as both are `turned` at the start, else parallel to the first (6 rows)."""
 
     called: ClassVar[tuple[str, ...]] = ("clamp", "fixed support", "wall")
     also: ClassVar[tuple[str, ...]] = ("clamp", "fixed")
@@ -60,8 +60,7 @@ connections: {it: {weld: [ground.A, beam.start]}}
         rows = meeting(first, second)
         if not (names.known(first.body).turns and names.known(second.body).turns):
             return rows
-        chain = read_chain(names, [] if self.turned is None else self.turned, "turned", named=False)
-        x, y, _z = (Direction(first.body, column) for column in columns_of(chain))
+        x, y, _z = (Direction(first.body, column) for column in self._turned(names, first.body, second.body))
         own_y, own_z = (Direction(second.body, UNIT[k]) for k in (1, 2))
         # a multiplier of w . u, w on the second body, is a moment on it along w x u
         return [
@@ -71,13 +70,26 @@ connections: {it: {weld: [ground.A, beam.start]}}
             ConstraintRow("moment z", "moment", Alignment(own_y, x), sign=-1),
         ]
 
+    def _turned(self, names: Names, first: str, second: str) -> Columns:
+        """How the second body is turned from the first: as is said here, else as both stand at the start."""
+        if self.turned is not None:
+            return columns_of(read_chain(names, self.turned, "turned", named=False))
+        one, other = (_at_start(names.known(body)) for body in (first, second))
+        return UNIT if one is None or other is None else product(transposed(one), other)
+
     def attitude(self, names: Names) -> Attitude | None:
         if not names.space:
             return None
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
-        chain = read_chain(names, [] if self.turned is None else self.turned, "turned", named=False)
         rows = ("moment x", "moment y", "moment z")
-        return Attitude(first.body, second.body, columns_of(chain), UNIT, (), rows)
+        return Attitude(first.body, second.body, self._turned(names, first.body, second.body), UNIT, (), rows)
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.Weld(names.point(self.first), names.point(self.second))
+
+
+def _at_start(body: RigidBody) -> Columns | None:
+    """The axes of a body at the start, where they are known."""
+    if body.start.turned is None:
+        return UNIT if body.fixed else None
+    return None if any(turn.name for turn in body.start.turned) else columns_of(body.start.turned)

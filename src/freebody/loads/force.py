@@ -11,7 +11,7 @@ from freebody.loads.base import Load
 from freebody.loads.law import law, limited
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import AXES, GROUND
+from freebody.measures.geometry import AXES, GROUND, Point
 from freebody.model import glyphs
 from freebody.model.elements import AppliedLoad, Component, NonholonomicForm
 from freebody.model.glyphs import Glyph
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-def pushed_along(names: Names, at: str, heading: Heading) -> Measure | NonholonomicForm:
+def pushed_along(names: Names, point: Point, heading: Heading) -> Measure | NonholonomicForm:
     """What a force at a point pushes along a direction."""
-    point, along = names.point(at, "at"), names.direction(heading, "along")
+    along = names.direction(heading, "along")
     origin = names.ground_origin
     if along.body == GROUND:
         return Displacement(point, origin, along)
@@ -53,7 +53,7 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
 """
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
-        pushed = pushed_along(names, self.at, self.along)
+        pushed = pushed_along(names, names.point(self.at, "at"), self.along)
         magnitude, used = law(names, self.magnitude, FORCE, "magnitude")
         return [AppliedLoad("", pushed, limited(names, self, magnitude, FORCE), used)]
 

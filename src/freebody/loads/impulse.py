@@ -37,7 +37,7 @@ loads: {it: {impulse: {at: ball, along: right, magnitude: 2 N s}}}
         return self.when
 
     def impulses(self, names: Names) -> list[AppliedLoad]:
-        pushed = pushed_along(names, self.at, self.along)
+        pushed = pushed_along(names, names.point(self.at, "at"), self.along)
         return [AppliedLoad("", pushed, names.formula(self.magnitude, IMPULSE, "magnitude"))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:

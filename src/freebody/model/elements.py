@@ -11,12 +11,24 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Generic, Literal, TypeVar
 
-from freebody.language.expression import Expr, Symbol, free_symbols, replace_rates, substitute
+from freebody.language.expression import (
+    Expr,
+    Symbol,
+    add,
+    divide,
+    free_symbols,
+    multiply,
+    negate,
+    number,
+    replace_rates,
+    substitute,
+)
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Geometry, Point, Scalar, Vector, unit
 from freebody.model.one_sided import OneSided
+from freebody.model.polynomials import polynomial
 from freebody.model.pressed_side import Flank
 from freebody.model.solids import NO_SOLID, SolidKind
 
@@ -462,6 +474,23 @@ class Validity:
 
 
 @dataclass(frozen=True)
+class Spread:
+    """A straight line of a body along which a load acts: evenly, or rising from zero at its first end."""
+
+    first: Point
+    second: Point
+    rises: bool = False
+
+    @property
+    def middle(self) -> Point:
+        """Where its sum acts."""
+        share = divide(number(2), number(3)) if self.rises else divide(number(1), number(2))
+        ways = zip(self.first.offset, self.second.offset, strict=True)
+        offset = tuple(polynomial(add(a, multiply(share, add(b, negate(a))))).expression() for a, b in ways)
+        return Point(self.first.body, offset, f"{self.first} to {self.second}")
+
+
+@dataclass(frozen=True)
 class AppliedLoad:
     """A load: a measure pushed by a law of it (`VALUE`), its rate (`RATE`), time and other measures. The law is
     the generalized force in the direction in which the measure grows."""
@@ -473,6 +502,7 @@ class AppliedLoad:
     load: str = ""
     general: Expr | None = None  # the law with functions of time as symbols; None: it contains none
     one_sided: OneSided | None = None  # where it acts on one side of a border only; `law` is that of both sides
+    spread: Spread | None = None  # where it is the sum of what acts along a line
 
     @property
     def in_symbols(self) -> Expr:

@@ -300,12 +300,12 @@ class Formulas(Noting):
 
     def below_zero(self, expr: Expr) -> float | None:
         """Its value where that is negative, which needs no number where the signs of the parameters tell."""
-        if self._never_negative(expr):
+        if self.is_never_negative(expr):
             return None
         value = self.numeric(expr)
         return value if value is not None and value < 0.0 else None
 
-    def _never_negative(self, expr: Expr) -> bool:
+    def is_never_negative(self, expr: Expr) -> bool:
         """Whether the signs of the parameters alone say so: sums, products and powers of what is not negative."""
         match expr:
             case Number(value):
@@ -314,9 +314,9 @@ class Formulas(Noting):
                 known = self.parameters.get(name)
                 return known is not None and known.sign != "any" and known.value is not None and known.value >= 0.0
             case Sum(parts) | ProductOf(parts):
-                return all(map(self._never_negative, parts))
+                return all(map(self.is_never_negative, parts))
             case PowerOf(base):
-                return self._never_negative(base)
+                return self.is_never_negative(base)
             case _:
                 return False
 

@@ -9,7 +9,7 @@ over places and headings in numbers (`in_numbers`), in the plane and in space al
     tension     Rod, Rope
     contact     Surface, Touch, Halt, TurnHalt, Shoe
     relations   Relation, Equation
-    loads       Spring, Tether, Coil, ForceArrow, MomentArrow, Field
+    loads       Spring, Tether, Coil, ForceArrow, Spread, MomentArrow, Field
 """
 
 from __future__ import annotations
@@ -328,6 +328,16 @@ class ForceArrow(Generic[P, D]):
 
 
 @dataclass(frozen=True)
+class Spread(Generic[P, D, N]):
+    """A load along a straight line of a body, and how large it is at its two ends."""
+
+    first: P
+    second: P
+    along: D
+    sizes: tuple[N, N]
+
+
+@dataclass(frozen=True)
 class MomentArrow(Generic[P, D]):
     """A couple on a body, by its centre, about an axis; in the plane about z."""
 
@@ -345,7 +355,7 @@ class Field(Generic[D]):
 Joint = Pin[P, D] | Weld[P] | Ball[P] | Cross[P, D] | Rail[P, D] | Face[P, D] | Groove[P, N] | Roller[P, N]
 Rolling = Track[P, D, N] | Wheels[P, N] | Belt[P, N] | Toothed[P, N]
 Touching = Surface[P, D, N] | Touch | Halt[P, D, N] | TurnHalt[D, N] | Shoe[P]
-Pushing = Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Field[D] | Spring[P, N] | Tether[P, D]
+Pushing = Coil[P, D] | ForceArrow[P, D] | MomentArrow[P, D] | Spread[P, D, N] | Field[D] | Spring[P, N] | Tether[P, D]
 Sign = (
     Joint[P, D, N]
     | Rolling[P, D, N]

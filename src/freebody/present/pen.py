@@ -18,6 +18,7 @@ from freebody.present.figures import (
     Figure,
     Heading,
     Place,
+    Spread,
     Spring,
     angles,
     is_within,
@@ -47,6 +48,7 @@ from freebody.present.symbols import (
 _END = 0.16  # the end of a rope, in sizes of symbols
 
 
+SPREAD = 2.6  # height of a load along a line where it is largest, in sizes of symbols
 _WAVE = 0.6  # height of the waves of a slack string, in sizes of symbols
 _HUB = 1.8  # radius of a hub, in sizes of symbols
 _STEEP = 0.3  # sine of the angle of two surfaces between which something is drawn higher along one of them
@@ -97,6 +99,8 @@ class Pen:
                 yield from self._coil(sign.body, sign.base, is_spring=sign.is_spring)
             elif isinstance(sign, glyphs.Shoe):
                 yield from self._shoe(sign.first, sign.second)
+            elif isinstance(sign, glyphs.Spread):
+                yield from self._spread(sign)
 
     def _layer(self, figure: Figure) -> tuple[bool, float]:
         """Rings first, then the larger bodies behind the smaller ones."""
@@ -356,6 +360,30 @@ class Pen:
             yield Stretch(a, b, plate, "spring", longest=spring.longest)
         if not (spring.is_spring or spring.is_damper):
             yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
+
+    def _spread(self, load: Spread) -> Iterator[Stretch]:
+        """Arrows side by side onto the body, under the line of their tails."""
+        length = float(np.hypot(*np.subtract(load.second.xy, load.first.xy)))
+        largest = max(map(abs, load.sizes)) or 1.0
+        n = max(3, round(length / (1.4 * self.u)))
+        figure = self.scene.figure_of(load.first.body)
+        near = surplus(figure, self.u) if figure is not None and len(figure.outline) == 2 else 0.0
+
+        def line(points: Sequence[tuple[float, float]], style: str, *, is_closed: bool = False) -> Stretch:
+            return Stretch(load.first, load.second, np.array(points), style, is_closed, against=load.along)
+
+        tails: list[tuple[float, float]] = []
+        for share in np.linspace(0.0, 1.0, n + 1):
+            size = ((1.0 - share) * load.sizes[0] + share * load.sizes[1]) / largest
+            tall, side = SPREAD * self.u * abs(size), 1.0 if size >= 0 else -1.0
+            tails.append((share, side * (near + tall)))
+            if tall < 0.2 * self.u:
+                continue
+            head, half = min(0.7 * self.u, 0.6 * tall), 0.28 * self.u / length
+            yield line([(share, side * (near + head)), tails[-1]], "load line")
+            tip = [(share, side * near), *((share + way, side * (near + head)) for way in (-half, half))]
+            yield line(tip, "load tip", is_closed=True)
+        yield line(tails, "load line")
 
     def _joints(self) -> Iterator[Path]:
         """A small circle where bodies turn about each other, a square where they do not."""

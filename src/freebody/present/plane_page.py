@@ -87,11 +87,13 @@ class _Strokes:
                 if rope.comes is not None and rope.whole is not None:
                     own |= {"comes": round(rope.comes.angle, 6), "whole": round(rope.whole, self.digits)}
                 return {"shape": "strand", "style": style, **own}
-            case Stretch(first, second, points, style, is_closed, longest):
+            case Stretch(first, second, points, style, is_closed, longest, against):
                 ends = {"first": self.place(first), "second": self.place(second)}
                 shares = [[round(float(s), 4), round(float(n), self.digits)] for s, n in points]
                 own = {"shape": "stretch", "style": style, "points": shares, "closed": is_closed, "owner": -1}
                 own |= {} if longest is None else {"longest": round(longest, self.digits)}
+                if against is not None:
+                    own |= {"against": [round(against.x, 6), round(against.y, 6)], "turn": self._index(against.body)}
                 return {**own, **ends}
             case Path(place, turn, points, style, is_closed, color):
                 where = {"place": self.place(place), "turn": self._index(turn)}

@@ -143,7 +143,9 @@ const shapes = {
   stretch(stroke, f) {
     const a = position(stroke.first, f), b = position(stroke.second, f), dx = b[0] - a[0], dy = b[1] - a[1];
     const l = Math.hypot(dx, dy) || 1, s = Math.min(1, (stroke.longest ?? l) / l);  // a buffer that is not touched
-    return stroke.points.map(([u, v]) => [a[0] + s * u * dx - v * dy / l, a[1] + s * u * dy + v * dx / l, 0]);
+    const to = stroke.against && turned(pose(stroke.turn, f)[1], [...stroke.against, 0]);
+    const [ex, ey] = to ? [-to[0], -to[1]] : [-dy / l, dx / l];
+    return stroke.points.map(([u, v]) => [a[0] + s * u * dx + v * ex, a[1] + s * u * dy + v * ey, 0]);
   },
   strand(stroke, f) {
     const n = stroke.n_leads, lead = (k) => column(stride * n_moving + stroke.lead + k, f), points = [];

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.present.figures import Array, Place, Rope, positions, turned, with_ground
+from freebody.present.figures import Array, Heading, Place, Rope, angles, positions, turned, with_ground
 from freebody.present.layout import sweep
 
 _FINE = 12  # points of a quarter of an arc, or of a wave
@@ -32,8 +32,8 @@ class Path:
 
 @dataclass(frozen=True)
 class Stretch:
-    """A line between two places, by its share of the way and its distance to the left [m]. Where the places are farther
-    apart than it is `longest` it ends before the second."""
+    """A line between two places, by its share of the way and its distance to the left, or against a heading [m]. Where
+    the places are farther apart than it is `longest` it ends before the second."""
 
     first: Place
     second: Place
@@ -41,6 +41,7 @@ class Stretch:
     style: str
     is_closed: bool = False
     longest: float | None = None
+    against: Heading | None = None
 
 
 @dataclass(frozen=True)
@@ -80,6 +81,8 @@ def stroke_points(stroke: Stroke, pose: Array, every: Array) -> Array:
     along = b - a
     length = float(np.hypot(*along))
     left = np.array([-along[1], along[0]]) / (length or 1.0)
+    if stroke.against is not None:
+        left = -turned(float(angles(pose, stroke.against)[0]), 1.0, 0.0)
     if stroke.longest is not None and length > stroke.longest:
         along *= stroke.longest / length
     return a + stroke.points[:, :1] * along + stroke.points[:, 1:] * left

@@ -46,6 +46,8 @@ STYLES: dict[str, Style] = {
     "slips": Style("ink", 1.2, "paper"),
     "presses": Style("muted", 1.0, "muted"),
     "shoe": Style("ink", 1.2, "muted"),
+    "load line": Style("force", 1.0),
+    "load tip": Style("force", 0.6, "force"),
     "pull": Style("muted", 1.2, dashes=(4.0, 3.0)),
     "gear": Style("", 0.0, "body", 0.3),
     "pitch circle": Style("body", 1.0, dashes=(7.0, 2.0, 1.0, 2.0)),

@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Wrench(Quantity, kind="reaction"):
-    """Force or moment of a connection on a body: a vector, a component, the size, or the moment about the mass
-    centre or a point."""
+    """Force or moment of a connection on a body: a vector, a component, the size, or the moment about a point; without
+    a point that of a joint by which it holds a turn, else about the mass centre."""
 
     connection: str
     on: str | None
@@ -82,6 +82,10 @@ questions: {it: reaction of rod on bob}
 
     def remark(self, system: Described) -> str:
         connection, body = self.connection, self.body(system)
+        if self.moment and self.about is None and not self._couples(system):
+            return Message(
+                "the moment that {connection} exerts on {body}, about its mass centre", connection=connection, body=body
+            )
         if self.moment:
             return Message("the moment that {connection} exerts on {body}", connection=connection, body=body)
         return Message("the force that {connection} exerts on {body}", connection=connection, body=body)
@@ -100,6 +104,11 @@ questions: {it: reaction of rod on bob}
             raise CannotAnswer(Message("{connection} joins fixed bodies only", connection=self.connection))
         return moving[0]
 
+    def _couples(self, system: Described) -> list[ConstraintRow]:
+        """The rows by which the connection holds a turn: the moment of a joint is theirs."""
+        rows = (row for row in system.constraint_rows if row.connection == self.connection and self.counts(row))
+        return [row for row in rows if row.reaction == "moment"]
+
     def counts(self, row: ConstraintRow) -> bool:
         """Whether what a row of the connection transmits is part of it."""
         return True
@@ -112,14 +121,9 @@ questions: {it: reaction of rod on bob}
         """The sum of what is transmitted times the gradient over the rows of the connection."""
         body = self.body(system)
         rows = [row for row in system.constraint_rows if row.connection == self.connection and self.counts(row)]
-        if self.moment and self.about is None and not system.space:
-            couples = [row for row in rows if row.reaction == "moment"]
-            if couples:
-                total: Any = 0
-                for row in couples:
-                    total = total + state.gradient(row.measure, body)[2] * self.transmitted(state, row)
-                return total
         n = len(axes_of(system))
+        if self.moment and self.about is None:
+            rows = self._couples(system) or rows
         force: Vector = (0,) * n
         moment: Vector = (0,) * (3 if system.space else 1)
         self.must_have_whole(system.constraint_rows, body, n, state)

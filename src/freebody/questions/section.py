@@ -37,7 +37,7 @@ from freebody.language.units import FORCE, TORQUE, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import ONE, Direction, Point
 from freebody.measures.turned import points_in
-from freebody.model.elements import RigidBody
+from freebody.model.elements import RigidBody, Spread
 from freebody.model.solids import ROD
 from freebody.model.state import State
 from freebody.questions.base import NAME, PLACE, Described, Found, Path, Quantity, asked
@@ -104,8 +104,9 @@ questions: {it: bending moment of beam at beam.center}
         rod, axes = system.bodies[self.body], axes_of(system)
         along = components_of(Direction(self.body, (ONE, *(ZERO,) * (len(axes) - 1))), state, len(axes))
         force, moment = self._own(system, state, rod)
-        for pull in _pulls(system, state, rod):
-            if self._is_beyond(state, rod, pull) and pull.at is not None:
+        pulls = [pull for pull in _pulls(system, state, rod) if self._is_beyond(state, rod, pull)]
+        for pull in (*pulls, *self._spread_beyond(system, state, rod)):
+            if pull.at is not None:
                 arm = _between(system, state, self._cut(rod), pull.at)
                 force = added(force, pull.force)
                 moment = added(moment, added(pull.couple, cross(arm, pull.force)))
@@ -140,6 +141,8 @@ questions: {it: bending moment of beam at beam.center}
 
     def _is_beyond(self, state: State[Any], rod: RigidBody, pull: Pull) -> bool:
         """Whether a pull acts between the cut and the end; a section at the start, or the end, is just inside of it."""
+        if all(map(_is_zero, (*pull.force, *pull.couple))):
+            return False
         if pull.at is None:
             if self.part != "bending" and all(_is_zero(f) for f in pull.force):
                 return False
@@ -151,17 +154,11 @@ questions: {it: bending moment of beam at beam.center}
             raise CannotAnswer(told)
         is_at_an_end = pull.at.offset[0] in (rod.points["start"][0], rod.points["end"][0])
         if not (self.named or is_at_an_end):
-            told = Message(
-                "{name} acts between the ends of {body}, so the axial force changes there; say where: axial force of "
-                "{body} at POINT",
-                name=pull.name,
-                body=rod.name,
-            )
-            raise CannotAnswer(told)
+            raise self._changes(rod, pull.name)
         if is_at_an_end:
             return pull.at.offset[0] == rod.points["end"][0]
-        ahead = state.scalar(add(pull.at.offset[0], negate(self.offset)))
-        if _is_zero(ahead):
+        ahead = self._ahead(state, rod, pull.at.offset[0])
+        if ahead == 0:
             if self.part == "bending" and not pull.has_couple:
                 return True  # without an arm it has no moment
             if self.side:
@@ -172,11 +169,71 @@ questions: {it: bending moment of beam at beam.center}
                 point=self.named,
             )
             raise CannotAnswer(told)
-        size = state.absolute(ahead)
-        if not (_is_zero(size - ahead) or _is_zero(size + ahead)):
+        if ahead is None:
             told = Message("whether {name} acts before or behind the section depends on lengths", name=pull.name)
             raise CannotAnswer(told)
-        return _is_zero(size - ahead)
+        return ahead > 0
+
+    def _changes(self, rod: RigidBody, name: str) -> CannotAnswer:
+        told = Message(
+            "{name} acts between the ends of {body}, so the axial force changes there; say where: axial force of "
+            "{body} at POINT",
+            name=name,
+            body=rod.name,
+        )
+        return CannotAnswer(told)
+
+    def _spread_beyond(self, system: Described, state: State[Any], rod: RigidBody) -> Iterator[Pull]:
+        """What of the loads along lines of the rod acts beyond the cut, each where its sum acts."""
+        for push in system.applied_loads:
+            if push.spread is None or push.spread.first.body != rod.name:
+                continue
+            if any(c != ZERO for point in (push.spread.first, push.spread.second) for c in point.offset[1:]):
+                told = Message("{name} does not act along the axis of {body}", name=push.load, body=rod.name)
+                raise CannotAnswer(told)
+            n = len(axes_of(system))
+            slope = state.gradient(push.measure, rod.name)[:n]
+            if not self.named:
+                along = components_of(Direction(rod.name, (ONE, *(ZERO,) * (n - 1))), state, n)
+                if not _is_zero(dot(along, slope)):
+                    raise self._changes(rod, push.load)
+                continue
+            found = self._part_beyond(state, rod, push.load, push.spread)
+            if found is not None:
+                share, at = found
+                size = state.law(push) * state.scalar(share)
+                force = tuple(size * c for c in slope)
+                yield Pull(push.load, force, (0,) * (3 if system.space else 1), _on_axis(rod, at), has_couple=False)
+
+    def _part_beyond(self, state: State[Any], rod: RigidBody, name: str, spread: Spread) -> tuple[Expr, Expr] | None:
+        """The share of a load along a line that acts beyond the cut, and where on the axis; None where nothing does.
+
+        Between w_1 and w_2 on a length l it is (w_1 + w_2) l/2, at l/3 (w_1 + 2 w_2)/(w_1 + w_2)."""
+        ends = [(spread.first.offset[0], ZERO if spread.rises else ONE), (spread.second.offset[0], ONE)]
+        ahead = [self._ahead(state, rod, x) for x, _w in ends]
+        if ahead in ([1, 1], [0, 1], [1, 0]):
+            return ONE, spread.middle.offset[0]
+        if None not in ahead and 1 not in ahead:
+            return None
+        if None in ahead:
+            told = Message("whether {name} acts before or behind the section depends on lengths", name=name)
+            raise CannotAnswer(told)
+        if ahead[0] == 1:
+            ends = ends[::-1]
+        (low, w_1), (high, w_2) = ends
+        whole, left = add(high, negate(low)), add(high, negate(self.offset))
+        w_cut = add(w_2, multiply(add(w_1, negate(w_2)), divide(left, whole)))
+        share = divide(multiply(left, add(w_cut, w_2)), multiply(whole, add(w_1, w_2)))
+        arm = divide(multiply(left, add(w_cut, multiply(number(2), w_2))), multiply(number(3), add(w_cut, w_2)))
+        return share, add(self.offset, arm)
+
+    def _ahead(self, state: State[Any], rod: RigidBody, x: Expr) -> int | None:
+        """1 for a place on the axis between the cut and the end, -1 before it; None where it depends on lengths."""
+        if self.offset == x:
+            return 0
+        if self.offset in (rod.points["start"][0], rod.points["end"][0]):
+            return 1 if self.offset == rod.points["start"][0] else -1
+        return _sign(state, add(x, negate(self.offset)))
 
     def sentence(self, system: Described) -> Sentence:
         part = "thrust" if self.is_thrust else self.part
@@ -203,7 +260,7 @@ def _pulls(system: Described, state: State[Any], rod: RigidBody) -> Iterator[Pul
         yield _pull(system, state, rod, name, [(row.measure, state.multiplier(row)) for row in own])
     for push in system.applied_loads:
         spread = system.loads[push.load].spread_over if push.load in system.loads else ""
-        if rod.name not in set(push.measure.bodies()) or spread == "mass":
+        if rod.name not in set(push.measure.bodies()) or spread == "mass" or push.spread is not None:
             continue
         if spread:
             told = Message(
@@ -245,6 +302,15 @@ def _on_axis(rod: RigidBody, offset: Expr) -> Point:
 def _between(system: Described, state: State[Any], first: Point, second: Point) -> Vector:
     here, there = place(system, state, first), place(system, state, second)
     return tuple(b - a for a, b in zip(here, there, strict=True))
+
+
+def _sign(state: State[Any], expr: Expr) -> int | None:
+    """-1, 0 or 1; None where it depends on lengths."""
+    value = state.scalar(expr)
+    if _is_zero(value):
+        return 0
+    size = state.absolute(value)
+    return 1 if _is_zero(size - value) else -1 if _is_zero(size + value) else None
 
 
 def _is_zero(x: Any) -> bool:

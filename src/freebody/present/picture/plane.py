@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from freebody.model.glyphs import Equation, Field, Halt, Surface, Touch, TurnHalt
+from freebody.model.glyphs import Equation, Field, Halt, Spread, Surface, Touch, TurnHalt
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Drawn, hull, owners
 from freebody.present.layout import bounds
@@ -108,7 +108,7 @@ def part_of(scene: Scene, bodies: Sequence[str]) -> Scene:
         match sign:
             case Touch(first, second):
                 return first in bodies and second in bodies
-            case Surface() | Halt() | TurnHalt() | Equation() | Field():
+            case Surface() | Halt() | TurnHalt() | Equation() | Field() | Spread():
                 return False
             case _:
                 return owners(sign) <= kept

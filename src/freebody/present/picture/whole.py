@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from freebody.language.expression import Expr, Symbol, add, differentiate, free_symbols
+from freebody.language.expression import ZERO, Expr, Symbol, add, differentiate, free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
@@ -15,9 +16,10 @@ from freebody.measures.geometry import Point
 from freebody.measures.turned import within
 from freebody.messages import in_turn, listed
 from freebody.model.elements import RATE, VALUE, ConstraintRow, NonholonomicForm
-from freebody.model.glyphs import Equation, Pin, Rail, Spring
+from freebody.model.glyphs import Equation, Pin, Rail, Spread, Spring
 from freebody.present import figures
-from freebody.present.figures import Array, Place, positions
+from freebody.present.figures import Array, Place, angles, positions
+from freebody.present.pen import SPREAD
 from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
 from freebody.present.picture.bodies_free import body_label, name_beside
 from freebody.present.picture.coordinates import Coordinates
@@ -78,7 +80,7 @@ class Whole(ABC):
         if with_signs:
             self.draw_signs()
         self.name_bodies()
-        self._name_springs()
+        self.name_loads()
         for sign in self.scene.signs:
             if isinstance(sign, Equation) and sign.text not in self.said:
                 places = around(self.at(sign.at), (1.0, -1.0))
@@ -88,7 +90,8 @@ class Whole(ABC):
         return self.sketch
 
     # -- names --------------------------------------------------------------------------------
-    def _name_springs(self) -> None:
+    def name_loads(self) -> None:
+        """Springs by their constants."""
         for shown in self.scene.shown:
             own = [push for push in self.system.applied_loads if push.load == shown.owner and shown.is_load]
             laws = [add(*(push.law for push in own if push.measure == first.measure)) for first in own]
@@ -172,6 +175,27 @@ class WholeInPlane(Whole):
         self._draw_coordinates()
         dimensions.draw()
         GivenPlaces(dimensions).draw()
+
+    def name_loads(self) -> None:
+        """The intensities of a load along a line, over its ends or, where they are the same, over its middle."""
+        super().name_loads()
+        for shown in self.system.glyphs:
+            if not isinstance(shown.sign, Spread):
+                continue
+            sign, (one, other) = shown.sign, shown.sign.sizes
+            ends = [self.at(self.places.place(point)) for point in (sign.first, sign.second)]
+            bearing = float(angles(self.drawing.poses, self.places.heading(sign.along))[0])
+            along = np.array((np.cos(bearing), np.sin(bearing)))
+            sizes = [one, other] if one != other else [one]
+            if one == other:
+                ends = [0.5 * (ends[0] + ends[1])]
+            values = [self.places.number(size) for size in sizes]
+            for at, size, value in zip(ends, sizes, values, strict=True):
+                tall = (SPREAD * value / (max(map(abs, values)) or 1.0) + math.copysign(1.3, value)) * SYMBOL
+                if size != ZERO:
+                    label, tail = formula(size) if free_symbols(size) else words(shown.owner), at - tall * along
+                    spots = tuple((tail - far * math.copysign(SYMBOL, value) * along, -along) for far in (0.0, 1.5))
+                    self.sketch.wish(Wish(label, spots, 10.0, Ink("force"), weight=3.5))
 
     def _draw_coordinates(self) -> None:
         """A coordinate that follows a law has it beside its arrow; what has no name of its own has the law alone."""

@@ -7,7 +7,7 @@ from itertools import groupby, pairwise
 
 import numpy as np
 
-from freebody.model.glyphs import Coil, ForceArrow, Halt, MomentArrow, Relation, Rod, Rope, Shoe, Spring, Tether
+from freebody.model.glyphs import Coil, ForceArrow, Halt, MomentArrow, Relation, Rod, Rope, Shoe, Spread, Spring, Tether
 from freebody.present import figures
 from freebody.present.figures import Array, Heading, Place
 from freebody.present.scene import Scene
@@ -20,7 +20,8 @@ from freebody.present.space.solids import basis, box, prism
 from freebody.present.space.stands import Stands
 from freebody.present.space.symbols import arrow, curved_arrow, damper, helix, spiral
 
-_ORDER: dict[type, int] = {Rod: 1, Rope: 2, Spring: 3, ForceArrow: 4, Tether: 4, MomentArrow: 4, Coil: 5}
+_ORDER: dict[type, int] = {Rod: 1, Rope: 2, Spring: 3, ForceArrow: 4, Tether: 4, MomentArrow: 4, Coil: 5, Spread: 6}
+_N_SIDE_BY_SIDE = 7  # arrows of a load along a line
 
 
 class Loads:
@@ -57,6 +58,8 @@ class Loads:
                 yield from self._spring(first, second, is_spring=is_spring, is_damper=is_damper)
             case ForceArrow(at, along) | Tether(at, along):
                 yield from self._force(at, along)
+            case Spread(first, second, along, sizes):
+                yield from self._spread(first, second, along, sizes)
             case MomentArrow(body, axis):
                 yield from self._moment(body.body, upright(self.scene, axis))
             case Coil(body, _base, axis):
@@ -111,6 +114,16 @@ class Loads:
         _low, high = self.cuts.inside((at,), self.poses.heading(heading, 0), deep=float("inf"))
         for part in arrow(np.array(heading.along), max(0.0, high), 6.5 * self.u, self.u):
             yield Piece(part, at, heading.body, "force")
+
+    def _spread(self, first: Place, second: Place, heading: Heading, sizes: tuple[float, float]) -> Iterator[Piece]:
+        """Arrows side by side, as long as the load is large there."""
+        one, other, largest = np.array(first.at), np.array(second.at), max(map(abs, sizes)) or 1.0
+        for share in np.linspace(0.0, 1.0, _N_SIDE_BY_SIDE):
+            size = ((1.0 - share) * sizes[0] + share * sizes[1]) / largest
+            place = Place(first.body, *((1.0 - share) * one + share * other).tolist())
+            if abs(size) > 0.1:
+                for part in arrow(np.sign(size) * np.array(heading.along), 0.0, 4.0 * abs(size) * self.u, 0.6 * self.u):
+                    yield Piece(part, place, heading.body, "force")
 
     def _moment(self, body: int, axis: Heading) -> Iterator[Piece]:
         place, radius = self._axle_of(body, self.poses.heading(axis, 0))
