@@ -735,6 +735,38 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "impulse": "m*M*v/(m + M)",
         "height": "m**2*v**2/(2*g*(m + M)**2) - L",
     },
+    # A from the moments about B; M in the middle of the field is q a^2/8 less what the overhang takes off
+    "beam_with_overhang": {
+        "A": "q*a/2 - P*b/a",
+        "B": "q*a/2 + P*(a + b)/a",
+        "over_B": "-P*b",
+        "middle": "q*a**2/8 - P*b/2",
+        "before": "-q*a/2 - P*b/a",
+        "behind": "P",
+        "lifts": "q*a**2/(2*b)",
+    },
+    # F = rho g b h^2/2 at h/3 above the sill
+    "gate_under_water_pressure": {
+        "sill": "rho*g*b*h**2/2*(H - h/3)/H",
+        "hinge": "rho*g*b*h**3/(6*H)",
+        "moment": "rho*g*b*h**3*(H - h)/(6*H)",
+        "half": "H",
+    },
+    # in the frame of the wedge m a_W cos pulls along the slope, and N = m g cos - m a_W sin; the centre of mass stays
+    "block_on_a_movable_wedge": {
+        "wedge": "m*g*sin(alpha)*cos(alpha)/(M + m*sin(alpha)**2)",
+        "block": "-(m + M)*g*sin(alpha)/(M + m*sin(alpha)**2)",
+        "pressed": "m*M*g*cos(alpha)/(M + m*sin(alpha)**2)",
+        "way": "m*L/(m + M)",
+        # energy g L/2 sin alpha of the block, shared with the wedge: v_W = m cos(alpha) s'/(m + M)
+        "speed": "sqrt(g*L*sin(alpha)*(M**2 + m*(2*M + m)*sin(alpha)**2)/((m + M)*(M + m*sin(alpha)**2)))",
+    },
+    # Willis: (w_s - w_c)/(0 - w_c) = -z_r/z_s; massless gears pass on the torque M i, three planets share it
+    "planetary_gear_by_module": {
+        "ratio": "1 + z_r/z_s",
+        "starts": "M*(1 + z_r/z_s)/J",
+        "teeth": "2*M/(3*module*z_s)",
+    },
     # about the contact point I = m R^2 (3/2 - 8/(3 pi) cos(phi)), the mass centre 4 R/(3 pi) below the centre
     "rocking_half_disk": {
         "equation": "-8*sin(phi)*(R*rate(phi)**2 + g)/(R*(9*pi - 16*cos(phi)))",

@@ -120,7 +120,7 @@ MISTAKES = {
     ),
     "a pulley without a shape": (
         "bodies: {pulley: {radius: 10 cm, mass: 0}}",
-        "pulley needs a shape with these fields: pulley: {disk: {radius: 10 cm, mass: 0}} (or body, ring)",
+        "pulley needs a shape with these fields: pulley: {disk: {radius: 10 cm, mass: 0}} (or body, gear, ring)",
     ),
     "a line under the ground by its angle": (
         f"parameters: {{beta: 30 deg}}\nground: {{slope: {{angle: beta}}}}\n{BLOCK}",
@@ -135,9 +135,12 @@ MISTAKES = {
         "give it a name of its own beside its kind, e.g. my_gravity: {gravity: 9.81 m/s^2}",
     ),
     "teeth of a body": (
-        "bodies: {a: {gear: {teeth: 20}}}",
-        "disk has no teeth: teeth and module belong to the mesh: gear_mesh: {first: sun, second: planet, module: m, "
-        "teeth: [z1, z2]}",
+        "bodies: {a: {disk: {teeth: 20}}}",
+        "disk has no teeth: teeth and a module are those of a gear: {gear: {teeth: 20, module: 2 mm}}",
+    ),
+    "a force without a value": (
+        f"{BLOCK}loads: {{push: {{force: {{at: block, along: right, magnitude: P}}}}}}",
+        "P is not a parameter. There is: t. Add it under parameters, e.g. P: 1 N, or without a number P: N",
     ),
     "a section by another name": (
         f"{BLOCK}drivers: {{motor: {{torque: {{on: block, magnitude: 1 N m}}}}}}",

@@ -74,3 +74,40 @@ def test_an_open_radius_takes_no_value_from_a_formula_without_it() -> None:
     )
     assert not system.has_values
     assert system.solve()["turn"].value == pytest.approx(3.0)
+
+
+BY_TEETH = """
+ground: {{points: {{A: [0, 0], B: [{apart}, 0]}}}}
+bodies: {{a: {{gear: {{{one}}}}}, b: {{gear: {{{other}}}, at: [{apart}, 0]}}}}
+connections: {{p: {{pin: [ground.A, a]}}, q: {{pin: [ground.B, b]}}, it: {{gear_mesh: [{mesh}]}}}}
+questions: {{it: ratio of angular velocity of b to angular velocity of a}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("apart", "one", "other", "mesh", "ratio"),
+    [
+        ("68 mm", "mass: 1 kg, teeth: 17, module: 2 mm", "mass: 1 kg, teeth: 51, module: 2 mm", "a, b", -17 / 51),
+        ("34 mm", "mass: 1 kg, teeth: 17, module: 2 mm", "teeth: 51, module: 2 mm, internal: true", "b, a", 17 / 51),
+        ("68 mm", "mass: 1 kg, radius: 17 mm", "mass: 1 kg, teeth: 51, module: 2 mm", "a, b", -17 / 51),
+    ],
+)
+def test_gears_by_their_teeth_mesh_by_their_pitch_circles(
+    apart: str, one: str, other: str, mesh: str, ratio: float
+) -> None:
+    system = fb.System.from_text(BY_TEETH.format(apart=apart, one=one, other=other, mesh=mesh))
+    assert system.solve()["it"].value == pytest.approx(ratio)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "mesh", "told"),
+    [
+        ("teeth: 17, module: 2 mm", "teeth: 51, module: 3 mm", "a, b", "only teeth of one module mesh"),
+        ("teeth: 17, module: 2 mm", "teeth: 51, module: 2 mm, internal: true", "a, b", r"write it first, \[b, a\]"),
+        ("teeth: 17.5, module: 2 mm", "teeth: 51, module: 2 mm", "a, b", "a number of teeth is whole, e.g. 18"),
+        ("teeth: 17", "teeth: 51, module: 2 mm", "a, b", "a gear has teeth and a module"),
+    ],
+)
+def test_gears_that_do_not_mesh_are_told(one: str, other: str, mesh: str, told: str) -> None:
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(BY_TEETH.format(apart="68 mm", one=one, other=other, mesh=mesh))

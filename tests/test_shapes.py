@@ -66,6 +66,47 @@ def test_n_equal_parts_of_a_circle_are_the_circle(kind: str, whole: str, n: int)
     same(f"composite: {{parts: {{{parts}}}}}", f"{whole}: {{mass: {n} kg, radius: 0.3 m}}")
 
 
+@pytest.mark.parametrize(("way", "x"), [("right", 1), ("left", -1)])
+def test_a_wedge_is_the_triangle_of_its_corners(way: str, x: int) -> None:
+    h = 0.4 * math.tan(math.radians(30))
+    wedge = f"wedge: {{mass: 2 kg, angle: 30 deg, length: 0.4 m, rises: {way}}}"
+    place = f"[{-x * 0.8 / 3!r}, {-h / 3!r}, 0]"
+    triangle = f"polygon: {{mass: 2 kg, corners: [[0, 0], [{0.4 * x}, 0], [{0.4 * x}, {h!r}]]}}"
+    # the polygon counts from its toe
+    same(f"composite: {{parts: {{it: {{{wedge}}}}}}}", f"composite: {{parts: {{it: {{{triangle}, at: {place}}}}}}}")
+    same(wedge, wedge.replace("length: 0.4 m", f"height: {h!r}"))
+
+
+@pytest.mark.parametrize(
+    ("wedge", "told"),
+    [
+        ("mass: 2 kg, angle: 95 deg", "between 0 and 90 deg"),
+        ("mass: 2 kg, angle: 30 deg, length: 1 m, height: 1 m", "leave out one of the three"),
+    ],
+)
+def test_what_is_no_wedge_is_told(wedge: str, told: str) -> None:
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(f"bodies: {{it: {{wedge: {{{wedge}}}}}}}")
+
+
+def test_a_cylinder_rolls_on_a_wedge_that_moves_aside_either_way() -> None:
+    """(m + M) x'' = m s'' cos, 3/2 s'' = x'' cos + g sin."""
+    m, M, g, a = 2.0, 5.0, 9.81, math.radians(30)
+    expected = m * g * math.sin(2 * a) / (3 * (m + M) - 2 * m * math.cos(a) ** 2)
+    for way, sign in (("right", 1), ("left", -1)):
+        system = fb.System.from_text(f"""
+bodies:
+  wedge: {{wedge: {{mass: {M} kg, angle: 30 deg, rises: {way}}}}}
+  roller: {{disk: {{mass: {m} kg, radius: 0.1 m}}}}
+connections:
+  floor: {{slider: {{body: wedge, along: right}}}}
+  slope: {{rolling: {{body: roller, on: wedge.face}}}}
+loads: {{weight: {{gravity: {g} m/s^2}}}}
+questions: {{it: acceleration of wedge along right}}
+""")
+        assert system.solve()["it"].value == pytest.approx(sign * expected, rel=1e-12)
+
+
 def test_a_half_disk_is_a_sector_of_180_degrees() -> None:
     same("half_disk: {mass: 2 kg, radius: 0.3 m}", "sector: {mass: 2 kg, radius: 0.3 m, angle: 180 deg}")
     same("half_ring: {mass: 2 kg, radius: 0.3 m}", "arc: {mass: 2 kg, radius: 0.3 m, angle: 180 deg}")

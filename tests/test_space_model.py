@@ -339,14 +339,12 @@ parameters: {{L: 2 m, P: 30 N, q: 60 N/m, m: 3 kg, g: 9.81 m/s^2}}
 bodies: {{mast: {{rod: {{mass: m, length: L}}, turned: [-90 deg about y]}}}}
 connections: {{foot: {{weld: {weld}}}}}
 loads:
-  weight: {{gravity: g}}
+  weight: {{gravity: {{strength: g, along: [0, 0, -1]}}}}
   pull: {{force: {{at: mast.end, along: y, magnitude: P}}}}
   wind: {{distributed: {{between: [mast.start, mast.end], along: y, intensity: [0, q]}}}}
 """)
-    result = system.solve(
-        "moment of foot on mast", "moment of foot on mast about mast.end", "axial force of mast at center"
-    )
-    at_foot, at_end, axial = result.answers
+    asked = ("moment of foot on mast", "moment of foot on mast about mast.end", "axial force of mast at center")
+    at_foot, at_end, axial = (system.solve(question).answers[0] for question in asked)
     assert at_foot.value == pytest.approx((30 * 2 + 60 * 4 / 3, 0.0, 0.0), abs=1e-9)
     assert at_end.value == pytest.approx((-60 * 4 / 6, 0.0, 0.0), abs=1e-9)
     assert axial.value == pytest.approx(-3 * 9.81 / 2, rel=1e-9)

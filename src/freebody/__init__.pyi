@@ -81,6 +81,7 @@ from freebody.model.shapes.cylinder import Cylinder as _Cylinder
 from freebody.model.shapes.disk import Disk as _Disk
 from freebody.model.shapes.ellipsoid import Ellipsoid as _Ellipsoid
 from freebody.model.shapes.frustum import Frustum as _Frustum
+from freebody.model.shapes.gear import Gear as _Gear
 from freebody.model.shapes.given import Body as _Body
 from freebody.model.shapes.hemisphere import Hemisphere as _Hemisphere
 from freebody.model.shapes.hemisphere import HemisphericalShell as _HemisphericalShell
@@ -100,6 +101,7 @@ from freebody.model.shapes.sector import HalfDisk as _HalfDisk
 from freebody.model.shapes.sector import HalfRing as _HalfRing
 from freebody.model.shapes.sector import Sector as _Sector
 from freebody.model.shapes.sphere import Sphere as _Sphere
+from freebody.model.shapes.wedge import Wedge as _Wedge
 from freebody.narrative.explain import explain as explain
 from freebody.narrative.marking.check import check as check
 from freebody.narrative.synthesised import synthesise as synthesise
@@ -653,13 +655,30 @@ class Frustum(_Frustum):
         axis: _Along = ...,
     ) -> None: ...
 
+class Gear(_Gear):
+    """`gear: {teeth: z, module: m, mass: M}`: a uniform disk of the radius m z/2 of its pitch circle, M r^2/2 unless
+    `inertia` is given; gears of one module mesh (`gear_mesh: [sun, planet]`). `internal: true` for a ring gear, a thin
+    ring, M r^2. A `radius` in place of teeth and module where only the ratio counts."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        teeth: _Formula | None = ...,
+        module: _Formula | None = ...,
+        radius: _Formula | None = ...,
+        internal: bool = ...,
+        inertia: _Formula | None = ...,
+        axis: _Along = ...,
+    ) -> None: ...
+
 class GearMesh(_GearMesh):
     """`gear_mesh: [sun, planet]`, `gear_mesh: {first: ring, second: planet, internal: true}` with the ring gear
     first. The tooth force acts along the common tangent of the pitch circles and is positive when it resists a
     counter-clockwise turn of the first gear. With a `pressure_angle` the teeth part the gears as well, by its tangent
     times the tooth force, which is positive then, or negative with `other_flank: true`. The distance of the centres is
     held too where no carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel
-    with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
+    with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z, as those of
+    bodies that are gears (`gear: {teeth: z, module: m}`) have."""
 
     def __init__(
         self,
@@ -1346,10 +1365,25 @@ class VelocityConstraint(_VelocityConstraint):
         expression: _Text,
     ) -> None: ...
 
+class Wedge(_Wedge):
+    """`wedge: {mass: M, angle: alpha, length: L}`: a right-angled triangle on its base of the length L, with a slope
+    that rises to the right, or `rises: left`; `height` in place of the length. Points: the corners `toe`, `heel` (of
+    the right angle) and `top`, and the middles `base`, `back` and `face` of its sides, which others may lie on or slide
+    along (`along: wedge.face`). A length that is left out is zero, unless one of these points is used."""
+
+    def __init__(
+        self,
+        mass: _Formula = ...,
+        angle: _Formula = ...,
+        length: _Formula | None = ...,
+        height: _Formula | None = ...,
+        rises: Any = ...,
+    ) -> None: ...
+
 class Weld(_Weld):
     """`weld: [ground.A, beam.start]`. Two points coincide and the angle between the bodies stays as it is at
     the start (3 rows). In space the second body is `turned` from the first by known rotations, such as [30 deg about
-    x], and parallel to it without any (6 rows)."""
+    x]; without any it stays as both are `turned` at the start, else parallel to the first (6 rows)."""
 
     def __init__(
         self,

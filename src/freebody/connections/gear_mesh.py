@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from freebody.connections.circles import look_at_fit, own_radius, touching
@@ -32,7 +32,8 @@ class GearMesh(SharedByCopies, kind="gear_mesh"):
     counter-clockwise turn of the first gear. With a `pressure_angle` the teeth part the gears as well, by its tangent
     times the tooth force, which is positive then, or negative with `other_flank: true`. The distance of the centres is
     held too where no carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel
-    with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z."""
+    with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z, as those of
+    bodies that are gears (`gear: {teeth: z, module: m}`) have."""
 
     called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
     also: ClassVar[tuple[str, ...]] = ("gear", "mesh")
@@ -70,16 +71,18 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         if first.name == second.name:
             names.problem(Message("{first} cannot mesh with itself", first=first.name))
             return []
+        self._look_at_modules(names)
         radii = self._radii(names)
         slope = parting_slope(read_pressure_angle(names, self))
         flank = -1 if self.other_flank else 1
+        internal = self._is_internal(names)
         # teeth of a ring gear pull the two centres together
-        parting = slope if self.internal == (flank > 0) else -slope
+        parting = slope if internal == (flank > 0) else -slope
         terms: list[tuple[Expr, Measure]] = []
         apart: list[tuple[Expr, Measure]] = []
         centers: list[ConstraintRow] = []
         for k, (one, other) in enumerate(self._pairs(names)):
-            distance, total, rolled = touching(one.center, radii[0], other.center, radii[1], internal=self.internal)
+            distance, total, rolled = touching(one.center, radii[0], other.center, radii[1], internal=internal)
             if k == 0:
                 self._look_at_distance(names, (first, second), radii, total)
             terms += rolled.terms
@@ -101,14 +104,27 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
     def _pairs(self, names: Names) -> list[tuple[RigidBody, RigidBody]]:
         return [(names.known(one), names.known(other)) for one, other in self.pairs_of_gears(names)]
 
+    def _is_internal(self, names: Names) -> bool:
+        """Whether the first gear is a ring gear."""
+        teeth = names.known(self.first).teeth
+        return self.internal or (teeth is not None and teeth.is_internal)
+
+    def _counts(self, names: Names) -> tuple[Expr, ...]:
+        """The numbers of teeth, as far as they are said here or with the gears."""
+        if self.teeth is not None:
+            return tuple(names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
+        own = (names.known(gear).teeth for gear in (self.first, self.second))
+        return tuple(teeth.count for teeth in own if teeth is not None)
+
     def teeth_with(self, names: Names, body: str) -> tuple[float, float, int] | None:
-        if self.teeth is None or len(self.teeth) != 2 or body not in (self.first, self.second):
+        if body not in (self.first, self.second):
             return None
         with names.quietly():
-            first, second = (names.numeric(names.formula(z, DIMENSIONLESS)) for z in self.teeth)
-        if first is None or second is None:
+            counts = [z for z in map(names.numeric, self._counts(names)) if z is not None]
+        if len(counts) != 2:
             return None
-        sense = 1 if self.internal else -1
+        first, second = counts
+        sense = 1 if self._is_internal(names) else -1
         return (first, second, sense) if body == self.second else (second, first, sense)
 
     def _look_at_distance(
@@ -120,7 +136,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         if apart is None or is_near(apart, needed := abs(number_of(names, total))):
             return
         first, second = (gear.name for gear in gears)
-        if not self.internal and is_near(apart, abs(number_of(names, add(radii[0], negate(radii[1]))))):
+        if not self._is_internal(names) and is_near(apart, abs(number_of(names, add(radii[0], negate(radii[1]))))):
             names.problem(
                 Message(
                     "where {first} and {second} are put, one pitch circle lies inside the other, as in a ring gear. "
@@ -160,21 +176,43 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
     def _radii(self, names: Names) -> tuple[Expr, Expr]:
         if self.module is None and self.teeth is None:
             radii = own_radius(names, self, "first"), own_radius(names, self, "second")
-            if self.internal:
+            if self._is_internal(names):
                 look_at_fit(names, self.second, radii[1], self.first, radii[0], "first")
             return radii
         if self.module is None or self.teeth is None or len(self.teeth) != 2:
             names.problem(Message("module and teeth go together, e.g. module: 2 mm, teeth: [17, 51]"), "teeth")
             return ONE, ONE
         module = names.positive(self, "module", LENGTH)
-        teeth = [names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth)]
+        teeth = self._counts(names)
         self._look_at_teeth(names, teeth)
         first, second = (divide(multiply(module, z), number(2)) for z in teeth)
         for key, radius in (("first", first), ("second", second)):
             self._look_at_radius(names, key, radius)
         return first, second
 
-    def _look_at_teeth(self, names: Names, teeth: list[Expr]) -> None:
+    def _look_at_modules(self, names: Names) -> None:
+        """Of gears by teeth and module: one module, and the ring gear first."""
+        first, second = names.known(self.first), names.known(self.second)
+        if first.teeth is None or second.teeth is None:
+            return
+        if second.teeth.is_internal:
+            told = Message(
+                "{ring} is a ring gear: write it first, [{ring}, {planet}]", ring=second.name, planet=first.name
+            )
+            names.problem_once(told)
+        one, other = (names.numeric(body.teeth.module) for body in (first, second) if body.teeth is not None)
+        if one is not None and other is not None and not is_near(one, other):
+            names.problem_once(
+                Message(
+                    "{first} has the module {one:.4g} m, {second} {other:.4g} m: only teeth of one module mesh",
+                    first=first.name,
+                    one=one,
+                    second=second.name,
+                    other=other,
+                )
+            )
+
+    def _look_at_teeth(self, names: Names, teeth: Sequence[Expr]) -> None:
         """Numbers of teeth are whole, and a ring gear has more than what runs in it."""
         numbers = [names.numeric(z) for z in teeth]
         for k, z in enumerate(numbers):
@@ -184,7 +222,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
                     Message("{z:g} teeth: a number of teeth is whole, e.g. {near}", z=z, near=near), "teeth", k
                 )
         ring, planet = numbers
-        if self.internal and ring is not None and planet is not None and ring <= planet:
+        if self._is_internal(names) and ring is not None and planet is not None and ring <= planet:
             names.problem(
                 Message(
                     "the ring gear comes first and has more teeth than what runs in it: at least {least:g}, found "
@@ -231,6 +269,6 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         r1, r2 = self._radii(names)
-        radii = (r1, negate(r2) if self.internal else r2)
+        radii = (r1, negate(r2) if self._is_internal(names) else r2)
         for first, second in self._pairs(names):
             yield glyphs.Wheels(first.center, second.center, radii, is_toothed=True)

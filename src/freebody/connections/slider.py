@@ -51,7 +51,7 @@ def guide(
     else where a string leads the body along it, else through the origin; one on a body through where the other one is
     put if both are, else through its reference point.
     keeps_angle: the body does not turn, so that its `at` is the place of all its points."""
-    line = names.line(along, "along") if isinstance(along, str) else None
+    line = names.edge(along)
     direction = names.direction(along, "along", body=names.body(on, "on").name)
     start = names.known(point.body).start
     origin, is_kept = Point(GROUND, (ZERO, ZERO), "ground.origin"), False

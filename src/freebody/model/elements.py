@@ -64,6 +64,16 @@ class Parameter:
 
 
 @dataclass(frozen=True)
+class Teeth:
+    """Of a gear: how many, their module and the radius of the pitch circle [m]."""
+
+    count: Expr
+    module: Expr
+    radius: Expr
+    is_internal: bool = False
+
+
+@dataclass(frozen=True)
 class Line:
     """A straight line fixed in a body: a point on it and its direction."""
 
@@ -184,6 +194,7 @@ class RigidBody:
     # of the edges from the first corner on, the names of the middles, and directions with the body on their right
     sides: Mapping[str, Components] = field(default_factory=dict[str, Components])
     is_ring: bool = False  # a circle with room inside
+    teeth: Teeth | None = None
     edges: tuple[
         Edge[Components], ...
     ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon

@@ -148,12 +148,7 @@ class Formulas(Noting):
             message = Message("{name} is a body; here stands a number, or a formula in parameters", name=unknown[0])
             return self._quantity(value, dimension, path, message)
         if unknown:
-            message = Message(
-                "{name} in '{value}' is not a parameter.{hint} Add it under parameters, e.g. {name}: 1",
-                name=unknown[0],
-                value=value,
-                hint=did_you_mean(unknown[0], known),
-            )
+            message = _not_a_parameter(unknown[0], value, dimension, did_you_mean(unknown[0], known))
             self.undeclared.setdefault(unknown[0], message)
             return self._quantity(value, dimension, path, message)
         try:
@@ -392,6 +387,23 @@ def quantity_expression(quantity: Any) -> Expr:
     if quantity.exact is not None:
         return number(quantity.exact)
     return number(quantity.value)
+
+
+def _not_a_parameter(name: str, value: str, dimension: Dimension, hint: str) -> Message:
+    if name == value.strip() and dimension != DIMENSIONLESS:
+        return Message(
+            "{name} is not a parameter.{hint} Add it under parameters, e.g. {name}: 1 {unit}, or without a number "
+            "{name}: {unit}",
+            name=name,
+            hint=hint,
+            unit=dimension,
+        )
+    return Message(
+        "{name} in '{value}' is not a parameter.{hint} Add it under parameters, e.g. {name}: 1",
+        name=name,
+        value=value,
+        hint=hint,
+    )
 
 
 def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:

@@ -346,8 +346,8 @@ class Names(Formulas):
 
     @reads
     def direction(self, value: Any, *path: str | int, body: str = GROUND) -> Direction:
-        """right, left, up, down; an angle from the x axis; components; a line; `body.x` for a body's axis, `frame.x`
-        for that of a frame."""
+        """right, left, up, down; an angle from the x axis; components; a line, or the side of a body; `body.x` for a
+        body's axis, `frame.x` for that of a frame."""
         if isinstance(value, (list, tuple)):
             n_before = len(self.problems)
             along = self.components(cast("list[Any]", value), DIMENSIONLESS, *path)
@@ -381,7 +381,7 @@ class Names(Formulas):
                 return self.compass["right"]
             if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", text) and text not in self.parameters and text != "pi":
                 known = [*self.compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
-                known += [f"{b.name}.{line}" for b in self.bodies.values() for line in b.lines]
+                known += [f"{b.name}.{line}" for b in self.bodies.values() for line in (*b.lines, *b.sides)]
                 self.problem(
                     Message(
                         "{text} is no direction.{hint} Write right, left, up, down, an angle such as 30 deg, "
@@ -402,7 +402,7 @@ class Names(Formulas):
         compass = self.compass
         if text in compass:
             return self.fixed_in(body, compass[text].components, text)
-        line, plane = self.line(text), self.plane(text)
+        line, plane = self.edge(text), self.plane(text)
         if line is not None:
             return line.direction
         if plane is not None:

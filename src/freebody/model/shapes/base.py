@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import PI, Call, Expr, divide, number, power
 from freebody.measures.geometry import ZERO, Components
-from freebody.model.elements import BodyPart, Edge, SolidPart
+from freebody.model.elements import BodyPart, Edge, SolidPart, Teeth
 from freebody.model.kinds import Kinds
 from freebody.model.solids import NO_SOLID, SolidKind
 from freebody.model.spec import Spec
@@ -38,6 +38,7 @@ class Build:
     # of these edges, from the first corner on, the names of the middles, and directions with the body on their right
     sides: Mapping[str, Components] = field(default_factory=dict[str, Components])
     is_ring: bool = False
+    teeth: Teeth | None = None
     edges: tuple[Edge[Components], ...] = ()  # what is drawn of it, where that is no full circle and not straight
     # in space
     parts: tuple[BodyPart, ...] = ()  # in the plane: of which it is composed

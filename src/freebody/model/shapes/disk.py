@@ -25,12 +25,9 @@ class Disk(Shape, kind="disk"):
 
     called: ClassVar[tuple[str, ...]] = ("disc", "wheel", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("teeth", "module"),
-        Message(
-            "teeth and module belong to the mesh: gear_mesh: {{first: sun, second: planet, module: m, teeth: [z1, z2]}}"
-        ),
+        ("teeth", "module"), Message("teeth and a module are those of a gear: {{gear: {{teeth: 20, module: 2 mm}}}}")
     )
-    also: ClassVar[tuple[str, ...]] = ("disc", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
+    also: ClassVar[tuple[str, ...]] = ("disc", "cylinder", "pulley", "roller", "drum", "flywheel")
 
     mass: Formula = 0
     radius: Formula | None = None

@@ -155,6 +155,7 @@ class BodySections:
             sides={} if outline else sides,
             copies=copied_names(names, name, entry.get("copies"), self.source.mapping("bodies")),
             is_ring=build.is_ring,
+            teeth=build.teeth,
             edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
             parts=tuple(self._part_from_mass_center(part, build) for part in build.parts),
             solid_parts=tuple(
