@@ -120,7 +120,7 @@ MISTAKES = {
     ),
     "a pulley without a shape": (
         "bodies: {pulley: {radius: 10 cm, mass: 0}}",
-        "pulley needs a shape with these fields: pulley: {disk: {radius: 10 cm, mass: 0}} (or body, gear, ring)",
+        "pulley needs a shape with these fields: pulley: {disk: {radius: 10 cm, mass: 0}} (or body, ring, gear)",
     ),
     "a line under the ground by its angle": (
         f"parameters: {{beta: 30 deg}}\nground: {{slope: {{angle: beta}}}}\n{BLOCK}",

@@ -77,6 +77,14 @@ def test_a_wedge_is_the_triangle_of_its_corners(way: str, x: int) -> None:
     same(wedge, wedge.replace("length: 0.4 m", f"height: {h!r}"))
 
 
+def test_a_length_that_another_field_says_is_not_left_open() -> None:
+    system = fb.System.from_text("""
+bodies: {slope: {wedge: {mass: 1 kg, angle: 30 deg, height: 0.3 m}}, wheel: {gear: {teeth: 20, module: 3 mm}}}
+measures: {y: height of slope.top above slope.heel}
+""")
+    assert not system.unspecified
+
+
 @pytest.mark.parametrize(
     ("wedge", "told"),
     [

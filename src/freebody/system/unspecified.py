@@ -59,7 +59,7 @@ class Unspecified:
         """A shape with a parameter for every length that was not given and that something depends on. word: what the
         model calls the shape."""
         added: dict[str, str] = {}
-        for field, points in shape.open_lengths.items():
+        for field, points in shape.lengths_left_open().items():
             if getattr(shape, field) is not None:
                 continue
             said = self._said_elsewhere(body, field)

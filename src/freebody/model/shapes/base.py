@@ -69,6 +69,10 @@ class Shape(Spec):
             cls.kind = kind
             Shape.kinds.register(kind, cls)
 
+    def lengths_left_open(self) -> Mapping[str, tuple[str, ...]]:
+        """The lengths that may be left open, as far as no other field says them."""
+        return self.open_lengths
+
     def build(self, names: Names) -> Build:
         """What it comes to; problems are noted."""
         raise NotImplementedError

@@ -5,6 +5,7 @@ The pitch circle has the diameter d = m z. Source: ISO 21771; Shigley, Mechanica
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar
 
@@ -41,6 +42,9 @@ class Gear(Shape, kind="gear"):
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}
 
     example = "{mass: 1 kg, teeth: 20, module: 10 mm}"
+
+    def lengths_left_open(self) -> Mapping[str, tuple[str, ...]]:
+        return self.open_lengths if self.teeth is None and self.module is None else {}
 
     def build(self, names: Names) -> Build:
         M, teeth = names.positive(self, "mass", MASS), self._teeth(names)

@@ -10,6 +10,7 @@ table D/3.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, ClassVar, Literal
 
 from freebody.language.expression import ONE, Call, Expr, divide, multiply, negate, number
@@ -42,6 +43,9 @@ class Wedge(Shape, kind="wedge"):
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"length": ("toe", "heel", "top", "base", "back", "face")}
 
     example = "{mass: 1 kg, angle: 30 deg, length: 0.4 m}"
+
+    def lengths_left_open(self) -> Mapping[str, tuple[str, ...]]:
+        return self.open_lengths if self.height is None else {}
 
     def build(self, names: Names) -> Build:
         m, alpha = names.positive(self, "mass", MASS), names.angle(self.angle, "angle")
