@@ -9,10 +9,12 @@ import functools
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import freebody as fb
 from declared import undeclared
+from freebody.language.expression import FLOAT_FUNCTIONS, evaluate
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -517,3 +519,53 @@ def test_a_lead_that_cannot_be_vertical_is_an_assumption() -> None:
     askew = fb.System.from_text(model.replace("C: [-R - 2*r, 0]", "C: [-R - 3*r, 0]"))
     assert len(askew.assumptions) == 1
     assert "would be at an angle to that" in askew.assumptions[0]
+
+
+# -- ground points that are not declared ------------------------------------------------------------
+FRAME = """
+parameters: {a: 2 m, F: 3 kN}
+bodies:
+  left: {rod: {length: a*sqrt(2)}, angle: 45 deg, at: {start: [0, 0]}}
+  right: {rod: {length: a*sqrt(2)}, angle: -45 deg, at: {start: [a, a]}}
+connections:
+  A: {pin: [ground.A, left.start]}
+  G: {pin: [left.end, right.start]}
+  B: {JOINT}
+loads: {push: {force: {at: left.center, along: right, magnitude: F}}}
+"""
+
+
+@pytest.mark.parametrize(
+    "joint", ["pin: [ground.B, right.end]", "pin: {first: right.end, second: ground.B}", "weld: [ground.B, right.end]"]
+)
+def test_a_joint_on_the_ground_is_where_the_body_is_put_that_it_holds(joint: str) -> None:
+    system = fb.System.from_text(FRAME.replace("JOINT", joint))
+    places = [system.bodies["ground"].points[name] for name in ("A", "B")]
+    numbers = {name: p.value for name, p in system.parameters.items() if p.value is not None}
+    found = [[float(evaluate(c, numbers, FLOAT_FUNCTIONS)) for c in place] for place in places]
+    assert np.asarray(found) == pytest.approx(np.array([(0.0, 0.0), (4.0, 0.0)]), abs=1e-12)
+
+
+def test_a_three_hinged_frame_needs_no_points_of_the_ground() -> None:
+    # B and G on a line of 45 deg: about A, F a/2 = 2 a B_y
+    answers = fb.System.from_text(FRAME.replace("JOINT", "pin: [ground.B, right.end]")).solve("reaction of B").answers
+    assert answers[0].value == pytest.approx((-750.0, 750.0))
+
+
+def test_in_space_a_joint_is_where_the_body_is_put_as_well() -> None:
+    system = fb.System.from_text("""
+space: true
+parameters: {L: 2 m}
+bodies: {mast: {rod: {length: L}, turned: [-90 deg about y], at: {start: [1 m, 0, 0]}}, bob: {particle: {mass: 1 kg}}}
+connections:
+  foot: {spherical: [ground.A, mast.start]}
+  head: {spherical: [ground.B, mast.end]}
+  bob: {spherical: [mast.center, bob]}
+""")
+    place = system.bodies["ground"].points["B"]
+    assert [float(evaluate(c, {"L": 2.0}, FLOAT_FUNCTIONS)) for c in place] == pytest.approx([1.0, 0.0, 2.0])
+
+
+def test_where_nothing_puts_a_body_its_joint_has_no_place() -> None:
+    with pytest.raises(fb.ModelError, match=r"ground.B has no position"):
+        fb.System.from_text(FRAME.replace(", at: {start: [a, a]}", "").replace("JOINT", "pin: [ground.B, right.end]"))

@@ -42,6 +42,8 @@ class Connection(Spec):
     lets_turn: ClassVar[bool] = False
     lets_hang: ClassVar[bool] = False
     is_chosen = False
+    # the fields that name two points which lie on each other, at the start as well
+    meeting: ClassVar[tuple[str, str] | None] = None
     # in space what it holds follows from the joints of its bodies, and holds none of them anywhere
     follows_joints: ClassVar[bool] = False
     # of a kind of the plane: what does the same in space

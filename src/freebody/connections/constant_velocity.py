@@ -34,6 +34,8 @@ class ConstantVelocity(Connection, kind="constant_velocity"):
     space_only = True
     in_plane_take = "pin"
 
+    meeting = ("first", "second")
+
     first: str
     second: str
     about: Heading

@@ -35,6 +35,8 @@ class Pin(Connection, kind="pin"):
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "joint", "axis")
     also: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing")
 
+    meeting = ("first", "second")
+
     first: str
     second: str
     friction: Formula | dict[str, Any] = 0

@@ -30,6 +30,8 @@ class Revolute(AxialJoint, kind="revolute"):
 
     with_copies: ClassVar[Literal["", "each", "together"]] = "each"
 
+    meeting = ("first", "second")
+
     first: str
     second: str
     about: Heading

@@ -28,6 +28,8 @@ class Slot(Connection, kind="slot"):
     called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
     also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
 
+    meeting = ("through", "pin")
+
     pin: str
     along: Heading
     on: str = GROUND

@@ -25,6 +25,8 @@ class Spherical(Connection, kind="spherical"):
     called: ClassVar[tuple[str, ...]] = ("ball joint", "joint", "socket")
     also: ClassVar[tuple[str, ...]] = ("ball_joint",)
 
+    meeting = ("first", "second")
+
     first: str
     second: str
 

@@ -31,6 +31,8 @@ class Universal(Connection, kind="universal"):
     space_only = True
     in_plane_take = "pin"
 
+    meeting = ("first", "second")
+
     first: str
     second: str
     arm: Heading

@@ -31,6 +31,8 @@ class Weld(Connection, kind="weld"):
     called: ClassVar[tuple[str, ...]] = ("clamp", "fixed support", "wall")
     also: ClassVar[tuple[str, ...]] = ("clamp", "fixed")
 
+    meeting = ("first", "second")
+
     first: str
     second: str
     turned: str | list[str] | None = None

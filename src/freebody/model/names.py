@@ -65,6 +65,8 @@ def placeholder(name: str) -> RigidBody:
 class Joining(Protocol):
     """What the description asks of connections while it is read."""
 
+    meeting: ClassVar[tuple[str, str] | None]
+
     # it keeps its bodies as one; it leaves free how they turn; a body that only such hold hangs on them
     is_rigid: ClassVar[bool]
     lets_turn: ClassVar[bool]

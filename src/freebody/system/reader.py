@@ -29,7 +29,7 @@ from freebody.system.reading.connections import (
 )
 from freebody.system.reading.copies import add_copies
 from freebody.system.reading.drawing import read_drawing
-from freebody.system.reading.ground import place_ground_points
+from freebody.system.reading.ground import place_ground_points, place_joined_ground_points
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.measures import read_measures
@@ -69,6 +69,7 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     # by name: which of several leads, guides or carries something hangs on no order of the file
     connections, loads = add_copies(names, connections, source.specs("loads", Load.kinds))
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
+    place_joined_ground_points(names)
     loads |= brought_loads(names, connections)
     names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}
     named = (pair for spec in loads.values() for pair in spec.called_by_fields())

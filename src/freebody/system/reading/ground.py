@@ -6,11 +6,59 @@ import difflib
 from collections.abc import Mapping
 
 from freebody.errors import Problem
+from freebody.language.expression import add, negate
 from freebody.language.sentences import Message
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, Components
+from freebody.model.elements import RigidBody
 from freebody.model.names import Names
+from freebody.model.polynomials import polynomial
+from freebody.model.rotations import applied, columns_of, cosine_and_sine
 
 _ALIKE = 0.65  # of a name to that of a line: a slip of the pen
+
+
+def place_joined_ground_points(names: Names) -> None:
+    """A ground point that is not declared is where the point of a placed body is that a joint holds there."""
+    declared = names.bodies[GROUND].points
+    for connection in names.connections.values():
+        fields = connection.meeting
+        texts = () if fields is None else tuple(getattr(connection, field) for field in fields)
+        for text, other in (texts, texts[::-1]) if texts else ():
+            if not isinstance(text, str) or not isinstance(other, str):
+                continue
+            owner, _, name = text.strip().partition(".")
+            if owner != GROUND or not name.isidentifier() or name in declared or names.edge(text) is not None:
+                continue
+            place = _place_at_start(names, other.strip())
+            if place is not None:
+                declared[name] = place
+
+
+def _place_at_start(names: Names, text: str) -> Components | None:
+    """Where on the ground a point of a body is put: by its own place, or by that of another one and its turn."""
+    owner, _, name = text.partition(".")
+    body = names.bodies.get(owner)
+    if body is None or body.name == GROUND or body.is_placeholder or body.start.at is None:
+        return None
+    own, (known, place) = body.points.get(name or body.default_point), body.start.at
+    if own is None:
+        return None
+    arm = tuple(add(a, negate(b)) for a, b in zip(own, body.points[known], strict=True))
+    if all(polynomial(part).is_zero for part in arm):
+        return place
+    turned = _turned(names, body, arm)
+    return None if turned is None else tuple(polynomial(p + a).expression() for p, a in zip(place, turned, strict=True))
+
+
+def _turned(names: Names, body: RigidBody, arm: Components) -> Components | None:
+    """A vector of a body in the axes of the ground, where the model says how the body is turned at the start."""
+    chain = body.start.turned
+    if names.space:
+        return None if chain is None or any(turn.name for turn in chain) else applied(columns_of(chain), arm)
+    if body.start.angle is None:
+        return None
+    (x, y), (cos, sin) = arm, cosine_and_sine(body.start.angle)
+    return x * cos - y * sin, x * sin + y * cos
 
 
 def place_ground_points(names: Names) -> None:
