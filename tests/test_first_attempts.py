@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
@@ -340,3 +342,69 @@ start: {y: {value: 0, rate: 2 m/s}}
     with pytest.raises(fb.ModelError) as found:
         fb.System.from_text(text)
     assert "start has values: y: ..., and the rate beside it as rate(y): ..." in str(found.value)
+
+
+# -- what people write first, and is read -------------------------------------------------------------
+def test_a_driver_may_have_a_speed_in_place_of_a_law_and_lead_a_body() -> None:
+    model = """
+parameters: {a: 0.2 m, w: 3 rad/s, phi_0: 40 deg}
+bodies: {crank: {rod: {mass: 1 kg, length: a}ANGLE}}
+connections: {A: {pin: [ground.A, crank.start]}, motor: {driver: DRIVER}}
+measures: {phi: angle of crank from right}
+START
+questions: {there: x of crank.end at t = 0.5 s}
+"""
+    cases = [
+        ("{body: crank, speed: w}", ", angle: phi_0", ""),
+        ("{measure: phi, speed: w}", "", "start: {phi: phi_0}"),
+        ("{measure: phi, follows: phi_0 + w*t}", "", ""),
+    ]
+    for driver, angle, start in cases:
+        text = model.replace("DRIVER", driver).replace("ANGLE", angle).replace("START", start)
+        (answer,) = fb.System.from_text(text).solve().answers
+        assert answer.value == pytest.approx(0.2 * math.cos(math.radians(40) + 1.5), rel=1e-12), driver
+
+
+@pytest.mark.parametrize(
+    ("driver", "told"),
+    [
+        ("{follows: w*t}", "give one of measure and body"),
+        ("{body: crank}", "the law that a driver follows, or its speed"),
+        ("{body: crank, follows: w*t, speed: w}", "the law that a driver follows, or its speed"),
+        ("{body: bob, speed: w}", "bob is a particle and does not turn"),
+    ],
+)
+def test_what_leaves_a_driver_open_is_told(driver: str, told: str) -> None:
+    with pytest.raises(fb.ModelError, match=told):
+        fb.System.from_text(f"""
+parameters: {{w: 3 rad/s}}
+bodies: {{crank: {{rod: {{mass: 1 kg, length: 1 m}}}}, bob: {{particle: {{mass: 1 kg}}}}}}
+connections: {{motor: {{driver: {driver}}}}}
+""")
+
+
+@pytest.mark.parametrize(
+    "way", ["[cabin, over sheave, weight]", "[cabin, sheave, weight]", "[cabin, around sheave, weight]"]
+)
+def test_a_string_may_be_a_list_of_places_with_their_ways(way: str) -> None:
+    system = fb.System.from_text(f"""
+parameters: {{M: 9 kg, m: 7 kg, g: 9.81 m/s^2}}
+bodies: {{cabin: {{particle: {{mass: M}}}}, weight: {{particle: {{mass: m}}}}, sheave: {{disk: {{radius: 0.3 m}}}}}}
+connections: {{axle: {{pin: [ground.A, sheave]}}, cable: {{string: {way}}}}}
+loads: {{gravity: {{gravity: g}}}}
+questions: {{it: tension of cable}}
+""")
+    assert system.solve()["it"].value == pytest.approx(2 * 63 * 9.81 / 16)
+
+
+def test_the_start_may_say_in_words_what_it_is_of() -> None:
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, v: 3 m/s, mu: 0.2, g: 9.81 m/s^2}
+bodies: {sledge: {particle: {mass: m}}}
+connections: {track: {slider: {body: sledge, along: right, friction: mu}}}
+loads: {weight: {gravity: g}}
+start: {x of sledge: 1 m, rate(x of sledge): v}
+questions: {it: time until sledge stops}
+""")
+    assert system.solve()["it"].value == pytest.approx(3 / (0.2 * 9.81))
+    assert list(system.measures) == ["x_of_sledge"]

@@ -571,12 +571,15 @@ class Drag(_Drag):
 
 class Driver(_Driver):
     """`driver: {measure: theta, follows: omega*t}`. The driving force or torque does positive work when it pushes
-    the measure up (1 row)."""
+    the measure up (1 row). `speed: omega` in place of a law: it goes on evenly from where it starts; `body: crank` in
+    place of a measure: the angle of that body."""
 
     def __init__(
         self,
-        measure: _Mapping,
-        follows: _Formula,
+        measure: _Mapping | None = ...,
+        body: _Text | None = ...,
+        follows: _Formula | None = ...,
+        speed: _Formula | None = ...,
     ) -> None: ...
 
 class ElasticString(_ElasticString):

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection, as_written
 from freebody.connections.standing import begun_by
-from freebody.language.expression import ZERO, Expr, substitute
+from freebody.language.expression import ZERO, Expr, Symbol, add, multiply, substitute
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
+from freebody.measures.base import Measure
 from freebody.measures.geometry import Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
@@ -22,13 +24,16 @@ if TYPE_CHECKING:
 
 class Driver(Connection, kind="driver"):
     """`driver: {measure: theta, follows: omega*t}`. The driving force or torque does positive work when it pushes
-    the measure up (1 row)."""
+    the measure up (1 row). `speed: omega` in place of a law: it goes on evenly from where it starts; `body: crank` in
+    place of a measure: the angle of that body."""
 
     called: ClassVar[tuple[str, ...]] = ("drive", "motor")
     also: ClassVar[tuple[str, ...]] = ("drive", "motor")
 
-    measure: str | dict[str, Any]
-    follows: Formula
+    measure: str | dict[str, Any] | None = None
+    body: str | None = None
+    follows: Formula | None = None
+    speed: Formula | None = None
 
     is_chosen = True
     example = """
@@ -38,23 +43,58 @@ parameters: {w: 2 rad/s}
 """
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        measure = measure_of(names, self.measure, "measure")
+        if (self.measure is None) == (self.body is None):
+            names.problem(Message("a driver leads a measure, or the angle of a body: give one of measure and body"))
+            return []
+        if (self.follows is None) == (self.speed is None):
+            names.problem(Message("give the law that a driver follows, or its speed, e.g. follows: w*t, or speed: w"))
+            return []
+        measure = self._led(names)
         if measure is None:
             return []
-        target = names.formula(self.follows, measure.dimension, "follows", extra={"t": TIME})
+        target = self._target(names, measure)
         what = {LENGTH: "driving force", DIMENSIONLESS: "driving torque"}
         return [ConstraintRow("drive", what.get(measure.dimension, "driving force"), measure, target)]
+
+    def _led(self, names: Names) -> Measure | None:
+        if self.measure is not None:
+            return measure_of(names, self.measure, "measure")
+        body = names.body(str(self.body), "body")
+        if not body.turns:
+            names.problem(Message("{body} is a particle and does not turn", body=body.name), "body")
+            return None
+        return measure_of(names, f"angle of {body.name}", "body")
+
+    def _target(self, names: Names, measure: Measure) -> Expr:
+        """What it is led by: a law, or w t from its value at the start."""
+        if self.follows is not None:
+            return names.formula(self.follows, measure.dimension, "follows", extra={"t": TIME})
+        speed = names.formula(self.speed, measure.dimension / TIME, "speed")
+        return add(self._begun(names, measure), multiply(speed, Symbol("t")))
+
+    def _begun(self, names: Names, measure: Measure) -> Expr:
+        """Where the file lets it start: at the value of its name, at the angle of its body, else at zero."""
+        named = (value for name, value in names.placed_at_start.items() if names.measures.get(name) == measure)
+        own = names.known(self.body).start.angle if self.body is not None else None
+        return next(named, ZERO if own is None else own)
 
     def bears_at(self, names: Names, point: Point, normal: Direction) -> Expr | None:
         """Where what it leads starts, at t = 0."""
         with names.quietly():
-            measure = measure_of(names, self.measure)
+            measure = self._led(names)
             if measure is None or point.body not in set(measure.bodies()):
                 return None
-            target = names.formula(self.follows, measure.dimension, extra={"t": TIME})
+            target = self._target(names, measure)
         return begun_by(names, measure, substitute(target, {"t": ZERO}), point, normal)
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        measure = measure_of(names, self.measure)
-        for body in list(measure.bodies())[:1] if measure is not None else ():
-            yield glyphs.Equation(names.known(body).center, f"{as_written(self.measure)} = {self.follows}")
+        measure = self._led(names)
+        if measure is None:
+            return
+        text = as_written(self.measure) if self.measure is not None else f"angle of {self.body}"
+        law = f"{text} = {self.follows}" if self.follows is not None else f"{self._rate(text)} = {self.speed}"
+        for body in list(measure.bodies())[:1]:
+            yield glyphs.Equation(names.known(body).center, law)
+
+    def _rate(self, text: str) -> str:
+        return f"{text}'" if text.isidentifier() else f"rate of {text}"

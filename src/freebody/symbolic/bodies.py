@@ -131,7 +131,9 @@ class PlanarBodies(Bodies):
         unknowns.join(x, y)
         if not body.turns:
             return Pose(x, y, f.zero, f.one, f.zero)
-        angle = unknowns.new(f"theta_{body.name}", (BODY_ANGLE, -k), is_angle=True)
+        is_put = body.start.angle is not None  # rather a coordinate: its start needs no solving of loops
+        rank = BODY_ANGLE, is_put * len(self.system.bodies) - k
+        angle = unknowns.new(f"theta_{body.name}", rank, is_angle=True)
         unknowns.measures[f.index(angle)] = Angle(body.name)
         return Pose(x, y, angle, *cos_sin(f, angle))
 

@@ -120,10 +120,14 @@ connections:
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
-        """A list of places is the way of the string: [a, b] from a to b, [a, pulley, b] over the pulley between."""
+        """A list of places is the way of the string: [a, b] from a to b, [a, pulley, b] over the pulley between, also
+        with the way written before some of them, [a, over pulley, under hook, b]."""
         items: list[Any] = cast("list[Any]", value) if isinstance(value, list) else []
         if len(items) > 1 and all(isinstance(item, str) for item in items):
-            return {"from": items[0], "over": items[1:-1], "to": items[-1]}
+            if not any(" " in item.strip() for item in items):
+                return {"from": items[0], "over": items[1:-1], "to": items[-1]}
+            between = [item if " " in item.strip() else f"over {item}" for item in items[1:-1]]
+            return {"path": [items[0], *between, items[-1]]}
         return super().from_plain(value)
 
     def _places(self) -> list[tuple[str, tuple[str | int, ...]]]:

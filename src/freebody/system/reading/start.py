@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Container, Mapping
 from dataclasses import replace
 
@@ -10,7 +11,9 @@ from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
+from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
+from freebody.model.phrases import read_measure
 from freebody.system.reading.source import Source
 
 
@@ -40,6 +43,7 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
             state = names.states[key]
             names.states[key] = replace(state, start=names.formula(value, state.dimension, "start", key))
             continue
+        key, measures = _with_phrase(names, key, measures)
         name = key if key in measures else rate_of(key, {*measures, *names.broken})
         if name not in measures:
             known = [*measures, *names.states, *(f"rate({m})" for m in measures)]
@@ -71,6 +75,21 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
         else:
             rates[name] = names.formula(value, dimension / TIME, "start", key)
     return start, rates
+
+
+def _with_phrase(names: Names, key: str, measures: Mapping[str, Measure]) -> tuple[str, Mapping[str, Measure]]:
+    """A key that says in words what it is a value of, `rate(x of block)`, with a name for that among the measures."""
+    inner = key.removeprefix("rate(").removesuffix(")") if key.startswith("rate(") else key
+    if inner in measures or " " not in inner.strip():
+        return key, measures
+    with names.quietly():
+        measure = read_measure(names, inner)
+    own = re.sub(r"\W+", "_", inner).strip("_")
+    if measure is None or name_problem(own) is not None or measures.get(own, measure) != measure:
+        return key, measures
+    named = next((n for n, m in measures.items() if m == measure), own)
+    names.measures.setdefault(named, measure)
+    return key.replace(inner, named), names.measures
 
 
 def rate_of(key: str, known: Container[str]) -> str:
