@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import freebody as fb
 from command import freebody
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import free_symbols
@@ -955,7 +956,7 @@ start: {x: a}
 # -- balance without friction ----------------------------------------------------------------------
 @pytest.mark.parametrize("asked", ["range of x that keeps it at rest", "value of x for which nothing moves"])
 def test_where_somebody_has_to_sit_on_a_seesaw_is_where_the_moments_balance(asked: str) -> None:
-    system = System.from_text("""
+    system = fb.System.from_text("""
 parameters: {L: 4 m, M: 20 kg, m1: 30 kg, m2: 40 kg, g: 9.81 m/s^2, x: m}
 bodies:
   plank: {rod: {mass: M, length: L}, angle: 0, at: [0, 0], points: {P: [x, 0]}}
@@ -975,7 +976,7 @@ loads: {weight: {gravity: g}}
 
 def test_a_lever_has_one_length_at_which_it_balances() -> None:
     # F b = m g a, whatever the angle of the lever
-    system = System.from_text("""
+    system = fb.System.from_text("""
 parameters: {a: 0.2 m, b: 1 m, m: 30 kg, F: 100 N, g: 9.81 m/s^2}
 bodies:
   lever: {body: {inertia: 1 kg m^2}, angle: 20 deg, points: {A: [-a, 0], B: [b, 0]}}
