@@ -182,10 +182,8 @@ def _in_smooth_motion(setup: Setup, question: Question) -> Answer:
         return _of_happening(setup.system, question)
     if question.quantity.scope == "rest":
         from freebody.study.friction.answers import answer
-        from freebody.study.friction.balance import in_balance
 
-        balanced = in_balance(setup, question)
-        return answer(setup.system, question) if balanced is None else QuestionSolver(setup, balanced).answer()
+        return answer(setup.system, question)
     if question.transition is not None:
         return _without_contacts(question, question.transition)
     return QuestionSolver(setup, question, partial(_by_cases, setup, question)).answer()

@@ -24,6 +24,7 @@ from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.formula import Formula
 from freebody.study.answering.of_parameter import solved_for
 from freebody.study.answering.scope import for_all
+from freebody.study.friction.balance import in_balance
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
 from freebody.study.friction.failures import seen
@@ -92,9 +93,13 @@ class _Answerer:
 
     @answer.register(RestLimit)
     def _limit(self, q: RestLimit) -> Answer:
+        ends = self.rest.parameter(q.parameter)
         if q.is_of_slip:
-            self._insist_on_slip(self.rest.parameter(q.parameter), q)
-        return self._ends(self.rest.parameter(q.parameter), q.parameter, q.ends)
+            self._insist_on_slip(ends, q)
+        balance = None if ends.is_linear else in_balance(self.touching, self.setup, self.question, q)
+        return (
+            self._ends(ends, q.parameter, q.ends) if balance is None else QuestionSolver(self.setup, balance).answer()
+        )
 
     def _insist_on_slip(self, ends: Ends, q: RestLimit) -> None:
         """Of what leaves rest without any slip, words of slipping mean the motion. Raises CannotAnswer there."""
