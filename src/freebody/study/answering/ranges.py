@@ -93,7 +93,8 @@ class RangeSearch(TruthInNumbers):
                 continue
             places = zeros_of(self.model, base, self, quadratic=True)
             places = places or [values[self.index] for values in solutions(f, base, self.index)]
-            degree = len(base.coefficients(self.index)) - 1
+            _constant, *between, _leading = base.coefficients(self.index)
+            degree = len(between) + 1 if any(not part.is_zero() for part in between) else 1  # a power alone has few
             made = [g for g in base.generators() if self.index in f.generators[g].made_of]
             if not places:
                 zero = compared(tidy(base), "=", tidy(f.zero))
