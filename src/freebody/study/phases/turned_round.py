@@ -11,6 +11,7 @@ from freebody.language.expression import ZERO
 from freebody.language.sentences import Message
 from freebody.numeric.instant import WithoutInertia
 from freebody.questions.base import Wanted
+from freebody.questions.clock import Clock
 from freebody.questions.event import Peak
 from freebody.questions.happening import Happening
 from freebody.questions.motion import Staying
@@ -233,6 +234,7 @@ def _formula(tree: PhaseTree, asked: Question, piece: AnswerBranch) -> Formula:
         return number_with_changes(system, asked)
 
     conditions = [*piece.conditions, *needs]
-    if asked.transition is not None or piece.in_blow or _is_light(tree.system):
+    is_endless = isinstance(asked.event, Clock) and asked.event.time is None  # no motion in numbers is followed so far
+    if asked.transition is not None or piece.in_blow or is_endless or _is_light(tree.system):
         return Formula(value, conditions, lambda: compare(tree, asked, piece), is_put_back=False)
     return Formula(value, conditions, lambda: compare(tree, asked, piece), in_numbers)
