@@ -204,14 +204,18 @@ def _at_its_turn(context: Context, question: Question) -> Question:
 
 
 def _at_first_turn(system: System, question: Question, answer: Answer) -> Question | None:
-    """The question what it is where it first turns, where contacts part the motion and it has the same answer."""
+    """The question what it is where it first turns, or at the change up to which it is asked for, where contacts part
+    the motion and it has the same answer."""
     turn = question.quantity.turn
     if turn is None or not has_phases(system) or not answer.is_answered:
         return None
     of, event, _side = turn
-    asked = replace(question, quantity=of, event=event, options={}, key=None)
-    (given,) = solve(replace(system, questions=(asked,))).answers
-    return asked if given.expression == answer.expression else None
+    own = replace(question, quantity=of, options={}, key=None)
+    for asked in (replace(own, event=event), own) if question.transition is not None else (replace(own, event=event),):
+        (given,) = solve(replace(system, questions=(asked,))).answers
+        if given.expression == answer.expression:
+            return asked
+    return None
 
 
 def _with_result(
