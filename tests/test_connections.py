@@ -13,6 +13,7 @@ import freebody.connections  # registers the kinds
 from freebody.connections.base import Connection
 from freebody.language.expression import free_symbols
 from freebody.testing.conformance import CONNECTION_CHECKS, names_of
+from posed import is_formula
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 KINDS = sorted(k for k, c in Connection.kinds.items() if c.__module__.startswith("freebody."))
@@ -932,6 +933,21 @@ def test_a_lead_runs_along_a_guide_only_where_it_does_so_for_all_lengths() -> No
     assert not {"d", "r"} & free_symbols(level.expression)
     assert by_length.value == pytest.approx(9.81 * 3 / 7)
     assert str(by_length.expression) != str(level.expression)
+
+
+def test_bodies_on_guides_that_a_pin_joins_are_placed_by_neither() -> None:
+    text = """
+parameters: {m: 3 kg, M: 2 kg, h: 0.5 m, g: 9.81 m/s^2}
+bodies: {ram: {particle: {mass: m}}, plate: {particle: {mass: M}}}
+connections:
+  guide: {slider: {body: ram, along: up}}
+  other: {slider: {body: plate, along: up}}
+  hit: {pin: [ram, plate], closes: when y = 0}
+measures: {y: y of ram, z: y of plate}
+loads: {weight: {force: {at: ram, along: down, magnitude: m*g}}}
+start: {y: h, z: 0}
+"""
+    is_formula(text, "energy lost in the blow", "m*M*h*g/(m + M)")
 
 
 def test_a_wheel_in_the_middle_of_a_string_says_on_which_side() -> None:

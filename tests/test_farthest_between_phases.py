@@ -63,3 +63,77 @@ measures: {y: height of ball}
 """
     is_formula(text, "greatest y until the second impact", "h")
     assert posed(text, "least y until the impact").value == 0.0
+
+
+THROWN = """
+parameters: {m: 0.5 kg, h: 3 m, v: 4 m/s, e: 0.5, H: 5 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {particle: {mass: m}, at: [0, h], velocity: [0, v]}}
+connections: {hit: {contact: {between: [ball, ground.floor], restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {y: height of ball}
+"""
+STOPPED = """
+parameters: {M: 3 kg, m: 2 kg, mu: 0.3, h: 0.6 m, g: 9.81 m/s^2}
+ground: {points: {edge: [3 m, 0]}, lines: {table: {along: right}}}
+bodies: {block: {particle: {mass: M}}, weight: {particle: {mass: m}}}
+connections:
+  table: {contact: {between: [block, ground.table], friction: mu}}
+  rope: {string: {path: [block, ground.edge, weight], leads: [right, down]}}
+  floor: {stop: {measure: z, min: -h, restitution: 0}}
+loads: {gravity: {gravity: g}}
+measures: {x: x of block, z: {displacement of weight along up}}
+start: {x: 0, rate(x): 0, z: 0}
+"""
+TIED = """
+parameters: {m: 0.4 kg, M: 0.3 kg, L: 1.2 m, v0: 9 m/s, h: 0.8 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {stone: {particle: {mass: m}}, other: {particle: {mass: M}}}
+connections:
+  rail: {slider: {body: stone, along: up}}
+  other_rail: {slider: {body: other, along: up}}
+  floor: {contact: {between: [other, ground.floor]}}
+  string: {stop: {measure: apart, max: L}}
+loads: {weight: {gravity: g}}
+measures: {y: y of stone, z: y of other, apart: {expression: y - z}}
+start: {y: 0, z: 0, rate(y): v0, rate(z): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        (THROWN, "greatest speed of ball until the first impact", "sqrt(v^2 + 2*g*h)"),
+        (THROWN, "greatest speed of ball until the second impact", "sqrt(v^2 + 2*g*h)"),
+        (THROWN, "greatest speed of ball", "sqrt(v^2 + 2*g*h)"),
+        (THROWN, "least velocity of y until the first impact", "-sqrt(v^2 + 2*g*h)"),
+        (THROWN, "greatest velocity of y until the second impact", "e*sqrt(v^2 + 2*g*h)"),
+        (THROWN, "greatest y until the first impact", "h + v^2/(2*g)"),
+        (STOPPED, "greatest speed of block", "sqrt(2*g*h*(m - mu*M)/(m + M))"),
+        (STOPPED, "greatest speed of weight until the first impact", "sqrt(2*g*h*(m - mu*M)/(m + M))"),
+        (TIED, "greatest speed of stone until the first impact", "v0"),
+    ],
+)
+def test_an_extreme_up_to_a_change_of_the_contacts_lies_there_or_where_it_turns_before(
+    model: str, question: str, formula: str
+) -> None:
+    is_formula(model, question, formula, (1.0, 1.02))
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        (THROWN, "value of v for which greatest y = H", "sqrt(2*g*(H - h))"),
+        (THROWN, "least v so that greatest y >= H", "sqrt(2*g*(H - h))"),
+        (TIED, "value of v0 for which greatest z = h", "sqrt(2*g*L + 2*g*h*((m + M)/m)^2)"),
+    ],
+)
+def test_for_which_value_it_gets_so_far_is_told_through_all_phases(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula, (1.0, 1.02))
+
+
+def test_what_a_string_jerks_off_the_floor_has_left_it_then() -> None:
+    is_formula(TIED, "least v0 so that other leaves the floor", "sqrt(2*g*L)")
+    is_formula(TIED, "time when other leaves the floor", "(v0 - sqrt(v0^2 - 2*g*L))/g", (1.0, 1.02))
+    found = is_formula(TIED, "range of v0 for which other stays on the floor", "sqrt(2*g*L)")
+    assert "so for v₀ ≤ √(2·L·g)" in found.notes

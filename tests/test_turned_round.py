@@ -19,7 +19,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from freebody.study.answering.answer import Answer
-from posed import posed
+from posed import is_formula, posed
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 G = 9.81
@@ -445,3 +445,34 @@ def test_a_value_that_depends_on_the_pose_is_put_in_where_the_quantity_is_looked
     expected = 300 / (2 * math.tan(0.3)) + 5 * 2 * 0.4 * 2.0**2 * math.cos(0.3)
     assert evaluate(answer.expression, numbers, FLOAT_FUNCTIONS) == pytest.approx(expected, rel=1e-12)
     assert answer.value == pytest.approx(300 / (2 * math.tan(math.radians(15))), rel=1e-12)
+
+
+PUCKS = """
+parameters: {m: 0.2 kg, M: 0.5 kg, e: 0.5, v0: 3 m/s}
+bodies: {A: {particle: {mass: m}}, B: {particle: {mass: M}}}
+connections:
+  first: {slider: {body: A, along: right}}
+  second: {slider: {body: B, along: right}}
+  hit: {stop: {measure: gap, min: 0, restitution: e}}
+measures: {x: x of A, z: x of B, gap: {expression: z - x}}
+start: {x: -1 m, z: 0, rate(x): v0, rate(z): 0}
+"""
+BACK_SPIN = """
+parameters: {m: 0.6 kg, r: 0.12 m, mu: 0.2, v0: 3 m/s, w0: 40 rad/s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: r}, at: [0, r], velocity: [v0, 0], angular_velocity: w0}}
+connections: {floor: {contact: {between: [ball, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        (PUCKS, "value of e for which final speed of A = 0", "m/M"),
+        (PUCKS, "speed of A when t grows", "v0*(e*M - m)/(m + M)"),
+        (BACK_SPIN, "value of w0 for which final speed of ball = 0", "5*v0/(2*r)"),
+    ],
+)
+def test_what_is_left_in_the_end_behind_contacts_that_change(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula)

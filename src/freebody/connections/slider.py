@@ -44,13 +44,21 @@ class Guide:
 
 
 def guide(
-    names: Names, point: Point, along: Heading, on: str, through: str | None, *, keeps_angle: bool = False
+    names: Names,
+    point: Point,
+    along: Heading,
+    on: str,
+    through: str | None,
+    *,
+    keeps_angle: bool = False,
+    seen: frozenset[str] = frozenset(),
 ) -> Guide:
     """A guide goes through the point that is named for it; one on the ground else through where the body is put
     (`at`); else through the line that it is named by; one on the ground else through where the body is said to be near,
     else where a string leads the body along it, else through the origin; one on a body through where the other one is
     put if both are, else through its reference point.
-    keeps_angle: the body does not turn, so that its `at` is the place of all its points."""
+    keeps_angle: the body does not turn, so that its `at` is the place of all its points; seen: bodies whose places are
+    being asked for."""
     line = names.edge(along)
     direction = names.direction(along, "along", body=names.body(on, "on").name)
     start = names.known(point.body).start
@@ -68,7 +76,7 @@ def guide(
     elif start.at is not None or start.near is not None:
         is_kept = True
     else:
-        level = _led(names, point, direction.normal(), frozenset({point.body}))
+        level = _led(names, point, direction.normal(), seen | {point.body})
         if level is not None:
             on_line = Point(GROUND, tuple(multiply(level, c) for c in direction.normal().components), "ground.origin")
             return Guide(Displacement(point, on_line, direction.normal()), Displacement(point, origin, direction))
@@ -152,8 +160,8 @@ connections: {it: {slider: {body: block, along: right}}}
             rows.append(ConstraintRow("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS), instead=roller))
         return rows
 
-    def _guide(self, names: Names, point: Point) -> Guide:
-        return guide(names, point, self.along, self.on, self.through, keeps_angle=True)
+    def _guide(self, names: Names, point: Point, seen: frozenset[str] = frozenset()) -> Guide:
+        return guide(names, point, self.along, self.on, self.through, keeps_angle=True, seen=seen)
 
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
         if point.body != self.body.partition(".")[0]:
@@ -166,7 +174,7 @@ connections: {it: {slider: {body: block, along: right}}}
                 return None
             if self.through is None and body.start.at is not None:
                 return _at_start(names, body, body.start.at, point, along)
-            rail = self._guide(names, guided)
+            rail = self._guide(names, guided, seen)
         if not isinstance(rail.across, Displacement):
             return None
         level = stands_at(names, rail.across.origin, along, seen)

@@ -16,6 +16,7 @@ from freebody.narrative.closing import closing
 from freebody.narrative.contact.settings import changes_at_borders_alone, has_phases
 from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.derivation import Derivation, WorkedSolutions
+from freebody.narrative.first_turn import at_first_turn
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, Sentence
 from freebody.narrative.numbering import numbered
@@ -159,7 +160,7 @@ def _derived(
     derive = derivation_of(context.system, question)
     here = context.of_question(question) if answer.is_answered else context
     stages, reason = _attempt(here, question, answer, method, derive)
-    if reason and (turned := _at_first_turn(context.system, question, answer)) is not None:
+    if reason and (turned := at_first_turn(context.system, question, answer)) is not None:
         question, derive = turned, derivation_of(context.system, turned)
         here = context.of_question(question)
         stages, trouble = _attempt(here, question, answer, method, derive)
@@ -201,17 +202,6 @@ def _at_its_turn(context: Context, question: Question) -> Question:
         return question
     of, event, _side = turn
     return replace(question, quantity=of, event=event)
-
-
-def _at_first_turn(system: System, question: Question, answer: Answer) -> Question | None:
-    """The question what it is where it first turns, where contacts part the motion and it has the same answer."""
-    turn = question.quantity.turn
-    if turn is None or not has_phases(system) or not answer.is_answered:
-        return None
-    of, event, _side = turn
-    asked = replace(question, quantity=of, event=event, options={}, key=None)
-    (given,) = solve(replace(system, questions=(asked,))).answers
-    return asked if given.expression == answer.expression else None
 
 
 def _with_result(

@@ -18,7 +18,7 @@ from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Path, Quantity
-from freebody.questions.course import Transition, connections_of, read_transition
+from freebody.questions.course import Transition, connections_of, names_line, read_transition
 from freebody.questions.event import AskedEvent, read_event
 from freebody.questions.turned_round import reached_in
 
@@ -241,8 +241,10 @@ def _of(names: Names, found: dict[str, str | None], path: Path) -> tuple[str, ..
     if found["of"] is None:
         return ()
     of, on = connections_of(names, found["of"], path), found.get("on")
-    if on is None or any(on in body.lines for body in names.bodies.values()):
+    if on is None:
         return of
+    if any(on in body.lines for body in names.bodies.values()):  # of a body, its string is not meant
+        return tuple(connection for connection in of if names_line(names, connection, on)) or of
     other = connections_of(names, on, path)
     both = tuple(connection for connection in of if connection in other)
     if of and other and not both:

@@ -68,7 +68,8 @@ class Indexed(Protocol):
 
 
 def zeros_of(model: SymbolicModel, F: Ratio, c: Indexed, *, quadratic: bool = False) -> list[Ratio]:
-    """Zeros of F in one coordinate or parameter: linear factors (quadratic ones if wanted), and a cos + b sin + r = 0.
+    """Zeros of F in one coordinate or parameter: linear factors (quadratic ones and powers alone if
+    wanted), and a cos + b sin + r = 0.
     What repeats after whole turns is given once."""
     f = model.field
     found: list[Ratio] = []
@@ -141,7 +142,7 @@ def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Rati
         squares = roots(parts[::2], model.samples.is_negative) or []
         return [sign * f.sqrt(f.lowest_terms(x), model.samples.is_negative) for x in squares for sign in (-1, 1)]
     if len(parts) != 3:
-        return []
+        return _only_power(model, parts)
     if sign_of(f.lowest_terms(parts[1] * parts[1] - 4 * parts[0] * parts[2])) is Sign.NEGATIVE:
         return []  # nowhere
     return roots(parts, model.samples.is_negative) or []

@@ -234,6 +234,9 @@ def by_law(way: EventWay) -> list[int]:
 def _by_rate(way: EventWay) -> list[int]:
     """Place and time as integrals over the rate, where these have no closed form the other way round."""
     script, c, reached = way.script, way.coordinate, way.reached
+    if reached.limits is not None and c.speed in reached.limits:
+        script.say("course.by_rate_ends", line=way.line, rate=rates_of(c.name, 1))
+        return [way.line]
     if reached.speed is None:
         raise CannotAnswer(Message("the motion to the event has no closed form"))
     script.say("course.by_rate", line=way.line, name=Symbol(c.name), rate=rates_of(c.name, 1))

@@ -12,6 +12,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, number
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
+from freebody.narrative.first_turn import at_first_turn
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence, ready
@@ -53,6 +54,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         return derivation_of(context.system, asked)(context, asked, given, method)
     values = _values_of(answer)
     there, given, formula = _reached(context, asked, quantity, values)
+    asked = at_first_turn(there.system, asked, given) or asked
     stages = derivation_of(there.system, asked)(there, asked, given, method)
     numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
     if answer.expression is None:

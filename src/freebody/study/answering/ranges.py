@@ -93,7 +93,9 @@ class RangeSearch(TruthInNumbers):
                 continue
             places = zeros_of(self.model, base, self, quadratic=True)
             places = places or [values[self.index] for values in solutions(f, base, self.index)]
-            degree = len(base.coefficients(self.index)) - 1
+            powers = base.coefficients(self.index)
+            is_alone = all(part.is_zero() for part in powers[1:-1])  # one power: its roots are all among the places
+            degree = 1 if is_alone else len(powers) - 1
             made = [g for g in base.generators() if self.index in f.generators[g].made_of]
             if not places:
                 zero = compared(tidy(base), "=", tidy(f.zero))

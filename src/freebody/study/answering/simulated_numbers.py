@@ -16,6 +16,7 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import NO_DIRECTION
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.course import Status
+from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
@@ -45,6 +46,7 @@ from freebody.system.system import System
 
 _STEPS = 20_000  # of a motion in which contacts change
 _N_SEEN = 1201  # instants of a motion at which it is looked how far it gets
+_CLOSER = 3  # times that it is looked at, each time between two neighbouring instants of the last
 _MET = 1e-6  # [m] between two points that coincide
 _SOON = 1e-9  # [s] of a motion that is looked at where it begins
 _BETWEEN = np.linspace(0.0, 1.0, 8, endpoint=False)  # instants from one change to the next
@@ -166,17 +168,28 @@ def _refuse_without_direction(system: System, now: SimulatedInstant) -> None:
                 raise CannotAnswer(NO_DIRECTION)
 
 
-def farthest(system: System, of: Measure | Quantity, side: int) -> tuple[float, float, float]:
+def farthest(
+    system: System, of: Measure | Quantity, side: int, until: float = LONGEST, *, is_exact: bool = False
+) -> tuple[float, float, float]:
     """How far a measure gets on one side in a simulated motion, until when that was followed: a minute, or to where
-    the motion cannot be followed further, and how large it becomes."""
+    the motion cannot be followed further, and how large it becomes. until: [s] at most; is_exact: whether it is looked
+    at again beside where it is farthest, more and more closely."""
+    times, seen = _looked_at(system, of, 0.0, until)
+    end, size = float(times[-1]), float(np.abs(seen).max())
+    for _ in range(_CLOSER if is_exact else 0):
+        best = int(np.argmax(side * seen))
+        times, seen = _looked_at(system, of, times[max(best - 1, 0)], times[min(best + 1, len(times) - 1)])
+    return side * float((side * seen).max()), end, size
+
+
+def _looked_at(system: System, of: Measure | Quantity, first: float, last: float) -> tuple[Array, Array]:
+    """What a quantity is at instants of a simulated motion."""
     simulator = Simulator(system)
     options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
-    course = simulator.run(LONGEST, options, outputs=np.linspace(0.0, LONGEST, _N_SEEN))
+    course = simulator.run(last, options, outputs=np.linspace(first, last, _N_SEEN))
     motion = SimulatedMotion(system, simulator, course, options)
     if isinstance(of, Quantity):
         held = with_all_held(system)
         instants = (SimulatedInstant(motion, k) for k in range(len(course.times)))
-        seen = np.array([float(value_in_mode(of, system, held, now)) for now in instants])
-    else:
-        seen = observed(motion, {"it": of})["it"][0]
-    return side * float((side * seen).max()), float(course.times[-1]), float(np.abs(seen).max())
+        return course.times, np.array([float(value_in_mode(of, system, held, now)) for now in instants])
+    return course.times, observed(motion, {"it": of})["it"][0]

@@ -311,14 +311,18 @@ class _Turned:
         of, event = self.quantity.of, self.question.event
         is_steady = of.scope == "steady motion" and self.formula.in_numbers is not None
         event = None if is_steady else event  # there it says what the motion keeps
-        if not (is_steady or (of.is_of_state and self.formula.is_put_back)):
+        is_of_way = of.turn is not None and self.formula.in_numbers is not None
+        if not (is_steady or is_of_way or (of.is_of_state and self.formula.is_put_back)):
             return self.formula.evidence()
+        is_at_once = event is None and not is_of_way
         route = (
             Message("the value put in for the parameter, floating-point solve of all bodies and constraints")
-            if event is None
+            if is_at_once
+            else Message("the value put in for the parameter, numerical integration over the motion")
+            if is_of_way
             else Message("the value put in for the parameter, numerical integration from the start to the event")
         )
-        check = CrossCheck(self.question.text, route, INSTANT_TOLERANCE if event is None else MOTION_TOLERANCE)
+        check = CrossCheck(self.question.text, route, INSTANT_TOLERANCE if is_at_once else MOTION_TOLERANCE)
 
         def compare(made: PutBack) -> None:
             draw, target = made.draw, made.draw.reference.number(self.quantity.target)

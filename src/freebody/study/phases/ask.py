@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 
 import numpy as np
 
@@ -12,7 +15,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
+from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
+from freebody.questions.course import Transition
 from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
@@ -20,18 +25,20 @@ from freebody.study.answering.comparing import which_is_greater
 from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.loops import loops_in
+from freebody.study.answering.numbers import LONGEST
 from freebody.study.answering.scope import for_all
 from freebody.study.answering.simulated_numbers import farthest, number_with_changes
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
-from freebody.study.phases.first_turns import first_turns, is_behind_an_impact
+from freebody.study.phases.first_turns import NO_TURN, FirstTurns, first_turns, is_behind_an_impact
 from freebody.study.phases.in_no_case import in_no_case
 from freebody.study.phases.kept import in_first_modes
 from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.until_change import away, until_change
 from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
 from freebody.symbolic.field import Ratio
@@ -40,9 +47,10 @@ from freebody.symbolic.spatial.balls import looks_at_axes
 from freebody.symbolic.validity import texts, validity
 
 _FARTHER = 1e-6  # of the size: what is more than how exactly a simulation is seen
+_JUST_BEFORE = 1 - 1e-9  # of the time of a change: before anything jumps in it
 NOT_UNTIL = Message(
-    "how far it gets up to a change of its contacts is found only where it gets no farther later on; ask for the value "
-    "at that change, or where its rate is 0"
+    "how far it gets up to that change of its contacts was not found; ask for the value at that change, or where its "
+    "rate is 0"
 )
 
 
@@ -61,11 +69,19 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
                 Message("this asks how {body} is turned, which formulas leave open for a ball", body=body)
             )
     wanted = question.quantity.wanted
-    behind = wanted is not None and wanted.of.turn is not None and is_behind_an_impact(question)
-    if wanted is not None and (wanted.of.is_of_state or wanted.of.is_of_answers or behind):
+    if wanted is not None:
         from freebody.study.phases import turned_round
 
-        return turned_round.answer(tree, question, wanted)
+        is_of_way = wanted.of.turn is not None and question.transition is not None
+        if wanted.of.is_of_state or wanted.of.is_of_answers or is_of_way:
+            return turned_round.answer(tree, question, wanted)
+        if wanted.of.turn is not None:
+            try:
+                return in_first_modes(tree, question)
+            except CannotAnswer:
+                if not tree.roots:
+                    raise
+                return turned_round.answer(tree, question, wanted)
     if question.quantity.turn is not None:
         try:
             return in_first_modes(tree, question)
@@ -84,55 +100,99 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
 
 def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     """How far the motion gets until it first turns on that side, through all phases until then: by itself, or thrown
-    back by an impact."""
+    back by an impact. Where the way up to a change of a contact is meant, to that change at most."""
     turn = question.quantity.turn
     assert turn is not None
     of, event, side = turn
-    behind = is_behind_an_impact(question)
-    question, rate, found = first_turns(tree, question)
+    behind, change = is_behind_an_impact(question), question.transition
+    turns = first_turns(tree, question)
+    found, ends = turns.found, list[AnswerBranch]()
+    if change is not None and not behind:
+        found, ends = until_change(tree, question, turns)
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
-    is_whole = question.event is None and question.transition is None
-    is_ended = question.transition is not None and not behind  # the way up to a change of a contact is meant
-    if own is None and (is_whole or is_ended) and tree.system.has_values and side * tree.numbers(rate)[0] < 0.0:
-        begun = replace(question, quantity=of, at_start=True, transition=None)
-        return _no_farther(tree, _at_start_of_way(tree, begun, side * rate), event, side, is_ended=is_ended)
+    is_farthest = partial(_no_farther, tree, event=event, side=side, until=_time_of_own(tree, ends))
+    if own is None and turns.question.event is None and _sets_out_away(tree, turns, side):
+        return _of_those_away(tree, of, side, turns, change, ends, is_farthest)
     if own is None:
-        raise CannotAnswer(
-            NOT_UNTIL if is_ended else Message("no turn on that side was found among the phases of the motion")
-        )
+        raise CannotAnswer(NOT_UNTIL if ends else NO_TURN)
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
-    answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
-    return answer if behind else _no_farther(tree, answer, event, side, is_ended=is_ended)
+    if own[0].transition is None:
+        answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
+    return answer if behind else is_farthest(answer)
 
 
-def _no_farther(tree: PhaseTree, answer: Answer, event: QuestionEvent, side: int, *, is_ended: bool) -> Answer:
+def _sets_out_away(tree: PhaseTree, turns: FirstTurns, side: int) -> bool:
+    """Whether it sets out to the other side at the model's own numbers; behind an impact it has no rate."""
+    return tree.system.has_values and side * tree.numbers(turns.rate)[0] < 0.0
+
+
+def _of_those_away(
+    tree: PhaseTree,
+    of: Quantity,
+    side: int,
+    turns: FirstTurns,
+    change: Transition | None,
+    ends: list[AnswerBranch],
+    is_farthest: Callable[[Answer], Answer],
+) -> Answer:
+    """What sets out to the other side has been farthest at the start, or is between two later phases, or at the change
+    up to which the motion is meant."""
+    begun = replace(turns.question, quantity=of, at_start=True)
+    starts = pieces(tree, begun)
+    try:
+        return is_farthest(_at_start_of_way(tree, begun, starts, side, turns.rate, ends))
+    except CannotAnswer as error:
+        for transition, branches in away(tree, starts, side, turns, change, ends):
+            asked = replace(begun, at_start=False, transition=transition)
+            with suppress(CannotAnswer):
+                return is_farthest(_of_branches(tree, asked, branches))
+        raise error
+
+
+def _time_of_own(tree: PhaseTree, ends: Sequence[AnswerBranch]) -> float:
+    """[s] of the change up to which a motion is meant, at the model's own numbers; else the longest."""
+    own = next((end for end in ends if 0 in end.sets), None)
+    time = math.nan if own is None or own.time is None else float(tree.numbers(own.time)[0])
+    return time * _JUST_BEFORE if math.isfinite(time) else LONGEST
+
+
+def _no_farther(tree: PhaseTree, answer: Answer, event: QuestionEvent, side: int, until: float) -> Answer:
     """The farthest of the way so far, where a simulation gets no farther later. Raises CannotAnswer where it does.
-    is_ended: where only the way up to a change of a contact is meant."""
+    until: [s] where only the way up to a change of a contact is meant, and where that comes is known."""
     value = answer.value
     if not isinstance(value, float):
         return replace(answer, notes=(*answer.notes, Message("whether it gets farther later was not looked at")))
     of = event.quantity if isinstance(event, Peak) else event.measure
-    reached, until, size = farthest(tree.system, of, side)
+    reached, until, size = farthest(tree.system, of, side, until)
     if side * (reached - value) > _FARTHER * max(size, abs(value)):
-        raise CannotAnswer(
-            NOT_UNTIL
-            if is_ended
-            else Message(
-                "it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=until, value=reached
-            )
-        )
+        told = Message("it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=until, value=reached)
+        raise CannotAnswer(told)
     note = Message("in a simulation of {t:.3g} s it gets no farther later on", t=until)
     return replace(answer, notes=(*answer.notes, note))
 
 
-def _at_start_of_way(tree: PhaseTree, question: Question, rate: Ratio) -> Answer:
-    """What sets out to the other side (a negative rate, or acceleration from rest) has been farthest at the start."""
-    away, branches = np.flatnonzero(tree.numbers(rate) < 0), list[AnswerBranch]()
-    for piece in pieces(tree, question):
-        sets = np.intersect1d(piece.sets, away)
+def _at_start_of_way(
+    tree: PhaseTree,
+    question: Question,
+    starts: list[AnswerBranch],
+    side: int,
+    rate: Ratio,
+    ends: Sequence[AnswerBranch],
+) -> Answer:
+    """What sets out to the other side (a negative rate, or acceleration from rest) has been farthest at the start; up
+    to a change of a contact, by one of the ways to which, where it is no farther there."""
+    backwards, branches = np.flatnonzero(side * tree.numbers(rate) < 0), list[AnswerBranch]()
+    for piece, end in product(starts, ends or (None,)):
+        sets, needed = np.intersect1d(piece.sets, backwards), [(-side * rate, ">", "")]
+        if end is not None and isinstance(piece.value, Ratio) and isinstance(end.value, Ratio):
+            less = side * (piece.value - end.value)
+            sets = np.intersect1d(sets, end.sets[tree.numbers(less)[end.sets] >= 0])
+            needed.append((less, ">=", ""))
         if len(sets):
-            needed = tree.conditions([(-rate, ">", "")], sets)
-            branches.append(replace(piece, sets=sets, conditions=[*piece.conditions, *needed]))
+            conditions = [*piece.conditions, *(() if end is None else end.conditions)]
+            branches.append(replace(piece, sets=sets, conditions=[*conditions, *tree.conditions(needed, sets)]))
+    if not any(0 in piece.sets for piece in branches):
+        raise CannotAnswer(NOT_UNTIL)
     answer = _of_branches(tree, question, branches)
     note = Message("that is at the start, from where it sets out to the other side")
     return replace(answer, notes=(*answer.notes, note))

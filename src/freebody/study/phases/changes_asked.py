@@ -52,9 +52,9 @@ def _is_left(node: PhaseNode, asked: Transition, connection: str) -> bool:
 
 
 def rebounds(node: PhaseNode, asked: Transition) -> bool:
-    """Whether a phase begins with an impact that parts what is meant."""
-    hits = () if node.impact is None else node.impact.hits
-    return any(name not in node.phase.mode.closed and _is_named(asked, name.partition(".")[0]) for name in hits)
+    """Whether a phase begins with an impact that parts what is meant: what strikes, or what has touched."""
+    touched = frozenset[str]() if node.impact is None else node.impact.touched
+    return any(_is_named(asked, name.partition(".")[0]) for name in touched - node.phase.mode.closed)
 
 
 def begins_with(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:

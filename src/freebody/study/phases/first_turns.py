@@ -4,18 +4,20 @@ What is no place, as a velocity, may be farthest between two phases: it grows un
 an impact and falls from there. With a quantity Q, counted towards the side that is asked for, this is
 
     without an impact:  dQ/dt > 0 before, dQ/dt <= 0 behind;
-    in an impact:       Q behind > Q before, dQ/dt <= 0 behind.
+    in an impact:       Q behind > Q before, dQ/dt <= 0 behind, or
+                        dQ/dt > 0 before, Q behind <= Q before, and where these are equal dQ/dt <= 0 behind.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM
@@ -28,22 +30,35 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.tolerances import ROUNDED
 
+NO_TURN = Message("no turn on that side was found among the phases of the motion")
+
 
 def is_behind_an_impact(question: Question) -> bool:
     """Whether the motion is meant from an impact or a blow on."""
     return question.transition is not None and question.transition.kind == "after"
 
 
-def first_turns(tree: PhaseTree, question: Question) -> tuple[Question, Ratio, list[tuple[Question, AnswerBranch]]]:
+@dataclass(frozen=True)
+class FirstTurns:
     """What is asked where it is told, the rate with which the motion sets out (none behind an impact), and the ways to
-    a first turn, each with the question that it answers."""
+    a first turn, each with the question that it answers; with an event of its own, where it turns within a phase.
+    behind: turns between two phases of what sets out to the other side."""
+
+    question: Question
+    rate: Ratio
+    found: list[tuple[Question, AnswerBranch]]
+    behind: list[AnswerBranch]
+
+
+def first_turns(tree: PhaseTree, question: Question) -> FirstTurns:
+    """All ways to a first turn."""
     turn = question.quantity.turn
     assert turn is not None
     of, event, side = turn
     root = tree.roots[0]
     blow = question.transition
     behind = is_behind_an_impact(question)
-    question = replace(question, transition=None) if behind else question
+    question = replace(question, transition=None)
     rate = tree.home.model.field.zero if behind else _rate_of(tree, root, event)
     open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
     found: list[tuple[Question, AnswerBranch]] = []
@@ -76,9 +91,15 @@ def first_turns(tree: PhaseTree, question: Question) -> tuple[Question, Ratio, l
     ordered = [(len(o[0].nodes), asked, o) for o in found_first] + [(len(p.nodes), struck, (p, ())) for p in between]
     for _n, told, one in sorted(ordered, key=lambda x: x[0]):
         take(told, [one])
+    away, later = np.flatnonzero(side * tree.numbers(rate) < 0), list[AnswerBranch]()
+    for piece in sorted(between, key=lambda p: len(p.nodes)):
+        sets = np.intersect1d(piece.sets, away)
+        away = np.setdiff1d(away, sets)
+        if len(sets):
+            later.append(replace(piece, sets=sets))
     if not isinstance(event, Peak) and not behind:
         take(struck, [(p, (rate,)) for p in at_turning_impacts(tree, struck, event.measure, side, way)])
-    return question, rate, found
+    return FirstTurns(question, rate, found, later)
 
 
 def _rate_of(tree: PhaseTree, node: PhaseNode, event: QuestionEvent) -> Ratio:
@@ -100,29 +121,45 @@ def _rate_behind(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> 
 
 def _between(tree: PhaseTree, question: Question, event: Peak, side: int, way: WayToPhase) -> Iterator[AnswerBranch]:
     """Where a quantity is farthest between two phases."""
-    phase = way.last.phase
     for edge in way.last.edges:
         if edge.first is None:
             continue
         for node in edge.nodes:
-            on = way.on(edge, node)
             conditions = [*edge.conditions, *node.conditions]
-            piece = branch_at(tree, question, way, edge.first, conditions, node.sets)
+            before = branch_at(tree, question, way, edge.first, conditions, node.sets)
+            behind = _rate_of(tree, node, event)
+            grows = rate_at_end(tree, before, event)
             if node.impact is None:
-                there = SymbolicState(phase.model, {**phase.still, **edge.first.zero.values})
-                grows = tree.to_home(phase, there.here(phase.model.in_independent_speeds(rate_of(tree, phase, event))))
+                yield from _where(tree, before, [(side * grows, ">"), (-side * behind, ">=")])
             else:
                 struck = branch_at(tree, question, way, edge.first, conditions, node.sets, node)
-                if isinstance(struck.value, tuple) or isinstance(piece.value, tuple):
+                if isinstance(struck.value, tuple) or isinstance(before.value, tuple):
                     return
-                grows, piece = struck.value - piece.value, struck
-            behind = _rate_of(tree, node, event)
-            turns = (side * tree.numbers(grows) > ROUNDED) & (side * tree.numbers(behind) <= ROUNDED)
-            sets = node.sets[turns[node.sets]]
-            if len(sets):
-                needed = tree.conditions([(side * grows, ">", ""), (-side * behind, ">=", "")], sets)
-                yield replace(piece, sets=sets, conditions=[*piece.conditions, *needed])
-            yield from _between(tree, question, event, side, on)
+                jump = struck.value - before.value
+                yield from _where(tree, struck, [(side * jump, ">"), (-side * behind, ">=")])
+                yield from _where(tree, before, [(-side * jump, ">"), (side * grows, ">")])
+                if jump.is_zero():
+                    yield from _where(tree, before, [(side * grows, ">"), (-side * behind, ">=")])
+            yield from _between(tree, question, event, side, way.on(edge, node))
+
+
+def rate_at_end(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> Ratio:
+    """The rate of what turns at an event just before that with which a piece ends."""
+    phase = piece.nodes[-1].phase
+    assert piece.first is not None
+    there = SymbolicState(phase.model, {**phase.still, **piece.first.zero.values})
+    return tree.to_home(phase, there.here(phase.model.in_independent_speeds(rate_of(tree, phase, event))))
+
+
+def _where(tree: PhaseTree, piece: AnswerBranch, needed: Sequence[tuple[Ratio, str]]) -> Iterator[AnswerBranch]:
+    """The part of a piece where some elements are positive, or not negative."""
+    sets = piece.sets
+    for x, relation in needed:
+        numbers = tree.numbers(x)[sets]
+        sets = sets[numbers > ROUNDED if relation == ">" else numbers >= -ROUNDED]
+    if len(sets):
+        conditions = tree.conditions([(x, relation, "") for x, relation in needed], sets)
+        yield replace(piece, sets=sets, conditions=[*piece.conditions, *conditions])
 
 
 def _setting_out(

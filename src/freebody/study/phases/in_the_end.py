@@ -9,7 +9,7 @@ from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM, why
-from freebody.study.phases.branch import AnswerBranch, branch_at
+from freebody.study.phases.branch import AnswerBranch, branch_at, signs_taken, where_so
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseEnd, WayToPhase
 from freebody.study.phases.passage import elements_in
@@ -44,7 +44,8 @@ def in_the_end(
 def _settled(tree: PhaseTree, question: Question, event: Clock, way: WayToPhase, edge: PhaseEnd) -> AnswerBranch:
     phase = way.last.phase
     values, latest = _limits(phase)
-    there = elements_in(tree, phase, question.quantity, SymbolicState(phase.model, values))
+    with signs_taken(tree, phase) as taken:
+        there = elements_in(tree, phase, question.quantity, SymbolicState(phase.model, values))
     parts = there if isinstance(there, tuple) else (there,)
     f = phase.model.field
     moving = {g for c in phase.model.coordinates for g in (c.index, c.speed)} | {f.index(f.time)}
@@ -52,7 +53,7 @@ def _settled(tree: PhaseTree, question: Question, event: Clock, way: WayToPhase,
         raise CannotAnswer(Message("that does not tend to anything as the time grows"))
     watch = PhaseWatch("is reached", event.text, f.one)
     first = FirstEvent(watch, CourseZero(latest, values))
-    return branch_at(tree, question, way, first, list(edge.conditions), edge.sets)
+    return branch_at(tree, question, way, first, [*edge.conditions, *taken], where_so(tree, taken, edge.sets))
 
 
 def _limits(phase: Phase) -> tuple[dict[int, Ratio], Ratio]:

@@ -65,6 +65,12 @@ class PhaseImpact:
         return None if self.sudden is None else self.sudden.blow
 
     @property
+    def touched(self) -> frozenset[str]:
+        """What strikes, and what has touched until then."""
+        gone = () if self.collision is None else self.collision[0].gone
+        return frozenset((*self.hits, *self.kept, *(row.name for row in gone)))
+
+    @property
     def struck(self) -> frozenset[str]:
         """The rows along which it collides."""
         return frozenset(() if self.collision is None else self.collision[0].by_row(self.collision[1]))

@@ -11,6 +11,8 @@ from freebody.language.expression import ZERO
 from freebody.language.sentences import Message
 from freebody.numeric.instant import WithoutInertia
 from freebody.questions.base import Wanted
+from freebody.questions.clock import Clock
+from freebody.questions.event import Peak
 from freebody.questions.happening import Happening
 from freebody.questions.motion import Staying
 from freebody.questions.reactions_by_component import component_of
@@ -22,19 +24,22 @@ from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula
 from freebody.study.answering.of_answers import found_of, questions_in
 from freebody.study.answering.of_parameter import solved_for
-from freebody.study.answering.simulated_numbers import number_with_changes
+from freebody.study.answering.simulated_numbers import farthest, number_with_changes
 from freebody.study.answering.turned_round import first_found
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.evidence import compare
-from freebody.study.phases.first_turns import first_turns
+from freebody.study.phases.first_turns import NO_TURN, first_turns, is_behind_an_impact
 from freebody.study.phases.happening import happening_cases
 from freebody.study.phases.happening_seen import is_seen
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.until_change import Found, until_change
 from freebody.study.settled import start_mode
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.system.system import System
+
+_N_UNTOLD = 5  # sets of numbers without a formula that are simulated
 
 
 def answer(tree: PhaseTree, question: Question, quantity: Wanted) -> Answer:
@@ -86,7 +91,7 @@ def _formulas(tree: PhaseTree, asked: Question, quantity: Wanted) -> tuple[list[
 
 
 def _told(tree: PhaseTree, asked: Question, quantity: Wanted) -> tuple[list[tuple[AnswerBranch, Formula]], bool]:
-    return _formulas(tree, asked, quantity) if asked.quantity.turn is None else _turns(tree, asked)
+    return _formulas(tree, asked, quantity) if asked.quantity.turn is None else (_turns(tree, asked, quantity), True)
 
 
 def _calculated(tree: PhaseTree, asked: Question, quantity: Wanted) -> list[Formula]:
@@ -112,13 +117,45 @@ def _as_found(formula: Formula) -> tuple[Finding, list[Condition]]:
     return Finding(formula.element, formula.evidence()), list(formula.needed)
 
 
-def _turns(tree: PhaseTree, asked: Question) -> tuple[list[tuple[AnswerBranch, Formula]], bool]:
-    """The formulas of how far it gets behind an impact until it first turns."""
-    _question, _rate, found = first_turns(tree, asked)
-    told = [(piece, replace(_formula(tree, own, piece), is_put_back=False)) for own, piece in found]
-    if not told:
-        raise CannotAnswer(Message("no turn on that side was found among the phases of the motion"))
-    return told, True
+def _turns(tree: PhaseTree, asked: Question, quantity: Wanted) -> list[tuple[AnswerBranch, Formula]]:
+    """The formulas of how far it gets: until it first turns, up to a change of a contact, or behind an impact."""
+    turns, found = first_turns(tree, asked), Found()
+    if asked.transition is None or is_behind_an_impact(asked):
+        found = turns.found
+    else:
+        found, _ends = until_change(tree, asked, turns)
+    if not found:
+        raise CannotAnswer(NO_TURN)
+    told = {int(k) for _own, piece in found for k in piece.sets}
+    if quantity.relation != "=" and not _is_untrue(tree, asked, quantity, told):
+        raise CannotAnswer(Message("how far it gets is not known in all cases, so that no range is told"))
+    formulas = [(piece, _formula(tree, own, piece)) for own, piece in found]
+    if asked.transition is not None:
+        return [(piece, replace(formula, in_numbers=None, is_put_back=False)) for piece, formula in formulas]
+
+    def in_numbers(values: dict[str, float]) -> Value:
+        return _farthest(tree.system, asked, values)
+
+    return [(piece, replace(formula, in_numbers=in_numbers)) for piece, formula in formulas]
+
+
+def _farthest(system: System, asked: Question, values: dict[str, float]) -> float:
+    """How far a simulated motion gets."""
+    assert asked.quantity.turn is not None
+    _of, event, side = asked.quantity.turn
+    of = event.quantity if isinstance(event, Peak) else event.measure
+    return farthest(system.with_parameters(**values), of, side, is_exact=True)[0]
+
+
+def _is_untrue(tree: PhaseTree, asked: Question, quantity: Wanted, told: set[int]) -> bool:
+    """Whether an inequality is not so where no formula was found, at some of those numbers."""
+    untold = [k for k in range(tree.sets.n_near) if k not in told]
+    if asked.transition is not None or quantity.relation[0] not in "<>":
+        return not untold
+    target = tree.numbers(tree.home.model.geometry.scalar(quantity.target))
+    sign = 1 if quantity.relation[0] == ">" else -1
+    reached = ((k, _farthest(tree.system, asked, tree.sets.one(k))) for k in untold[:_N_UNTOLD])
+    return all(sign * (x - target[k]) < 0 for k, x in reached)
 
 
 def _of_happening(tree: PhaseTree, question: Question, happening: Happening) -> Answer:
@@ -197,6 +234,7 @@ def _formula(tree: PhaseTree, asked: Question, piece: AnswerBranch) -> Formula:
         return number_with_changes(system, asked)
 
     conditions = [*piece.conditions, *needs]
-    if asked.transition is not None or piece.in_blow or _is_light(tree.system):
+    is_endless = isinstance(asked.event, Clock) and asked.event.time is None  # no motion in numbers is followed so far
+    if asked.transition is not None or piece.in_blow or is_endless or _is_light(tree.system):
         return Formula(value, conditions, lambda: compare(tree, asked, piece), is_put_back=False)
     return Formula(value, conditions, lambda: compare(tree, asked, piece), in_numbers)

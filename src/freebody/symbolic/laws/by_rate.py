@@ -1,30 +1,38 @@
-"""An acceleration that is a rational function of the rate, w' = R(w)/N(w) with R of the second degree at most: how long
-it takes to a rate, and how far it gets until then,
+"""An acceleration that is a rational function of the rate, w' = R(w)/N(w) with R of the second degree at most, or
+R = a + d w^3: how long it takes to a rate, and how far it gets until then,
 
     t = int N(w)/R(w) dw,          q - q0 = int w N(w)/R(w) dw,
 
 which division by R leaves as polynomials and, with D = b^2 - 4 a c of R = a + b w + c w^2,
 
     int dw/R = ln((2 c w + b - sqrt D)/(2 c w + b + sqrt D))/sqrt D      (D < 0: 2 atan((2 c w + b)/sqrt(-D))/sqrt(-D)),
-    int w dw/R = (ln R - b int dw/R)/(2 c).
+    int w dw/R = (ln R - b int dw/R)/(2 c),
 
-As a function of the time it has no closed form in general. So move what both dry friction and a resistance hold back,
-and a drive of constant power against a resistance.
+and for a third power with k^3 = -a/d and L = ln(w^2 + k w + k^2)/6 - ln|k - w|/3, A = atan((2 w + k)/(sqrt 3 k))/sqrt 3
+
+    int dw/R = -(L + A)/(d k^2),          int w dw/R = -(L - A)/(d k),          int w^2 dw/R = ln R/(3 d).
+
+As a function of the time it has no closed form in general; the rate tends to the zero of R where that has one, and the
+acceleration leads to it from either side. So move what both dry friction and a resistance hold back, and a drive of
+constant power against a resistance.
 Source: Meriam & Kraige, Dynamics, sec. 2/2; Timoshenko & Young, Advanced Dynamics, 1948, sec. 6.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Self
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.laws.base import Freely, Instants, LawInstant, MotionLaw, Need
+from freebody.symbolic.laws.base import SETTLED, Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.signs import Sign
 
 _MOST = 6  # degree of N
+_SLOWLY = 2 * SETTLED  # units of time: far from its end it may take longer
 Quotient = tuple[tuple[Ratio, ...], tuple[Ratio, ...], int, int]  # coefficients of R and N, the sense, the sign of D
 
 
@@ -47,9 +55,11 @@ def quotient_of(moving: Freely) -> Quotient | None:
     if index in (f.ingredients(a) - a.generators()):
         return None
     above, below = (tuple(part.coefficients(index)) for part in (a.numerator(), a.denominator()))
-    if not 2 <= len(above) <= 3 or len(below) > _MOST or any(index in f.ingredients(x) for x in (*above, *below)):
+    if not 2 <= len(above) <= 4 or len(below) > _MOST or any(index in f.ingredients(x) for x in (*above, *below)):
         return None
-    is_simple = len(below) == 1 and (len(above) == 2 or above[1].is_zero())
+    if len(above) == 4 and not (above[1].is_zero() and above[2].is_zero() and _opposes(moving, above)):
+        return None
+    is_simple = len(below) == 1 and (len(above) == 2 or (len(above) == 3 and above[1].is_zero()))
     if is_simple or sum(not x.is_zero() for x in above) == 1:
         return None  # which have laws of their own
     bends = 0
@@ -59,6 +69,11 @@ def quotient_of(moving: Freely) -> Quotient | None:
         if not bends:
             return None
     return above, below, sense, bends
+
+
+def _opposes(moving: Freely, above: tuple[Ratio, ...]) -> bool:
+    """Whether the first and the last of the coefficients have opposite signs: R has a positive zero."""
+    return {moving.sign(above[0]), moving.sign(above[-1])} == {Sign.POSITIVE, Sign.NEGATIVE}
 
 
 def is_mixed(found: Quotient) -> bool:
@@ -104,6 +119,7 @@ class ByRate(MotionLaw):
         """int top/R from w0 to w."""
         f, rest, total = self.model.field, list(top), self.model.field.zero
         degree = len(self.above) - 1
+        rest += [f.zero] * (degree - len(rest))
         while len(rest) > degree:
             k = len(rest) - 1 - degree
             share = f.lowest_terms(rest[-1] / self.above[-1])
@@ -115,6 +131,8 @@ class ByRate(MotionLaw):
         grown = self.function("log", ratio)
         if degree == 1:
             return f.lowest_terms(total + rest[0] / self.above[1] * grown)
+        if degree == 3:
+            return f.lowest_terms(total + self._of_third_power(rest, w0, w) + rest[2] / (3 * self.above[3]) * grown)
         plain, linear = (*rest, f.zero)[:2]
         a, b, c = self.above
         per = (plain - linear * b / (2 * c)) * self._plain(b, c, a, w0, w)
@@ -130,6 +148,49 @@ class ByRate(MotionLaw):
             return 2 * (arcs[0] - arcs[1]) / root
         ratio = f.lowest_terms((then - root) * (first + root) / ((then + root) * (first - root)))
         return self.function("log", ratio) / root
+
+    def _of_third_power(self, top: Sequence[Ratio], w0: Ratio, w: Ratio) -> Ratio:
+        """int (p + q w)/R for R = a + d w^3."""
+        f, (plain, linear, *_rest) = self.model.field, top
+        if plain.is_zero() and linear.is_zero():
+            return f.zero
+        k, d, root = self.zero, self.above[3], f.sqrt(f.element(3), self.model.samples.is_negative)
+        assert k is not None
+        squares = f.lowest_terms((w * w + k * w + k * k) / (w0 * w0 + k * w0 + k * k))
+        gaps = f.lowest_terms((k - w) / (k - w0))
+        logs = self.function("log", squares) / 6 - self.function("log", gaps) / 3
+        then, first = (self.function("atan", f.lowest_terms((2 * x + k) / (root * k))) for x in (w, w0))
+        arcs = (then - first) / root
+        return -plain * (logs + arcs) / (d * k * k) - linear * (logs - arcs) / (d * k)
+
+    @cached_property
+    def zero(self) -> Ratio | None:
+        """The one positive zero of R, to which the rate tends from either side: a drive that falls, a resistance that
+        grows; None where it has none or several."""
+        f, (first, *_between, last) = self.model.field, self.above
+        signs = {sign for x in self.below if not x.is_zero() for sign in (self.is_negative(x),)}
+        if (
+            len(signs) > 1
+            or self.is_negative(first) != signs.pop()
+            or self.is_negative(last) == self.is_negative(first)
+        ):
+            return None
+        if len(self.above) == 2:
+            return f.lowest_terms(-first / last)
+        if len(self.above) == 4:
+            return self.function("exp", self.function("log", f.lowest_terms(-first / last)) / 3)
+        middle = self.above[1]
+        root = self.root(f.lowest_terms(middle * middle - 4 * first * last))
+        return f.lowest_terms((-middle - root if self.is_negative(last) else -middle + root) / (2 * last))
+
+    @property
+    def limit(self) -> Limit | None:
+        if self.zero is None:
+            return None
+        f, k = self.model.field, self.zero
+        slope = sum((n * x * k ** (n - 1) for n, x in enumerate(self.above) if n), f.zero)
+        unit = self._value(self.below, k) / slope
+        return Limit(None, f.lowest_terms(self.sense * k), f.lowest_terms(-_SLOWLY * unit))
 
     def rates(self, value: Ratio) -> Instants:
         f, w0, w = self.model.field, self.sense * self.u0, self.sense * value

@@ -1,0 +1,106 @@
+"""How far a motion gets up to a change of its contacts, or through changes that follow on its way to the other side.
+
+Up to a change it is farthest at its first turn where that comes before, else at the change. What sets out to the other
+side may be farther than at its start where two later phases meet, or at the change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+
+from freebody.language.sentences import Message
+from freebody.questions.course import Transition
+from freebody.questions.reading import Question
+from freebody.study.phases.branch import AnswerBranch
+from freebody.study.phases.first_turns import FirstTurns, rate_at_end
+from freebody.study.phases.numbers import Chosen
+from freebody.study.phases.pieces import pieces
+from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.words import happening
+from freebody.symbolic.field import Ratio
+
+Found = list[tuple[Question, AnswerBranch]]
+
+
+def until_change(tree: PhaseTree, question: Question, turns: FirstTurns) -> tuple[Found, list[AnswerBranch]]:
+    """The farthest places up to the change that a question names, of what sets out to the side that is meant; and the
+    ways to the change."""
+    turn = question.quantity.turn
+    assert turn is not None
+    of, event, side = turn
+    question = replace(question, quantity=of)
+    ends = pieces(tree, question)
+    found = Found()
+    for asked, turn in turns.found:
+        first = np.concatenate([_before(asked, turn, end) for end in ends])
+        if len(first):
+            found.append((asked, replace(turn, sets=np.sort(first))))
+    turned = {int(k) for _asked, turn in found for k in turn.sets}
+    grows = side * tree.numbers(turns.rate) > 0
+    for end in ends:
+        sets = end.sets[grows[end.sets]]
+        later = np.array([k for k in sets if int(k) not in turned], dtype=np.intp)
+        if not len(later) or (question.quantity.may_jump and len(end.nodes) > 1):
+            continue
+        needed = [(side * turns.rate, ">", "")]
+        if len(later) < len(sets):  # where it still grows at the change, if that tells them apart
+            if end.first is None:
+                continue
+            growing = side * rate_at_end(tree, end, event)
+            if set(sets[tree.numbers(growing)[sets] > 0]) != set(later):
+                continue
+            needed.append((growing, ">", ""))
+        note = Message("up to there it only grows") if side > 0 else Message("up to there it only falls")
+        conditions = [*end.conditions, *tree.conditions(needed, later)]
+        found.append((question, replace(end, sets=later, conditions=conditions, notes=[*end.notes, note])))
+    return found, ends
+
+
+def away(
+    tree: PhaseTree,
+    starts: Sequence[AnswerBranch],
+    side: int,
+    turns: FirstTurns,
+    change: Transition | None,
+    ends: Sequence[AnswerBranch],
+) -> Iterator[tuple[Transition | None, list[AnswerBranch]]]:
+    """Where what sets out to the other side may be farthest: between two later phases, or at the change, which is told
+    beside it. starts: what it has at the start, beyond which it has to be."""
+    between = list(turns.behind)
+    if ends:
+        pairs = [(turn, end, _before(turns.question, turn, end)) for turn, end in product(turns.behind, ends)]
+        between = [
+            replace(turn, sets=sets, conditions=[*turn.conditions, *end.conditions]) for turn, end, sets in pairs
+        ]
+    backwards = np.flatnonzero(side * tree.numbers(turns.rate) < 0)
+    for transition, found in ((None, between), (change, ends)):
+        if beyond := [p for start in starts for piece in found for p in _beyond(tree, start, piece, side, backwards)]:
+            yield transition, beyond
+
+
+def _beyond(
+    tree: PhaseTree, start: AnswerBranch, piece: AnswerBranch, side: int, sets: Chosen
+) -> Iterator[AnswerBranch]:
+    """The part of a piece where it is farther than at the start."""
+    if not isinstance(piece.value, Ratio) or not isinstance(start.value, Ratio):
+        return
+    more = side * (piece.value - start.value)
+    sets = np.intersect1d(np.intersect1d(start.sets, piece.sets), sets)
+    sets = sets[tree.numbers(more)[sets] > 0]
+    if len(sets):
+        conditions = [*start.conditions, *piece.conditions, *tree.conditions([(more, ">", "")], sets)]
+        notes = list(piece.notes)
+        if piece.first is not None and not notes:
+            notes.append(Message("just before: {event}", event=happening(piece.first.watch, None)))
+        yield replace(piece, sets=sets, conditions=conditions, notes=notes)
+
+
+def _before(asked: Question, turn: AnswerBranch, end: AnswerBranch) -> Chosen:
+    """The sets for which a turn comes before the change: within a phase before it, or between two of them."""
+    n, last = len(turn.nodes), len(end.nodes)
+    is_before = end.first is not None and (n < last or (n == last and asked.event is not None))
+    return np.intersect1d(turn.sets, end.sets) if is_before else turn.sets[:0]
