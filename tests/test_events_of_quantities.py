@@ -49,6 +49,16 @@ loads: {weight: {gravity: g}}
 measures: {s: {travel of block along slope}}
 start: {s: 0}
 """
+TRAMMEL = """
+parameters: {m: 2 kg, L: 0.5 m, a: 30 deg, g: 9.81 m/s^2}
+bodies: {bar: {rod: {mass: m, length: L}}}
+connections:
+  A: {slot: {pin: bar.start, along: up, through: ground.O}}
+  B: {slot: {pin: bar.end, along: right, through: ground.O}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of bar clockwise}
+start: {theta: a, rate(theta): 0}
+"""
 LEVEL = """
 parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2}
 bodies: {rod: {rod: {mass: m, length: L}}}
@@ -94,6 +104,8 @@ CASES = {
     "at an energy": (ROD, "th when kinetic energy = m*g*L/4", "acos(cos(a) - 1/2)"),
     "where a string pulls with the weight": (PENDULUM, "theta when tension of rope = m*g", "acos((1 + 2*cos(a))/3)"),
     "speed there": (PENDULUM, "speed of bob when tension of rope = m*g", "sqrt(2*g*L*(1 - cos(a))/3)"),
+    # sin(q) from the wall: 3 m g cos(q) (2 sin(a) - 3 sin(q))/4, from which it is not told which place comes first
+    "where a bar leaves the wall": (TRAMMEL, "theta when normal force of A = 0", "asin(2*sin(a)/3)"),
     "way to a speed": (SLOPE, "s when speed of block = v", "v^2/(2*g*sin(b))"),
     "time to a speed": (SLOPE, "time when speed of block = v", "v/(g*sin(b))"),
     "power at a speed": (SLOPE, "power of weight when kinetic energy = 5 J", "g*sin(b)*sqrt(2*m*5)"),

@@ -274,6 +274,17 @@ measures: {th: angle of line from rod.end to rod.start from up}
 start: {th: 0}
 """
 LIFT = CAR.replace("along: right", "along: up").replace("x of car", "y of car").replace("th: 0", "th: at")
+DOUBLE = """
+parameters: {W: 3 rad/s, a: 0.3 m, l: 0.2 m, m: 0.5 kg, M: 1 kg, R: 0.1 m, u: 8 rad/s, w: 5 rad/s, q: 60 deg}
+bodies: {arm: {rod: {length: a}}, rod: {rod: {mass: m, length: l}}, disk: {disk: {mass: M, radius: R}}}
+connections:
+  O: {pin: [ground.O, arm.start]}
+  motor: {driver: {measure: angle of arm, follows: W*t}}
+  B: {pin: [arm.end, rod.start]}
+  C: {pin: [rod.end, disk.center]}
+measures: {beta: angle of rod relative to arm, gamma: angle of disk relative to rod}
+start: {beta: 0, gamma: 0, rate(beta): u, rate(gamma): w}
+"""
 CENTRED = HOOP.replace("{A: [-R, 0]}", "{A: [0, 0]}")
 
 BESIDE_DRIVERS = {
@@ -297,6 +308,17 @@ BESIDE_DRIVERS = {
     # in a lift that starts the weight is m (g + a0)
     "lift": (LIFT, "velocity of th when th = 0", "-sqrt(3*(g + a0)*(1 - cos(at))/L)"),
     "lift, force": (LIFT, "size of reaction of hinge when th = 0", "m*(g + a0)*(5 - 3*cos(at))/2"),
+    # a disk free at the end of a rod keeps its spin, gamma' + beta' = u + w; the rod is a pendulum in the field W^2 a
+    "a momentum beside": (
+        DOUBLE,
+        "velocity of beta when beta = q",
+        "sqrt(u^2 - 2*W^2*a*(m/2 + M)/(l*(m/3 + M))*(1 - cos(q)))",
+    ),
+    "the other speed": (
+        DOUBLE,
+        "velocity of gamma when beta = q",
+        "u + w - sqrt(u^2 - 2*W^2*a*(m/2 + M)/(l*(m/3 + M))*(1 - cos(q)))",
+    ),
     # towards the centre of the hoop: centripetal and Coriolis (beta' + W)^2 R, and W^2 R cos(beta) of the centre
     "hoop, force": (
         HOOP,
@@ -315,6 +337,13 @@ def test_jacobis_integral_is_told_where_energy_is_not_conserved() -> None:
     told = fb.explain(System.from_text(HOOP + "questions: [velocity of beta when beta = q]\n")).to_text()
     assert "Jacobi's integral" in " ".join(told.split())
     assert "T + V stays what it was" not in told
+
+
+def test_momenta_beside_jacobis_integral_are_told() -> None:
+    told = fb.explain(System.from_text(DOUBLE + "questions: [velocity of beta when beta = q]\n")).to_text()
+    said = " ".join(told.split())
+    assert "its generalized momentum is conserved" in said
+    assert "T₂ is the part of T that is quadratic in β' and γ', T₀ the part without β' and γ'" in said
 
 
 def test_the_inertia_force_beside_a_drive_that_accelerates_is_told() -> None:
@@ -588,3 +617,53 @@ def test_a_rough_rod_that_turns_flings_a_bead_by_a_linear_law() -> None:
     wanted = 0.2 * math.exp(-mu * w * t) * (math.cosh(k * t) + mu * w / k * math.sinh(k * t))
     assert answer.expression is not None
     assert answer.value == pytest.approx(wanted, rel=1e-9)
+
+
+# -- which turning place comes first ----------------------------------------------------------
+BETWEEN = """
+parameters: {m: 1 kg, c: 100 N/m^2, a: 0.5 m, b: 0.52 m}
+bodies: {p: {particle: {mass: m}}}
+connections: {s: {slider: {body: p, along: right}}}
+loads: {f: {law: {measure: x, force: c*(3*x^2 - 2*(a + b)*x + a*b)}}}
+measures: {x: x of p}
+start: {x: 0, rate(x): 0}
+"""
+UPRIGHT_HOOP = """
+space: {up: z}
+parameters: {m: 0.3 kg, R: 0.4 m, W: 7 rad/s, g: 9.81 m/s^2, a: 70 deg}
+bodies:
+  frame: {body: {}, turned: [psi about z]}
+  bead: {body: {mass: m}, points: {c: [0, 0, R]}, turned: [theta about y], frame: frame}
+connections:
+  shaft: {revolute: {first: ground.O, second: frame, about: z}}
+  ring: {revolute: {first: frame, second: bead.c, about: y}}
+  motor: {driver: {measure: psi, follows: W*t}}
+loads: {weight: {gravity: g}}
+start: {theta: a, rate(theta): 0}
+"""
+FUNNEL = """
+space: {up: z}
+parameters: {m: 0.1 kg, c: 1.5, r: 0.3 m, u: 3 m/s, g: 9.81 m/s^2}
+bodies: {p: {particle: {mass: m}, near: {at: [r, 0, c*r]}}}
+connections: {wall: {point_on_surface: {point: p, z: c*rho}}}
+loads: {weight: {gravity: g}}
+measures: {rho: distance of p from the z axis, phi: angle of line from ground.O to p}
+start: {rho: r, phi: 0, rate(rho): 0, rate(phi): u/r}
+"""
+
+
+def test_another_turning_place_must_not_come_first() -> None:
+    # m u^2/2 = c x (a - x) (b - x): it turns at the smaller of a and b
+    found = posed(BETWEEN, "greatest x")
+    assert found.expression == parse("a")
+    assert "b > a" in fb.solve(System.from_text(BETWEEN + "questions: [greatest x]\n")).to_text()
+
+
+def test_a_bead_on_a_fast_hoop_turns_back_before_the_bottom() -> None:
+    # R u^2 = (cos(q) - cos(a)) (2 g - R W^2 (cos(q) + cos(a))); slower, it swings through to -a
+    is_formula(UPRIGHT_HOOP, "least theta", "acos(2*g/(R*W^2) - cos(a))", factors=(1.0, 1.01))
+
+
+def test_a_distance_from_an_axis_is_not_negative() -> None:
+    # u^2 (r + q)/(2 q^2) = c g at the other end of the way in a funnel
+    is_formula(FUNNEL, "greatest rho", "u*(u + sqrt(u^2 + 8*c*g*r))/(4*c*g)")

@@ -213,6 +213,21 @@ connections: {A: {pin: [ground.A, upper.start]}, B: {pin: [upper.end, lower.star
 loads: {push: {force: {at: upper.end, along: left, magnitude: F}}}
 """
 
+FOLDED = """
+parameters: {P: 50 N, l: 0.5 m, k: 400 N/m, m: 1 kg}
+bodies: {lower: {rod: {length: l}}, upper: {rod: {length: l}NEAR}, knee: {particle: {mass: m}}}
+connections:
+  A: {pin: [ground.A, lower.start]}
+  B: {pin: [lower.end, upper.start]}
+  n: {pin: [lower.end, knee]}
+  guide: {slot: {pin: upper.end, along: up, through: ground.A}}
+loads:
+  push: {force: {at: upper.end, along: down, magnitude: P}}
+  stay: {law: {measure: y, force: -k*y}}
+measures: {theta: angle of lower from up, y: x of knee}
+start: {theta: 0}
+"""
+
 
 def warned(text: str) -> list[tuple[str, str]]:
     return [(w.kind, w.text()) for w in fb.System.from_text(text).warnings]
@@ -258,6 +273,7 @@ def warned(text: str) -> list[tuple[str, str]]:
             "s acts between ground.O and bob, which start at the",
         ),
         (TOGGLE.replace("NEAR", ""), "elbow open", "fit with upper.end on either side"),
+        (FOLDED.replace("NEAR", ""), "elbow open", "upper lies folded back on lower, and fits stretched as well"),
         # z = phi/pi runs to 2: h (10 z^3 - 15 z^4 + 6 z^5) is 32 h there, h z (2 - z) has the slopes +-2 h/pi
         (
             CAM.replace("LIFT", "h*(10*(phi/pi)^3 - 15*(phi/pi)^4 + 6*(phi/pi)^5)"),
@@ -305,6 +321,7 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
         PUSH.replace("PLACE", "bob"),
         SPRING.replace("PLACE", "[0, -1 m]"),
         SPRING.replace("PLACE", "[0, 0]").replace("length: 1 m", "length: 0"),
+        FOLDED.replace("NEAR", ", near: {angle: 90 deg}"),
         MAN.replace("PLACE", "4 m"),
         CAM.replace("LIFT", "h/2*(1 - cos(phi))"),
         WEDGE.replace("NEAR", ", near: {at: [1 m, 1 m]}"),

@@ -33,6 +33,22 @@ connections:
   motor: {driver: {measure: phi, follows: omega*t}}
 measures: {phi: angle of crank, psi: angle of arm}
 """
+SHAPER = """
+parameters: {r: 0.12 m, d: 0.3 m, l: 0.65 m, w: 4 rad/s}
+ground: {points: {O: [0, d], Q: [0, 0], H: [0, l]}}
+bodies:
+  crank: {rod: {length: r}}
+  lever: {body: {}, points: {tip: [l, 0]}}
+  ram: {body: {}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  Q: {pin: [ground.Q, lever.origin]}
+  block: {slot: {pin: crank.end, along: lever.x}}
+  yoke: {slot: {pin: lever.tip, along: ram.y}}
+  way: {slider: {body: ram, along: right, through: ground.H}}
+  motor: {driver: {measure: theta, follows: w*t}}
+measures: {theta: angle of crank, phi: angle of lever, x: x of ram}
+"""
 TOGGLE_PRESS = """
 parameters: {L: 0.3 m, alpha: 20 deg, P: 200 N, Q: 250 N}
 ground: {points: {A: [0, 0]}}
@@ -114,6 +130,9 @@ measures: {phi: angle of crank, x: x of piston}
             "time ratio of x over a turn of phi",
             "(pi+asin(e/(l-r))-asin(e/(l+r)))/(pi-asin(e/(l-r))+asin(e/(l+r)))",
         ),
+        # Norton, ch. 2 and 6: x = l cos(phi) of the lever; the ram is not turned, though its guide would let it be
+        (SHAPER, "stroke of x over a turn of theta", "2*l*r/d"),
+        (SHAPER, "greatest velocity of x over a turn of theta", "l*r*w/(d-r)"),
     ],
 )
 def test_a_loop_of_a_textbook_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:

@@ -23,6 +23,11 @@ class Measure(Protocol):
         return False
 
     @property
+    def is_size(self) -> bool:
+        """Whether it is never negative, as a distance is."""
+        return False
+
+    @property
     def dimension(self) -> Dimension: ...
 
     def value(self, g: Geometry[S]) -> S:

@@ -65,6 +65,11 @@ class Composed(Measure):
             return True
         return len(self.measures) == 1 and self.measures[0][1].is_angle
 
+    @property
+    def is_size(self) -> bool:
+        """So is the root that a distance from an axis is."""
+        return isinstance(self.expression, Call) and self.expression.function == "sqrt"
+
     def value(self, g: Geometry[S]) -> S:
         return g.apply(self.expression, {name: measure.value(g) for name, measure in self.measures}, here=self.here)
 

@@ -22,6 +22,10 @@ class Distance(Measure):
     end: Point
 
     @property
+    def is_size(self) -> bool:
+        return True
+
+    @property
     def dimension(self) -> Dimension:
         return LENGTH
 

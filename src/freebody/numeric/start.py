@@ -101,9 +101,11 @@ def _assembled_part(reference: NumericSystem, extra: Wanted, guess: Array | None
     loose = reference.sizes.small_moves.copy()
     loose[own] = 0.0
     placing = replace(reference.placing, sizes=replace(reference.sizes, small_moves=loose))
-    fit = placing.fit(q, _equations(reference, extra), 0.0, {})
-    if fit is not None and _stands(reference, fit):
-        return fit
+    equations = _equations(reference, extra)
+    for guides in (_guided(reference, q), []):  # what a guide keeps stays as it is guessed, where the rest fits to it
+        fit = placing.fit(q, [*equations, *guides], 0.0, {})
+        if fit is not None and _stands(reference, fit):
+            return fit
     return _assembled_whole(reference, extra, guess, n_starts)
 
 

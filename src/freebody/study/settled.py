@@ -58,7 +58,8 @@ def start_mode(system: System) -> ContactMode:
     given = None if system.has_values else draw_parameters(system, random.Random(SEED), 1.0)
     simulator = Simulator(system, given)
     bounded = simulator.bounded
-    assert bounded is not None
+    if bounded is None:  # nothing can part or slip
+        return ContactMode.of(frozenset(), {})
     found = InstantTransition(bounded, ImpactLaw.NEWTON).after(simulator.start, 0.0, simulator.engine.near(), None)
     if found.mode is None:
         told = Message("no force is consistent at the start with {why}", why=found.why)

@@ -17,6 +17,8 @@ Beside drivers T = T2 + T1 + T0 by the degree in the speed u of the one coordina
 
 Where the time is in none of these, but for what depends on it alone, T2 - T0 + V + int dT1/dt dq stays what it is at
 the start: Jacobi's integral, and beside a drive that accelerates evenly the potential of the inertia force as well.
+Other coordinates that are cyclic have their momenta p_c = sum_k M_ck u_k + n_c, n_c from T1; with their speeds put in,
+the linear term of T2 - T0 = sum_k u_k dT/du_k - T vanishes again.
 
 A load without a potential of its own (one that turns with a body, or whose law names other measures) has one along the
 motion where its generalized force depends on one coordinate only: V = -int Q dq.
@@ -39,6 +41,7 @@ from freebody.symbolic.closure import Closure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.signs import sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.unknowns import Coordinate
@@ -91,12 +94,28 @@ class FirstIntegrals:
     def momentum(self, k: Coordinate) -> tuple[Ratio, Ratio]:
         """The generalized momentum of a coordinate by the speeds, and what it is at the start."""
         f, row = self.field, self.model.coordinates.index(k)
-        now, before = f.zero, f.zero
+        now = self._led_momentum(k)
+        before = f.follow(now, self.start.values)
         for entry, other in zip(self.model.dynamics.mass_matrix[row], self.model.coordinates, strict=True):
             entry = self._explicit(entry)
             now = now + entry * (f.zero if other.index in self.resting else f.variable(other.speed))
             before = before + f.follow(entry, self.start.values) * self.start.of(other.speed)
         return now, before
+
+    def _led_momentum(self, k: Coordinate) -> Ratio:
+        """What drives add to the momentum of a coordinate, whatever the speeds."""
+        f = self.field
+        if not is_driven(self.model):
+            return f.zero
+        still = {c.speed: f.zero for c in self.model.coordinates}
+        return self._without_time(f.lowest_terms(f.follow(f.derivative(self._kinetic, k.speed), still)))
+
+    @cached_property
+    def _kinetic(self) -> Ratio:
+        """The kinetic energy in coordinates and their speeds, those of drives put in."""
+        return self.field.lowest_terms(
+            self.field.element(Energy("kinetic").value(self.model.system, SymbolicState(self.model)))
+        )
 
     def coasts(self, c: Coordinate) -> bool:
         """Whether the one freedom of a model keeps the kinetic energy that it has at the start."""
@@ -106,14 +125,14 @@ class FirstIntegrals:
         return self.field.lowest_terms(change).is_zero()
 
     def _beside_drivers(self, c: Coordinate, at: Ratio) -> Ratio:
-        """By Jacobi's integral, of one freedom."""
+        """By Jacobi's integral."""
         parts = self.by_degree(c)
         f, start = self.field, {c.index: self.start.of(c.index)}
         u0 = self.start.of(c.speed)
         here = {c.index: at}
         total = f.follow(parts.second * u0 * u0 + parts.rest, start) - f.follow(parts.rest, here)
         square = total / f.follow(parts.second, here)
-        return self._without_time(f.lowest_terms(square))
+        return self.on_its_line(self._without_time(f.lowest_terms(square)))
 
     def terms(self, c: Coordinate) -> tuple[Ratio, Ratio]:
         """The conserved sum as a factor of u^2, and what is free of u."""
@@ -126,25 +145,24 @@ class FirstIntegrals:
         return self.model.dynamics.mass_matrix[0][0] / 2, self.potential({})
 
     def by_degree(self, c: Coordinate) -> JacobiParts:
-        """T2, T0, V and what the time in T1 adds, of one freedom beside drivers. Raises CannotAnswer where the time is
-        in what is conserved."""
-        if len(self.model.coordinates) != 1 or self.model.dependent:
-            raise CannotAnswer(
-                Message("a driver is at work beside several degrees of freedom, so energy is no first integral")
-            )
-        f, q = self.field, c.index
-        state = SymbolicState(self.model)
-        kinetic = f.element(Energy("kinetic").value(self.model.system, state))
-        degrees = [*f.lowest_terms(kinetic).coefficients(c.speed), f.zero, f.zero][:3]
-        potential = self._potential(state)
-        inertia = f.lowest_terms(f.derivative(degrees[1], f.index(f.time)))
+        """T2 by the square of the one speed that is left, what else T2 - T0 has, V and what the time in T1 adds. Raises
+        CannotAnswer where the time is in what is conserved."""
+        if self.model.dependent:
+            raise CannotAnswer(_DRIVEN)
+        f, q, speeds = self.field, c.index, self.speeds(c)
+        kept = -self._kinetic  # T2 - T0
+        for k in self.model.coordinates:
+            kept = kept + f.variable(k.speed) * f.derivative(self._kinetic, k.speed)
+        degrees = [*f.lowest_terms(f.follow(kept, speeds)).coefficients(c.speed), f.zero, f.zero][:3]
+        potential = self._potential(SymbolicState(self.model))
+        inertia = f.lowest_terms(f.derivative(f.derivative(self._kinetic, c.speed), f.index(f.time)))
         slopes = [f.derivative(degrees[0], q), f.derivative(potential, q), inertia, degrees[2]]
         if any(self._in_time & f.ingredients(f.lowest_terms(x)) for x in slopes):
             raise CannotAnswer(_DRIVEN)
         led = antiderivative(inertia, q)
         if led is None:
             raise CannotAnswer(_DRIVEN)
-        return JacobiParts(degrees[2], degrees[0], potential, led)
+        return JacobiParts(degrees[2], -degrees[0], potential, led)
 
     def _in_place(self, x: Ratio, c: Coordinate) -> Ratio:
         """Without what is the same in all places, such as the height to which a drive has led everything by now."""
@@ -163,16 +181,23 @@ class FirstIntegrals:
 
     def on_its_line(self, x: Ratio) -> Ratio:
         """Where other coordinates stay at rest a distance in a plane may be one along a line, sqrt(y^2) = y, on the
-        side of the start."""
-        if not (self.keeps_side and self.resting):
-            return x
+        side of the start. A coordinate that is a distance itself is never on the other side."""
         f, samples = self.field, self.model.samples
         roots = {g: f.radicand(g) for g in x.generators() if f.generators[g].kind == "root" and f.generators[g].made_of}
+        if not (self.keeps_side and self.resting):
+            roots = {g: square for g, square in roots.items() if self._keeps_sign(square)}
         plain = {g: x for g, x in roots.items() if all(n % 2 == 0 for _base, n in f.factor(x.num)[1])}
         if any(abs(value) < ROUND_OFF for x in plain.values() for value in samples.at_starts(x)):
             return x  # it begins where it has no side
         taken = {g: f.sqrt(square, samples.is_negative) for g, square in plain.items()}
         return f.lowest_terms(f.substitute(x, taken)) if taken else x
+
+    def _keeps_sign(self, square: Ratio) -> bool:
+        """Whether what a square is of has one sign: a product of coordinates that are never negative."""
+        measures, f = self.model.system.measures, self.field
+        sizes = {c.index for c in self.model.coordinates if c.name in measures and measures[c.name].is_size}
+        bases = [base for base, _n in f.factor(square.num)[1]]
+        return all(any(base == f.variable(g) for g in sizes) or sign_of(base).is_strict for base in bases)
 
     def _explicit(self, x: Ratio) -> Ratio:
         """Without the angles that closed loops bind, and with what stays at rest where it is."""
@@ -252,8 +277,11 @@ class FirstIntegrals:
             return set()
         if self.model.dependent and not self._has_solved_loops:
             return {k.index for k in self.model.coordinates}
-        entries = [self._explicit(x) for row in self.model.dynamics.mass_matrix for x in row]
-        elements = [*entries, self.potential(dict(self.resting))]
+        if is_driven(self.model):
+            elements = [self._kinetic, self._potential(SymbolicState(self.model))]
+        else:
+            entries = [self._explicit(x) for row in self.model.dynamics.mass_matrix for x in row]
+            elements = [*entries, self.potential(dict(self.resting))]
         return set[int]().union(*map(self.field.ingredients, elements))
 
     def speeds(self, c: Coordinate) -> dict[int, Ratio]:
@@ -267,7 +295,7 @@ class FirstIntegrals:
             line = [self._explicit(x) for x in self.model.dynamics.mass_matrix[k]]
             _now, momentum = self.momentum(names[k])
             row = {names[j].speed: line[j] for j in others if not line[j].is_zero()}
-            right = momentum - line[own] * f.variable(c.speed)
+            right = momentum - self._led_momentum(names[k]) - line[own] * f.variable(c.speed)
             rows.append(row if right.is_zero() else {**row, RHS: right})
         solved = solve(f, rows, [names[k].speed for k in others], lambda x: x.is_zero())
         if solved.free or solved.contradictory:
@@ -350,8 +378,8 @@ class FirstIntegrals:
 
 @dataclass(frozen=True)
 class JacobiParts:
-    """The factor of u^2 in the kinetic energy, what of it is free of u, the potential energy, and the potential of the
-    inertia force that a drive which accelerates brings."""
+    """The factor of u^2 in the kinetic energy, what of it is free of u (T0, less what momenta keep), the potential
+    energy, and the potential of the inertia force that a drive which accelerates brings."""
 
     second: Ratio
     free: Ratio

@@ -7,7 +7,7 @@ Where W vanishes with a slope the coordinate turns, and goes back the same way.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -113,12 +113,12 @@ class EnergyPath:
             needs = [*needs, (side * wanted, ">")]
         beyond = self.square - wanted * wanted
         if side == way:
-            at = self._nearest(beyond, self.numbers(self.q0), way)
-            needs, says = self._over(self.q0, at, [*needs, *((x, ">") for x in reals(at))])
+            at, first = self._nearest(beyond, self.q0, way)
+            needs, says = self._over(self.q0, at, [*needs, *first])
             return at, needs, says
         turn, more, says = self._turning
-        at = self._nearest(beyond, self.numbers(turn), -way)
-        needs, words = self._over(self.q0, at, [*needs, *more, *((x, ">") for x in reals(at))])
+        at, first = self._nearest(beyond, turn, -way)
+        needs, words = self._over(self.q0, at, [*needs, *more, *first])
         return at, needs, [*says, *words]
 
     # -- the time -----------------------------------------------------------------------------
@@ -268,8 +268,8 @@ class EnergyPath:
         way, _needs = self._way
         if self._never_stops:
             raise NotReached(Message("{x} never turns", x=self.c.name))
-        turn = self._nearest(self.square, self.numbers(self.q0), way)
-        needs, says = self._over(self.q0, turn, [(x, ">") for x in (*reals(turn), *self._ahead(turn))])
+        turn, first = self._nearest(self.square, self.q0, way)
+        needs, says = self._over(self.q0, turn, [*first, *((x, ">") for x in self._ahead(turn))])
         return turn, needs, says
 
     def _ahead(self, turn: Ratio) -> list[Ratio]:
@@ -292,18 +292,21 @@ class EnergyPath:
                 found.append((place, self.numbers(place)))
         return found
 
-    def _nearest(self, x: Ratio, start: Sequence[float], way: int) -> Ratio:
-        """The zero of a function that is next from the start, at every sample at which there is one. Raises NotReached
-        where there is none, which factors without a closed form might hide."""
-        places, picks = self.places(x), set[int]()
-        for s, begin in enumerate(start):
+    def _nearest(self, x: Ratio, start: Ratio, way: int) -> tuple[Ratio, list[Need]]:
+        """The zero of a function that is next from the start, at every sample at which there is one, and what it needs
+        to be there, and the next one. Raises NotReached where there is none, which factors without a closed form might
+        hide."""
+        places, picks, starts = self.places(x), set[int](), self.numbers(start)
+        for s, begin in enumerate(starts):
             if s in self._others:
                 continue
             ahead = [(way * (at[s] - begin), k) for k, (_x, at) in enumerate(places) if way * (at[s] - begin) > _NEAR]
-            if ahead:
+            if ahead and self._takes_side and picks and min(ahead)[1] not in picks:
+                self._others.add(s)
+            elif ahead:
                 picks.add(min(ahead)[1])
         if not picks:
-            if not places or self._changes_sign(x, start, way):
+            if not places or self._changes_sign(x, starts, way):
                 why = Message("no closed form was found for the place of {x} at which that is so", x=self.c.name)
                 raise CannotAnswer(why)
             raise NotReached(
@@ -315,7 +318,23 @@ class EnergyPath:
             raise CannotAnswer(
                 Message("at which place of {x} that is so first depends on the parameter values", x=self.c.name)
             )
-        return places[picks.pop()][0]
+        place = places[picks.pop()][0]
+        needs: list[Need] = [(x, ">") for x in reals(place)]
+        return place, [*needs, *self._before_others(place, places, start, way)]
+
+    def _before_others(self, place: Ratio, places: Places, start: Ratio, way: int) -> Iterator[Need]:
+        """What keeps other zeros from standing between the start and one of them: each is beyond it, or behind the
+        start, as at the first sample. Of angles that follow by arcs samples tell it alone."""
+        f, (here, begin) = self.field, (self.numbers(x)[0] for x in (place, start))
+        for other, at in places:
+            if way * (at[0] - here) > _NEAR:
+                apart = f.lowest_terms(way * (other - place))
+            elif way * (begin - at[0]) > _NEAR:
+                apart = f.lowest_terms(way * (start - other))
+            else:
+                continue
+            if sign_of(apart) is Sign.UNKNOWN and not f.ingredients(apart) & f.arguments.keys():
+                yield apart, ">"
 
     def _changes_sign(self, x: Ratio, start: Sequence[float], way: int) -> bool:
         """Whether a function changes its sign ahead of the start, at one sample at least."""

@@ -78,11 +78,12 @@ def say_first_integral(context: Context, script: Script, c: Coordinate) -> None:
             script.say("course.as_potential", load=load, potential=tidy(total), name=Symbol(c.name))
     if is_driven(setup.model):
         led = setup.motion.integrals.by_degree(c).led
+        rates = tuple(rates_of(k.name, 1) for k in setup.model.coordinates)
         if led.is_zero():
-            script.say("course.jacobi", rate=rates_of(c.name, 1))
+            script.say("course.jacobi", rates=rates)
         else:
-            potential = tidy(f.lowest_terms(led))
-            script.say("course.inertia", rate=rates_of(c.name, 1), name=Symbol(c.name), potential=potential)
+            potential, rate = tidy(f.lowest_terms(led)), rates_of(c.name, 1)
+            script.say("course.inertia", rate=rate, rates=rates, name=Symbol(c.name), potential=potential)
 
 
 def square_line(context: Context, script: Script, c: Coordinate, lines: list[int], when: TrueWhen) -> int:

@@ -2,17 +2,18 @@
 
 Two bodies that are pinned to each other, and by another point each to what cannot move, stand like the bars of an
 elbow: mirrored in the line through those points they fit as well. Where nothing is free to move and the file says
-nothing of their pose, nothing decides between the two, and the signs of forces depend on it.
+nothing of their pose, nothing decides between the two, and the signs of forces depend on it. Two bars of one length
+that lie on each other fit stretched as well, be anything free or not.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, permutations
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FreebodyError
 from freebody.language.sentences import Message
 from freebody.measures.geometry import Point, position
 from freebody.measures.turned import points_in
@@ -31,6 +32,7 @@ class ElbowOpen(WarningKind, name="elbow open"):
     def look(self, model: Opened) -> Iterator[ModelWarning]:
         system = model.system
         told = {body for name in system.start for body in system.measures[name].bodies()}
+        yield from self._folded(model, told)
         open_bodies = {body.name for body in system.moving if body.turns and not _is_told(body)} - told
         if system.space or len(open_bodies) < 2 or model.free(model.start).shape[1]:
             return
@@ -49,6 +51,45 @@ class ElbowOpen(WarningKind, name="elbow open"):
                 place="[" + ", ".join(f"{x:.4g}" for x in place) + "]",
             )
             yield self.warning(message, "bodies", first, about=frozenset({first, second}))
+
+    def _folded(self, model: Opened, told: set[str]) -> Iterator[ModelWarning]:
+        """Bars that lie on each other, although the second one fits turned round as well."""
+        system, start = model.system, model.start
+        bars = [] if system.space else [body for body in system.moving if body.turns]
+        for first, second in permutations(bars, 2):
+            if second.name in told or _is_told(second):
+                continue
+            elbow = _joint(system.constraint_rows, first.name, second.name)
+            pair = (first.name, second.name)
+            ends = [elbow and _other_joint(system.constraint_rows, b, elbow, start, model.close, pair) for b in pair]
+            if elbow is None or ends[0] is None or ends[1] is None:
+                continue
+            apart = float(np.linalg.norm(_place(start, ends[0]) - _place(start, ends[1])))
+            angle = float(start.q[list(model.reference.columns(second.name))[2]])
+            if apart < model.close and self._fits_stretched(model, second.name, angle + np.pi, elbow):
+                message = Message(
+                    "{second} lies folded back on {first}, and fits stretched as well. Say it with near: {{angle: "
+                    "{turn} deg}} in {second}, or with the angle at which it is stretched",
+                    first=first.name,
+                    second=second.name,
+                    turn=f"{np.degrees(angle) % 360.0:.0f}",
+                )
+                yield self.warning(message, "bodies", second.name, about=frozenset(pair))
+
+    def _fits_stretched(self, model: Opened, body: str, angle: float, elbow: Point) -> bool:
+        """Whether everything holds with a bar at an angle, and its elbow stays where it is."""
+        from freebody.study.pictures.instant import start_of
+        from freebody.system.system import System
+
+        near = {"angle": f"{np.degrees(angle):.6f} deg"}
+        try:
+            turned = System.from_document(model.system.document.with_value(("bodies", body, "near"), near))
+            there = start_of(turned, at_rest=True).snapshot
+        except FreebodyError:
+            return False
+        turn = float(there.q[list(model.reference.columns(body))[2]])
+        moved = float(np.linalg.norm(_place(there, elbow) - _place(model.start, elbow)))
+        return abs(turn - angle) < _APART and moved < model.close
 
     def _fits_mirrored(self, model: Opened, pair: tuple[str, str], elbow: Point) -> bool:
         """Whether everything holds with both bodies mirrored in the line through their other joints."""
