@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from itertools import pairwise, takewhile
 from typing import TYPE_CHECKING
 
-from freebody.language.units import LENGTH
+from freebody.language.units import LENGTH, MASS
 from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.in_the_impact import is_of_impact
@@ -149,6 +149,21 @@ def _is_between_all(names: Names, words: Sequence[Word], text: str) -> bool:
     return all(joining.touches(names, joint, body) for joint in joints for body in bodies)
 
 
+def _is_beside_asked(names: Names, words: Sequence[Word], parameter: str) -> bool:
+    """Whether a parameter only says of what something else is that is asked for: what mass can a pull of F hold."""
+    said = [word for word in words if word.kind != "filler"]
+    asks, kind, behind = [*said, *[Word("", "")] * 3][:3]
+    if asks.kind != "ask" or Word("name", parameter) not in said[3:] or Word("name", parameter) in (kind, behind):
+        return False
+    k = said.index(Word("name", parameter))
+    if kind.kind == "name" and k > 3 and said[k - 1] == Word("preposition", "of"):  # what load can a pull of F hold
+        return said[k - 2].what in _PUSHES or said[k - 2].what in names.loads
+    if kind.kind != "quantity" or kind.what not in given.KIND_OF:
+        return False
+    told, is_mass = names.parameters[parameter], kind.what == "mass"
+    return told.dimension != MASS if is_mass else given.is_by_unit(kind.what) and not given.KIND_OF[kind.what].has(told)
+
+
 def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     """Whether a parameter that nobody names is of a kind that is named before what is to be so."""
     is_placed = any(word.kind == "ask" and word.what in PLACED for word in words) and Word("verb", "exert") in words
@@ -156,6 +171,8 @@ def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
         return names.parameters[parameter].dimension == LENGTH or any(
             word.kind == "name" and word.what == parameter for word in words
         )
+    if parameter in names.parameters and _is_beside_asked(names, words, parameter):
+        return False
     if parameter not in names.parameters or any(word.kind == "name" and word.what == parameter for word in words):
         return True
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _NAMED_AS_FORCES = ("force", "torque", "drag", "buoyancy")  # kinds of loads of which a name alone is the force
 _GEARED = ("tooth force", "belt force", "chain force")  # what turns one body by another
+_OF_CONTACT = ("normal force", "friction force")
 _OVER_FREQUENCY = ("steady amplitude", "magnification factor", "free amplitude", "transmissibility")
 _OF_QUANTITY = (
     "stroke",
@@ -71,6 +72,12 @@ def quantities(names: Names, clause: Clause) -> Groups:
     if clause.all("degree") == ["range"] and clause.has("quantity", "normal force", "friction force"):
         for group in _plain(names, clause.without("degree")) if lookup.rests(names) else ():
             yield [f"range of {text}" for text in group]
+        return
+    if clause.all("degree") == ["range"] and clause.has("quantity", "force", "contact force", "reaction"):
+        kept = [word for word in clause.words if word.kind not in ("degree", "quantity")]  # of both that it has
+        both = [list(_plain(names, Clause([Word("quantity", kind), *kept]))) for kind in _OF_CONTACT]
+        heads = [groups[0][0] for groups in both if groups and len(groups[0]) == 1]
+        yield [JOINT.join(f"range of {head}" for head in heads)] if heads and lookup.rests(names) else []
         return
     degrees = [degree for degree in clause.all("degree") if degree != "value"]
     if degrees == ["greatest"] and clause.has("quantity", *_OVER_FREQUENCY) and (omega := lookup.excitation(names)):

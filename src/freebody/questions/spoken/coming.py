@@ -28,6 +28,14 @@ def _turning_in(names: Names, who: str) -> str:
     return turning[0] if len(turning) == 1 else who
 
 
+def going_at(names: Names, who: str, value: str, measures: list[str]) -> list[str]:
+    """The condition that something goes so fast: by the rate of what measures it, which on a curve is only a part."""
+    bodies = [who] if who else lookup.moving(names)
+    if len(bodies) == 1 and joining.follows_curve(names, bodies[0]):
+        return [f"speed of {bodies[0]} = {value}"]
+    return [f"rate({measure}) = {value}" for measure in measures]
+
+
 def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     """It has moved 2 m; x reaches d; the crank has turned 90 deg; 3 revolutions."""
     if not clause.only("name", "value", "turns", "verb", "part", *SILENT):
@@ -54,13 +62,13 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     if dimensions.is_speed(value, names) or dimensions.is_turning_speed(value, names):
         is_turning = dimensions.is_turning_speed(value, names)
         found = (lookup.angles if is_turning else lookup.places)(names, who)
-        yield [f"rate({measure}) = {value}" for measure in found]
+        yield going_at(names, who, value, found)
         if is_turning and not found and names.measures and who in lookup.turning(names):  # of which none is measured
             yield [f"angular velocity of {who} = {value}"]
         return
     if dimensions.is_time(value, names):
         return
-    if not verbs and clause.names[-1:] == [("from", of[-1] if of else "")]:  # it is 0.8 m from the axle
+    if set(verbs) <= {"reach"} and clause.names[-1:] == [("from", of[-1] if of else "")]:  # it is 0.8 m from the axle
         yield along_lines.counted_from(names, who if len(of) > 1 else "", of[-1], value)
         return
     doing = {"reach" if verb == "hold" and dimensions.is_angle(value) else verb for verb in verbs} - {"start"}

@@ -298,7 +298,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             heights = [name for name, sense in lookup.heights(names, who) if (sense < 0) == down]
             along = [name for name, sense in lookup.inclined(names, who) if (sense < 0) == down]
             yield [f"{counted} {name}" for name in heights or along]
-            is_plain = counted == "change of" and who in lookup.moving(names) and not lookup.places(names, who)
+            is_plain = counted == "change of" and who in lookup.moving(names)
+            is_plain &= not lookup.places(names, who) or (up and not (heights or along))  # counted downwards
             yield [f"change of height of {who}"] if is_plain else []
         elif "turn" in verbs and main.has("ask", "far", "much", "large"):
             yield [f"change of {name}" for name in lookup.angles(names, who)]

@@ -12,7 +12,7 @@ from freebody.questions.course import can_change
 from freebody.questions.event import leads_to
 from freebody.questions.spoken import along_lines, dimensions, joining, lookup, losing, poses, strings
 from freebody.questions.spoken.asking import quantities
-from freebody.questions.spoken.coming import come_so_far
+from freebody.questions.spoken.coming import come_so_far, going_at
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -181,6 +181,11 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             yield [f"{way} = {value}" for way in lookup.ways(names, of)]
         elif quantity == "deflection":
             yield [f"{measure} = {value}" for measure in lookup.deflections(names, of) if _grows(names, measure)]
+        elif quantity == "distance" and len(clause.names) == 2:  # between both, or counted from one of them
+            who, other = (name for _, name in clause.names)
+            yield along_lines.counted_from(names, who, other, value) or along_lines.counted_from(
+                names, other, who, value
+            )
         elif quantity in ("position", "distance"):
             yield [f"{place} = {value}" for place in lookup.places(names, of)]
         elif quantity in ("velocity", "speed", "angular velocity") and is_zero:
@@ -189,7 +194,7 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
         elif quantity in ("velocity", "speed", "angular velocity") and (of in names.measures or not of):
             is_turning = quantity.startswith("angular") or dimensions.is_turning_speed(value, names)
             kinds = lookup.angles if is_turning else lookup.places
-            yield [f"rate({measure}) = {value}" for measure in ([of] if of else kinds(names, ""))]
+            yield going_at(names, of, value, [of] if of else kinds(names, ""))
         elif quantity == "tension" and is_zero:
             yield [f"{joint} goes slack" for joint in joining.joints(names, of, "", "tension")]
         elif quantity in ("normal force", "contact force") and is_zero:

@@ -28,7 +28,7 @@ _WAY = (
 )
 _MOVES = r"speed|velocity|rate|acceleration|frequency|period|ratio|turns"
 _POSE = r"\b(?:when|until|before|after) .*="
-_END_OF_SWING = rf"{_POSE}|turn|top|highest|greatest|farthest|extreme|amplitude|largest"
+_END_OF_SWING = rf"{_POSE}|turn|dead|top|highest|greatest|farthest|extreme|amplitude|largest"
 
 # kinds of words of which each must be expressed, and how: by words of the grammar, one of which the text must have.
 # An empty string: it says nothing by itself
@@ -154,7 +154,9 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "tooth force": rf"tooth|belt|chain|force|{_CHOICE}",
         "driving torque": rf"torque|{_CHOICE}|moment",
         "friction coefficient": rf"ratio of [|]|{_CHOICE}|friction coefficient",
-        "mass": _CHOICE,
+        "mass": rf"\bmass of|{_CHOICE}",
+        "weight": r"\bon \w",
+        "amplitude decay": r"decrement",
         "stiffness": _CHOICE,
         "efficiency": r"efficiency|ratio",
         "basic efficiency": r"efficiency",
@@ -205,7 +207,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "be_open": r"=|open",
         "lock": rf"lock|rate\(|= 0|slip|{_CHOICE}|first|hold",
         "stop": rf"stop|rest|rate\(|= 0|hold|equilibrium|{_CHOICE}|slip|end|until|turns back|upright|=|roll",
-        "turn_back": r"rate\(|turns? back|highest|greatest|top|stop|farthest|until|=",
+        "turn_back": r"dead|rate\(|turns? back|highest|greatest|top|stop|farthest|until|=",
         "return": rf"return|back|{_EQUAL}|changed|rate\(|{_CHOICE}|period",
         "reach": rf"{_EQUAL}|reach|greatest|largest|{_CHOICE}|highest|when|until|hit|touch|at the|terminal|"
         r"grows|period|time|resonance|over|acceleration|equilibrium",

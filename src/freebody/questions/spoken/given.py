@@ -210,7 +210,8 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
         return [name for name in found if any(name in free_symbols(push.law) for push in struck)]
     if kind.is_push:
         exerted = [load for load in names.applied_loads if "gravity" not in names.called.get(load.load, ())]
-        loads = [load for load in exerted if load.load in of] or exerted
+        loads = [load for load in exerted if load.load in of]
+        loads = loads or [load for load in exerted if not {*of}.isdisjoint(load.measure.bodies())] or exerted
         laws = [free_symbols(load.law) for load in loads]  # what is in one of a motion is a stiffness, a damping
         pushed = frozenset[str]().union(*(law for law in laws if law <= names.parameters.keys() | {_TIME}))
         return [name for name in found if name in pushed]

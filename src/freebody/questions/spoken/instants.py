@@ -252,6 +252,15 @@ def _is_continuous(names: Names, main: Clause) -> bool:
     return all(quantity in _CONTINUOUS for quantity in asked)
 
 
+def _of_another(main: Clause, instant: str) -> tuple[str, Clause]:
+    """Whose instant it is, where that is said behind it, and the clause without: at the dead points of the rocker."""
+    k = main.words.index(Word("instant", instant))
+    of, thing = [*main.words[k + 1 : k + 3], Word("", ""), Word("", "")][:2]
+    if of != Word("preposition", "of") or thing.kind != "name":
+        return "", main
+    return f" of {thing.what}", Clause([*main.words[: k + 1], *main.words[k + 3 :]])
+
+
 def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     """Instants within a main clause, and the clause without them."""
     tails: list[list[str]] = []
@@ -259,7 +268,8 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         if instant == "at start":
             tails.append([" at start"])
         elif instant in _TIMED:
-            tails.append([_TIMED[instant]])
+            whose, main = _of_another(main, instant) if instant == "at the dead points" else ("", main)
+            tails.append([f"{_TIMED[instant]}{whose}"])
         elif _NTH.fullmatch(instant):
             tails.append([f" {instant}"])
             main = main.without("instant", instant)

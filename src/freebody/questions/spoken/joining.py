@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, cast
 
 from freebody.language.expression import ZERO, free_symbols
 from freebody.measures.angle import Angle
+from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Components
 from freebody.questions.course import can_change, names_line, sticking
@@ -157,6 +158,13 @@ def turned_with(names: Names, name: str) -> list[str]:
 def tracks(names: Names) -> list[str]:
     """Links that are called as what leads something round is in nature: a track."""
     return [name for name in names.connections if name in leading() and "link" in names.called.get(name, ())]
+
+
+def follows_curve(names: Names, body: str) -> bool:
+    """Whether a connection leads a particle along a curve of the ground, of whose ways no straight one is as long."""
+    held = [row.measure for row in names.constraint_rows if isinstance(row.measure, Composed)]
+    curved = any({*measure.bodies()} == {body, GROUND} for measure in held)
+    return curved and body in names.bodies and not names.bodies[body].turns
 
 
 def keeps_height(names: Names, body: str) -> bool:

@@ -87,7 +87,11 @@ def _is_what_turns(names: Names, words: Sequence[Word], k: int) -> bool:
 def _counts_from(names: Names, words: Sequence[Word], text: str, things: set[str]) -> bool:
     """Whether a time is asked for that counts from something else than the start: from the catch until it hangs."""
     said = [word for word in words if word.kind != "filler"]
-    begins = (after for before, after in pairwise(said) if before == Word("preposition", "from"))
+    begins = (  # but 8 m from the hinge is a place
+        after
+        for k, (before, after) in enumerate(pairwise(said))
+        if before == Word("preposition", "from") and (k == 0 or said[k - 1].kind != "value")
+    )
     return text.startswith("time when ") and any(
         after.kind == "verb" or (after.kind == "name" and after.what in names.connections and after.what not in things)
         for after in begins
@@ -136,6 +140,8 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
         return True
     if thing in names.parameters:
         return False
+    if {way.partition(" = ")[0] for way in along_lines.counted_from(names, "", thing, "0")} & things:
+        return True
     body = thing.partition(".")[0]
     if not things and thing in names.bodies and names.bodies[thing].fixed:
         return True  # the period in the bowl

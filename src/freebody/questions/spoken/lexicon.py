@@ -47,6 +47,7 @@ _NO_WORDS = (
     "symbols",
     "assumptions",
     "contexts",
+    "numerals",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass|from) "  # words into and beyond which no gap goes
 # behind a prefix that stands apart: what follows would make it a preposition (gibt nach einer Sekunde nach)
@@ -388,6 +389,12 @@ def unit_words(language: str) -> dict[str, str]:
     """How units, and what joins them, are said, by how they are written."""
     said = cast("dict[str, list[str]]", _file(language)["units"])
     return {word: unit for unit, words in said.items() for word in words}
+
+
+@cache
+def numerals(language: str, what: str) -> dict[str, float]:
+    """Numbers in words: `counts`, and `parts` of one."""
+    return dict(_file(language).get("numerals", {}).get(what, {}))
 
 
 @cache

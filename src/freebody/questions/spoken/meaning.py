@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import ZERO
 from freebody.questions.spoken import beginning, given, joining, lookup, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
@@ -85,7 +86,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.by_joint(names, rewording.taken_along(names, said))
     said = rewording.pulling(names, rewording.balanced_at(names, said))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
-    said = rewording.at_extremes(rewording.on_what_may_open(names, said))
+    said = rewording.at_extremes(rewording.lifting_off(names, rewording.on_what_may_open(names, said)))
     said = rewording.at_driven_joint(names, rewording.holding(said, modal), modal)
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
@@ -113,6 +114,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             counted,
             geared,
             per_turn,
+            _at_turning_points,
             timed,
             _at_extreme,
         ):
@@ -426,6 +428,21 @@ def _at_extreme(names: Names, sentence: Sentence) -> Groups:
         yield from timed(names, Sentence(Clause(place), (("when", Clause(rest)),)))
 
 
+def _at_turning_points(names: Names, sentence: Sentence) -> Groups:
+    """At which angle of the crank the rocker turns back: at the dead points of the rocker."""
+    words = [word for word in sentence.main.words if word.kind not in SILENT]
+    kinds = [word.kind for word in words]
+    ends = (Word("verb", "turn_back"), Word("instant", "turning point"))
+    if sentence.others or not words or words[-1] not in ends or kinds[-2:-1] != ["name"]:
+        return
+    place, turns = words[1:-2], words[-2].what
+    is_asked = words[0].kind == "ask" and words[0].what in ("with", "for") and turns in lookup.turning(names)
+    is_asked &= any(w.kind == "name" and w.what != turns for w in place)
+    if is_asked and Clause(place).only("name", "quantity"):
+        for group in quantities(names, Clause(place)):
+            yield [f"{text} at the dead points of {turns}" for text in group]
+
+
 def _which_way(names: Names, sentence: Sentence) -> Groups:
     """Which way something moves that is let go: the way in which it is accelerated."""
     main, verbs = sentence.main, set(sentence.main.all("verb"))
@@ -433,15 +450,21 @@ def _which_way(names: Names, sentence: Sentence) -> Groups:
     if main.has("ask", "way") and set(main.all("quantity")) & {*FORCES} and not is_size:  # as its components tell
         yield from timed(names, Sentence(main.without("ask", "way").without("verb", "act", "move"), sentence.others))
     of = [name for _, name in main.names if name in lookup.moving(names)]
+    begins = verbs - {"start"} <= {*GOES_ON} and (main.has("instant", "at start") or "start" in verbs)
+    if begins and main.has("ask", "way") and main.only("ask", "verb", "name", "instant", *SILENT):
+        ways = [name for _, name in main.names if name in names.measures]  # that is let go: as it is accelerated
+        yield [f"acceleration of {way} at start" for way in ways if names.start_rates.get(way, ZERO) == ZERO]
     goes = main.has("ask", "way") and verbs <= {*GOES_ON, "hit", "leave"} and not main.has("quantity")
     if goes and (not lookup.rests(names) or sentence.others) and len(of) <= 1:  # as the components of its velocity tell
         way = Word("quantity", "velocity")
         kept = Clause([way, *(w for w in main.words if w != Word("ask", "way") and w.what not in GOES_ON)])
         yield from timed(names, Sentence(kept, sentence.others))
-    plain = main.has("ask", "way") and main.only("ask", "verb", "name", "pronoun") and not sentence.others
-    if plain and len(of) == len(main.names) == 1 and verbs <= {"start", *GOES_ON} and verbs and lookup.rests(names):
+    plain = main.has("ask", "way") and main.only("ask", "verb", "name", *SILENT) and not sentence.others
+    relative = "".join(f" relative to {name}" for before, name in main.names if before == "relative")
+    plain &= len(of) == len(main.names) == 1 + bool(relative) and lookup.rests(names)
+    if plain and verbs <= {"start", *GOES_ON} and verbs:
         is_turned = "turn" in verbs or joining.axle_of(names, of[0]) == "center"
-        yield [f"{'angular ' if is_turned else ''}acceleration of {of[0]}"]
+        yield [f"{'angular ' if is_turned else ''}acceleration of {of[0]}{relative}"]
 
 
 def _conserved(names: Names, sentence: Sentence) -> Groups:

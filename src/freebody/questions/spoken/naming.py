@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Symbol
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import joining, motors, strings
+from freebody.questions.spoken import joining, lookup, motors, strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
 from freebody.questions.spoken.lexicon import (
     CLOSE,
@@ -124,8 +124,9 @@ def elements_of(names: Names) -> Elements:
         for name in (name for name in names.connections if "link" in names.called.get(name, ())):
             found.add(name, _ROPES)
     found.fields = {name for name in names.loads if "gravity" in names.called.get(name, ())}
+    springs = lookup.springs(names)
     for name in (*names.loads, *sorted(names.impulses)):
-        said = (*names.called.get(name, ()), *_stems(name))
+        said = (*names.called.get(name, ()), *_stems(name), *(("spring", "springs") if name in springs else ()))
         found.add(name, (*said, *_alike(name, *said), *(_ROPES if {*_ROPES} & {*said, name.lower()} else ())))
     for name in (name for name in names.loads if name.lower().startswith("brake")):  # of which a braking torque is one
         kind = "torque" if names.loads[name] == TORQUE else "force"

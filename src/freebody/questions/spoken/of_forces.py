@@ -274,6 +274,8 @@ def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple
         yield [f"{head} of {joint}{f' on {on}' if has_side else ''}{ends}"]
     elif len(of) == 2 and kind == "tension":
         yield [f"{head} of {joint} between {of[0]} and {of[1]}{ends}"]
+        if all(joining.touches(names, joint, name) for name in of):  # its two ends: of each of its parts
+            yield [JOINT.join(f"{head} of {joint} {span}{ends}" for span in strings.spans(names, joint))]
     elif len(of) == 2 and not all(joining.touches(names, joint, name) for name in of):
         return
     elif kind in ("reaction", "moment", "impulse", "angular impulse"):
@@ -406,6 +408,15 @@ def _friction_torque(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"friction torque of {name}" for name in found]
     elif not rubbing:
         yield from _transmitted(names, "torque", rest)
+
+
+@said_of("weight")
+def _weight(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The force with which gravity pulls at a body, or at the only one with a mass."""
+    fields = [load for load in names.loads if "gravity" in names.called.get(load, ())]
+    of = [name for _, name in rest.names if name not in fields] or lookup.massive(names)
+    if rest.only("name", *SILENT) and len(of) == 1 and of[0] in names.bodies:
+        yield [f"size of force of {field} on {of[0]}" for field in fields]
 
 
 @said_of("work of friction")

@@ -115,6 +115,13 @@ def _free_amplitude(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"(greatest {name} - least {name})/2" for name in measures]
 
 
+@said_of("amplitude decay")
+def _decay(names: Names, quantity: str, rest: Clause) -> Groups:
+    """One amplitude over the next, which the logarithmic decrement is the logarithm of."""
+    if rest.only("name", *SILENT) and len(rest.names) <= 1:
+        yield ["exp(logarithmic decrement)"]
+
+
 @said_of("cycles per second")
 def _cycles(names: Names, quantity: str, rest: Clause) -> Groups:
     """One over the period."""

@@ -382,6 +382,17 @@ def on_what_may_open(names: Names, words: list[Word]) -> list[Word]:
     return [Word("verb", "stay_on") if word == hold else word for word in words if word != on]
 
 
+def lifting_off(names: Names, words: list[Word]) -> list[Word]:
+    """At what speed a wheel lifts: it leaves the road on which it stands."""
+    rise = Word("verb", "rise")
+    of = [word.what for word in words if word.kind == "name"]
+    stands = [name for name in (*of, *(joining.joined_at(names, name) for name in of)) if name in names.connections]
+    is_asked = words[:1] == [Word("ask", "with")] and joining.is_still(names) and rise in words
+    if not is_asked or not any(joining.may_open(names, name) for name in stands):
+        return words
+    return [Word("verb", "leave") if word == rise else word for word in words]
+
+
 def at_extremes(words: list[Word]) -> list[Word]:
     """At the greatest compression, beim grössten Ausschlag: when that is greatest."""
     for k in range(1, len(words) - 2):

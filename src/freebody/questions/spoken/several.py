@@ -29,7 +29,7 @@ from freebody.questions.spoken.lexicon import (
     rivals,
     several,
 )
-from freebody.questions.spoken.naming import linked
+from freebody.questions.spoken.naming import linked, plain_names
 from freebody.questions.spoken.symbols import spelt_out
 from freebody.questions.spoken.words import Unknown, words_of
 
@@ -62,18 +62,19 @@ def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
 
 
-def sides_of(text: str) -> tuple[str, str] | None:
-    """What is compared where a text asks which of two is greater."""
+def sides_of(elements: Elements, text: str) -> tuple[str, str] | None:
+    """What is compared where a text asks which of two is greater, or which of all of a kind, of which there are two."""
     for language in languages():
+        both = plain_names(paired(elements, text, language))
         for pattern, first, second in comparisons(language):
-            if found := pattern.match(text):
+            if found := pattern.match(both):
                 return found.expand(first), found.expand(second)
     return None
 
 
-def of_rivals(text: str) -> str:
+def of_rivals(elements: Elements, text: str) -> str:
     """The text in which both are asked for, where it asks which of them is larger: their values tell."""
-    if sides := sides_of(text):
+    if sides := sides_of(elements, text):
         return f"{sides[0]} and {sides[1]}"
     for language in languages():
         for pattern, written in rivals(language):
@@ -230,7 +231,7 @@ def paired(elements: Elements, text: str, language: str) -> str:
         if (found := pattern.search(text)) is not None:
             things = _things(elements, found["thing"].lower(), language)
             if len(things) == 2:
-                told = written.format(*(f"{OPEN}{thing}{CLOSE}" for thing in things))
+                told = written.format(*(f"{OPEN}{thing}{CLOSE}" for thing in things), **found.groupdict())
                 return f"{text[: found.start()]}{told}{text[found.end() :]}"
     return text
 

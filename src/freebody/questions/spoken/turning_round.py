@@ -181,7 +181,7 @@ def _asked(parameter: str, text: str, end: str) -> Groups:
 
 def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
     """The parameters that can be meant, what is to be so, and which end of the values."""
-    words = _told_by_what_follows(names, words)
+    words = _by_its_name(names, _told_by_what_follows(names, words))
     marks = [k for k, word in enumerate(words) if word.kind == "mark" and word.what in ("so_that", "to")]
     asks = bool(words) and words[0].kind == "ask"
     if marks:
@@ -209,6 +209,16 @@ def _told_by_what_follows(names: Names, words: list[Word]) -> list[Word]:
         return words
     so = [word for word in words[whens[0] + 1 :] if word != Word("mark", "until")]  # up to 30 deg
     return [*head[:3], Word("mark", "so_that"), *so, Word("part", "only")]
+
+
+def _by_its_name(names: Names, words: list[Word]) -> list[Word]:
+    """At what friction coefficient it slips is at what mu, where there is one such parameter."""
+    asks, kind, leads = [*words[:3], *[Word("", "")] * 3][:3]
+    is_asked = asks.kind == "ask" and asks.what in ("with", "for", "from", "up_to") and kind.kind == "quantity"
+    if not is_asked or not given.is_written(kind.what) or leads.kind in ("preposition", "mark", ""):
+        return words
+    found = given.parameters(names, kind.what, "")
+    return [asks, Word("name", found[0]), *words[2:]] if len(found) == 1 else words
 
 
 def _without_mark(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:
@@ -306,8 +316,10 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque
         kind = next((word for word in _EXERTED if given.exerts(names, loads[0], word)), "force")
-    if not named and loads == others != [] and kind in ("force", "moment", *_EXERTED):  # the torque of the motor
-        found = given.chosen(names, given.KIND_OF[kind], loads)
+    acted = {body for load in names.applied_loads for body in load.measure.bodies()}
+    is_exerted = kind in ("force", "moment", *_EXERTED) and others != []
+    if not named and is_exerted and (loads == others or acted.issuperset(others)):  # the torque of, or on, the motor
+        found = given.chosen(names, given.KIND_OF[kind], others)
         return (found, rest, end) if len(found) == 1 else None
     if head.has("ask", "heavy", "rough") and not named and not asked:
         asked = ["mass"] if head.has("ask", "heavy") else ["friction coefficient"]

@@ -34,6 +34,7 @@ from freebody.questions.spoken.lexicon import (
 )
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
+from freebody.questions.spoken.numerals import in_digits
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.own_axles import about_own_axles
 from freebody.questions.spoken.several import each_of, of_rivals, paired, parts, sides_of
@@ -134,7 +135,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, asked, read)
     if (counted := as_third(text)) is not None and (later := _at_later_impact(names, *counted, read)):
         return later
-    if (sides := sides_of(text)) is not None:
+    if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
     if len(nearest) != 1 and (parted := _several(names, text, read)):
@@ -268,7 +269,8 @@ def _words(names: Names, text: str, read: Callable[[str], AskedT | None]) -> str
 
 def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What a text asks for that is several questions in one, each read by itself; nothing where one cannot be."""
-    elements, text = elements_of(names), of_rivals(text)
+    elements = elements_of(names)
+    text = of_rivals(elements, text)
     if each := each_of(names, elements, text):
         found = [_one(names, said, read) for said in each[:ONE_BY_ONE]]
         if all(found):
@@ -499,7 +501,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():
-        told = spelt_out(elements, text, language)
+        told = in_digits(spelt_out(elements, text, language), language)
         told = paired(elements, in_english_nouns(told, language, elements.taken), language)
         for way in linked(elements, told):
             try:
