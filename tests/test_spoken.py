@@ -623,7 +623,7 @@ def test_a_german_word_with_another_first_part_is_no_misspelling() -> None:
         ("Anfangsbeschleunigung", "anfängliche beschleunigung"),
         ("Kurbelzapfen", "crank pin"),
         ("Stahlkugel", "ball"),
-        ("Bremskraft", "brake kraft"),
+        ("Bremsleistung", "brake leistung"),
         ("Gegenscheibe", "Gegenscheibe"),  # what `gegen` says of it is not known
         ("rollenden", "rollenden"),  # no end of a pulley
     ],

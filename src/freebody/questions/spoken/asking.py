@@ -7,7 +7,18 @@ from __future__ import annotations
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining, lookup, losing, of_forces, of_motion, of_systems, poses, strings
+from freebody.questions.spoken import (
+    given,
+    joining,
+    lookup,
+    losing,
+    of_forces,
+    of_motion,
+    of_sections,
+    of_systems,
+    poses,
+    strings,
+)
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
 from freebody.questions.spoken.frames import FORCES, MOTION, framed
 from freebody.questions.spoken.lexicon import Word
@@ -28,7 +39,13 @@ _OF_QUANTITY = (
     "resonance frequency",
     "magnification factor",
 )
-__all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
+__all__ = [
+    "of_forces",
+    "of_motion",
+    "of_sections",
+    "of_systems",
+    "quantities",
+]  # the rooms of quantities are found when this is read
 
 
 _OF_MODE = {"first": "lowest", "least": "lowest", "greatest": "highest"}  # which of the natural frequencies

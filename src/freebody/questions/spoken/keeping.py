@@ -40,6 +40,8 @@ _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether each name and each number of what was asked stands in words of the grammar, and its kind and way."""
+    if text.startswith("time when ") and joining.is_struck_at_start_alone(names):  # the clock starts with the blow
+        words = [word for word in words if word != Word("instant", "after the impact")]
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(

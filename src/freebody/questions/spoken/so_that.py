@@ -103,7 +103,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
             ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
         )  # the end of rest is where motion begins
     holds = verbs or clause.all("instant") == ["in equilibrium"]
-    is_one = holds and verbs <= {"hold", "stop", "move"} and not negated and len(of) == 1 and not everything
+    rests = verbs <= {"hold", "stop", "move"} and negated == (verbs == {"move"})
+    is_one = holds and rests and len(of) == 1 and not everything
     if is_one and verbs == {"stop"} and joining.comes_to_strike(names):  # one of several that collide
         yield [f"velocity of {place} after the impact = 0" for place in lookup.places(names, who)]
     elif is_one and not joining.is_rough(names) and not _is_held(clause):  # one of several bodies stays where it is

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 _RESTS = ("it stays at rest", "it does not slip", "nothing slips")
 _EXERTED = ("torque", "impulse", "angular impulse")  # what a load may exert that is no force
 _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
+_WHICH = (Word("ask", "with"), Word("ask", "what"))
 
 
 def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
@@ -228,7 +229,10 @@ def _without_mark(names: Names, words: list[Word]) -> tuple[list[str], Clause, s
 def _end_of_head(names: Names, words: list[Word]) -> int | None:
     """Where the words for the parameter end: the least force F | that holds the load."""
     asks = ("large", "heavy", "rough", "up_to", "from", "for", "much")
-    if not any(word.kind == "degree" or (word.kind == "ask" and word.what in asks) for word in words):
+    is_written = words[:1] == [Word("ask", "with")] and given.is_written(words[1].what if words[1:] else "")
+    if not is_written and not any(
+        word.kind == "degree" or (word.kind == "ask" and word.what in asks) for word in words
+    ):
         return None
     chosen = [
         k for k, w in enumerate(words) if (w.kind == "name" and w.what in names.parameters) or given.is_written(w.what)
@@ -237,11 +241,15 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
         chosen = [k for k, w in enumerate(words) if w.kind == "quantity" and given.is_by_unit(w.what)][:1]
     if not chosen and words[0].kind == "degree" and words[1:2] and any(w.kind == "not" for w in words[2:]):
         chosen = [1] if given.is_by_unit(words[1].what) else []  # the greatest speed without slipping
+    acts = Word("verb", "exert") in words and Word("mark", "until") in words
+    if not chosen and acts and words[0] in _WHICH:  # with what torque may the motor drive at most before
+        return words.index(Word("mark", "until"))
     if not chosen and words[0] in (Word("ask", "heavy"), Word("ask", "rough")):
         chosen = [k for k, word in enumerate(words) if word.kind == "name"]
     if not chosen:
         return None
-    kinds = ("verb", "not", "relation", "degree", *(["quantity"] if words[0] in _FOR else []))
+    is_led = words[0] in _FOR or is_written
+    kinds = ("verb", "not", "relation", "degree", *(["quantity"] if is_led else []))
     marks = ("until", "to", "in equilibrium", "equilibrium")
     begins = (k for k, w in enumerate(words) if k > chosen[0] and (w.kind in kinds or w.what in marks))
     k = next(begins, None)
@@ -300,6 +308,10 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
         return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
+    bodies = [name for name in others if name in lookup.moving(names)]
+    if not named and bodies and bodies == others and end and len(asked) == 1 and given.is_by_unit(asked[0]):
+        found = given.chosen(names, given.KIND_OF[asked[0]], bodies)  # the greatest torque with which the motor drives
+        return (found, rest, end) if len(found) == 1 and head.has("verb", "exert", "act") else None
     if head.has("ask", "extended") and not named and not asked:
         asked = ["length"]
     loads = [name for name in others if name in names.loads or name in names.impulses]
