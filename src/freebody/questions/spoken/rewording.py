@@ -204,7 +204,7 @@ def runs_slack(words: list[Word]) -> list[Word]:
 
 
 def transmitted(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
-    """The greatest torque that can be transmitted, by nothing that is named: by the only thing that slips beyond one."""
+    """The greatest torque that can be transmitted, where nothing is named: by the only thing that slips beyond one."""
     carry, greatest = Word("verb", "carry"), Word("degree", "greatest")
     asked = [k for k, word in enumerate(words) if word.kind == "quantity"]
     known = all(word.kind in ("ask", "degree", "quantity", "verb", *SILENT) for word in words)

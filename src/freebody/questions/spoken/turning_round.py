@@ -117,16 +117,19 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     known = clause.only("ask", "quantity", "name", "verb", *SILENT) and (is_over or is_before)
     asked = clause.all("quantity")
     doing = set(clause.all("verb")) - {"start"}
-    if not known or doing not in ({"leave"}, {"slide"}) or len(asked) != 1 or not given.is_by_unit(asked[0]):
+    things = [name for _, name in clause.names if name not in names.parameters]
+    if not known or doing not in ({"leave"}, {"slide"}, {"fly"}) or len(asked) != 1 or not given.is_by_unit(asked[0]):
         return
     named = [name for _, name in clause.names if name in names.parameters]
-    things = [name for _, name in clause.names if name not in named]
     chosen = named or given.of_kind(names, asked[0])
     if not chosen and asked[0] in ("speed", "velocity"):  # that of the drive
         chosen = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
     if len(chosen) != 1 or not 1 <= len(things) <= 2:
         return
-    if is_before and doing != {"slide"}:
+    rubs = [joint for joint in joining.rough(names, "") if all(joining.touches(names, joint, x) for x in things)]
+    if rubs and len(things) > 1 and chosen[0] in joining.drive_parameters(names):
+        doing = {"slide"}  # it leaves what carries it round
+    if (is_before and doing != {"slide"}) or doing == {"fly"}:
         return
     if doing == {"slide"}:
         slipping = [thing for thing in things if thing not in joining.driven_bodies(names, chosen[0])]
