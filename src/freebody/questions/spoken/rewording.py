@@ -17,6 +17,7 @@ _FOR = Word("preposition", "of")  # friction for rolling
 _DONE = tuple(Word("verb", verb) for verb in ("hold", "rise", "fall", "move", "start", "turn", "stop", "accelerate"))
 _PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
 _HOW_HARD = (Word("ask", "large"), Word("ask", "much"))
+_WAY_BACK = Word("quantity", "way back")
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 _RUNS = ("slack tension", "tight tension")  # of the two runs of a belt
 _PULLS = ("force", "tension", "belt force")
@@ -169,11 +170,22 @@ def how_deep(words: list[Word]) -> list[Word]:
 
 
 def for_a_motion(words: list[Word]) -> list[Word]:
-    """How long it takes for the way up is how long it rises."""
+    """How long it takes for the way up is how long it rises; the time for the way back is how long that takes."""
     leads, does = words[-2:-1], words[-1:]
-    is_named = leads in ([_SO_THAT], [_FOR]) and does[:1] and does[0].kind == "verb" and does[0].what in GOES_ON
-    plain = all(word.kind in ("ask", "name", "pronoun") for word in words[:-2])
-    return [*words[:-2], *does] if is_named and plain and Word("ask", "long") in words else words
+    goes = does == [_WAY_BACK] or (bool(does) and does[0].kind == "verb" and does[0].what in GOES_ON)
+    plain = all(word.kind in ("ask", "name", "pronoun") or word == Word("quantity", "time") for word in words[:-2])
+    is_time = Word("ask", "long") in words or (does == [_WAY_BACK] and Word("quantity", "time") in words)
+    return [*words[:-2], *does] if goes and leads in ([_SO_THAT], [_FOR]) and plain and is_time else words
+
+
+def on_the_way_back(names: Names, words: list[Word]) -> list[Word]:
+    """On the way back, when x = 0: where it started from zero it comes there on no other way."""
+    k = words.index(_WAY_BACK) if _WAY_BACK in words else 0
+    zero = [Word("relation", "="), Word("value", "0")]
+    back = [word.what for j, word in enumerate(words) if word.kind == "name" and words[j + 1 : j + 3] == zero]
+    returns = [name for name in back if name in names.started_at_zero and name in names.start_rates]
+    leads = k > 0 and words[k - 1].kind == "preposition"
+    return [*words[: k - 1], *words[k + 1 :]] if leads and returns and returns == back else words
 
 
 def lasting_from_start(words: list[Word]) -> list[Word]:
