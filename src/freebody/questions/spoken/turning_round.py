@@ -307,10 +307,11 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         return (found, rest, end) if len(found) == 1 else None
     if asked == ["impulse"] and not given.of_kind(names, "impulse"):  # of what turns about a hinge
         asked = ["angular impulse"]
+    is_extremal = is_marked and rest.has("degree") and rest.has("quantity")  # the angle for the greatest range
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
-        return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
+        return (found, rest, end) if len(found) == 1 and (end or head.has("ask") or is_extremal) else None
     bodies = [name for name in others if name in lookup.moving(names)]
     if not named and bodies and bodies == others and end and len(asked) == 1 and given.is_by_unit(asked[0]):
         found = given.chosen(names, given.KIND_OF[asked[0]], bodies)  # the greatest torque with which the motor drives
