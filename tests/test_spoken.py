@@ -623,7 +623,7 @@ def test_a_german_word_with_another_first_part_is_no_misspelling() -> None:
         ("Anfangsbeschleunigung", "anfängliche beschleunigung"),
         ("Kurbelzapfen", "crank pin"),
         ("Stahlkugel", "ball"),
-        ("Bremskraft", "brake kraft"),
+        ("Bremsleistung", "brake leistung"),
         ("Gegenscheibe", "Gegenscheibe"),  # what `gegen` says of it is not known
         ("rollenden", "rollenden"),  # no end of a pulley
     ],
@@ -797,6 +797,10 @@ def test_the_speed_at_which_a_car_leaves_a_hump_at_its_top_is_that_of_a_circle_o
         ("mass_on_spring", "how many oscillations per second", 10 / (2 * math.pi)),  # sqrt(k/m)/(2 pi)
         ("mass_on_spring", "energy in the spring when y = 0.6 m", 200 * 0.1**2 / 2),
         ("mass_on_spring", "speed of the block when it passes the equilibrium", 9.81 / 10),  # g/omega
+        # it swings by as much again as it hangs down at rest: 2 m g = 50 N
+        ("mass_on_spring", "Wie groß darf m höchstens sein, damit die Federkraft 50 N nicht überschreitet?", 25 / 9.81),
+        # A a - (m g/L) a^2/2 with A = P (L - a)/L + m g/2
+        ("beam", "Biegemoment bei C", (1000 * 4 / 6 + 98.1) * 2 - 196.2 / 6 * 2),
     ],
 )
 def test_what_words_stand_for_is_what_a_hand_derives(name: str, said: str, value: float) -> None:

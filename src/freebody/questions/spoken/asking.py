@@ -7,7 +7,18 @@ from __future__ import annotations
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining, lookup, losing, of_forces, of_motion, of_systems, poses, strings
+from freebody.questions.spoken import (
+    given,
+    joining,
+    lookup,
+    losing,
+    of_forces,
+    of_motion,
+    of_sections,
+    of_systems,
+    poses,
+    strings,
+)
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
 from freebody.questions.spoken.frames import FORCES, MOTION, framed
 from freebody.questions.spoken.lexicon import Word
@@ -29,7 +40,8 @@ _OF_QUANTITY = (
     "resonance frequency",
     "magnification factor",
 )
-__all__ = ["of_forces", "of_motion", "of_systems", "quantities"]  # the rooms of quantities are found when this is read
+# the rooms of quantities are found when this is read
+__all__ = ["of_forces", "of_motion", "of_sections", "of_systems", "quantities"]
 
 
 _OF_MODE = {"first": "lowest", "least": "lowest", "greatest": "highest"}  # which of the natural frequencies
@@ -161,6 +173,10 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
             f"{name} when {top}" for name in lookup.rising(names, next(iter(of), "")) for top in poses.tops(names, name)
         ]
         return
+    if (
+        degree == "greatest" and clause.all("quantity") == ["displacement"] and clause.has("ask")
+    ):  # which one it reaches
+        clause = clause.without("ask")
     if clause.has("quantity", "position", "distance", "angle", "deflection") and len(of) <= 1:
         found = lookup.angles if clause.has("quantity", "angle") else lookup.places
         found = lookup.deflections if clause.has("quantity", "deflection") else found
@@ -292,6 +308,10 @@ def _plain(names: Names, clause: Clause) -> Groups:
         return
     [quantity] = asked
     rest = clause.without("quantity")
+    if rest.has("part", "in own axes"):
+        for group in composed(names, quantity, rest.without("part", "in own axes")):
+            yield [f"{text} in {text.rpartition(' of ')[2]}" for text in group]
+        return
     yield from composed(names, quantity, rest)
 
 

@@ -107,7 +107,7 @@ def _plain(word: str) -> str:
 def _first(part: str, language: str, taken: Container[str], *, is_quantity: bool) -> str | None:
     """What the first part of a word says of the last: a thing, an adjective, nothing (""); None where it is unknown."""
     stems = [part.removesuffix(link) for link in _LINKS if part.endswith(link)]
-    for stem in (*stems, *(f"{stem}e" for stem in stems)):  # a Bremse brakes with a Bremskraft
+    for stem in (*stems, *(f"{stem}e" for stem in stems)):  # of a Bremse is the Bremsleistung
         if stem in taken:
             return stem
         if is_quantity and stem in said_of_quantity(language):

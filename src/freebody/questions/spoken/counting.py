@@ -27,6 +27,8 @@ COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event
 def time(names: Names, sentence: Sentence) -> Groups:
     """The time of an event: when, after what time, how long until."""
     main = _until_struck(sentence.main)
+    if joining.is_struck_at_start_alone(names):  # how long it turns after the blow: the motion begins with it
+        main = main.without("instant", "after the impact")
     if main.has("quantity", "flight time") and set(main.all("verb")) <= _STAYS and not sentence.others:
         return  # how long it stays in the air
     if main.has("quantity", "flight time") and (sentence.others or main.has("verb") or main.has("value")):
@@ -42,6 +44,10 @@ def time(names: Names, sentence: Sentence) -> Groups:
     if not sentence.others and set(head.all("verb")) - {"move"} == {"fall"} and head.only("verb", "name", *SILENT):
         of = next((name for _, name in head.names), "")  # how long does it take to come down
         yield [f"time when {place}" for place in poses.named_by_file(names, of, -1) if len(head.names) <= 1]
+    goes = set(head.all("verb")) <= {*GOES_ON}
+    if goes and head.has("part", "upward", "uphill") and main.has("ask", "long"):  # how long does it slide upwards
+        kept = head.without("part", "upward", "uphill").without("verb")
+        head = Clause([*kept.words, Word("verb", "rise")])
     if (
         main.has("ask", "long")
         and not head.has("verb", "rise")
@@ -272,6 +278,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     who = next(iter(of), "")
     known = ("ask", "verb", "name", "pronoun", "preposition", "quantity", "value", "updown", "part")
     plain = main.without("instant", "in the impact").only(*known)
+    if who in lookup.moving(names):  # up the incline, on the floor
+        of = [name for name in of if name not in {*names.bodies[GROUND].lines, *names.bodies[GROUND].planes}]
     if len(of) > 1 or not plain:
         return
     goes = bool(verbs) and verbs <= set(GOES_ON)

@@ -93,6 +93,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "size": r"size|\||speed|magnitude|of|greatest|largest",
         "small": r"small|frequenc|period|damp|stab|mode|decrement|swing|natural|equation|acceleration",
         "driving": r"driving|motor|torque|force|power",
+        "in own axes": r" in \w+$",
         "upright": r"=|upright|vertical|stable|stability|equilibrium|start",
         "only": "",
         "upward": "",
@@ -148,6 +149,9 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "tension": rf"tension|force|reaction|{_CHOICE}|theta when|speed of|slack|taut|ratio|conserved",
         "normal force": rf"normal|tension|contact|reaction|{_CHOICE}|leav|open|lost|speed of",
         "friction force": rf"friction|lost|work|slip|{_CHOICE}|does it|hold",
+        "bending moment": r"bending moment",
+        "shear force": r"shear",
+        "transverse force": r"shear|normal",
         "contact force": rf"force|reaction|tension|impulse|{_CHOICE}|leav|open|lost",
         "bearing reaction": rf"reaction|{_CHOICE}|force in|impulse",
         "reaction": rf"reaction|normal|tension|force|{_CHOICE}|moment|impulse",
@@ -195,7 +199,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "accelerate": rf"acceler|{_CHOICE}|force|torque|reaction|tension|as \w+ grows|terminal|steady",
         "slide": rf"{_SLIP}|{_REST}|{_WAY}|{_CHOICE}|{_MOVES}|time|flow|\bx\b|reaction|tension|energy",
         "roll": rf"{_SLIP}|{_REST}|{_WAY}|{_CHOICE}|{_MOVES}|time|force|reaction|energy|torque|tension",
-        "fly": rf"{_WAY}|time|speed|velocity|{_EQUAL}|height|{_CHOICE}|leaves|range|open|energy|acceleration",
+        "fly": rf"{_SLIP}|{_WAY}|time|speed|velocity|{_EQUAL}|height|{_CHOICE}|leaves|range|open|energy|acceleration",
         "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|"
         rf"energy|work|down|lower",
         "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|"

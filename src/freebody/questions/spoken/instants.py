@@ -103,7 +103,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("ask", *asks) or main.has("quantity", *COUNTED):
         return
     if (
-        main.has("ask", "high")
+        (main.has("ask", "high", "far", "up_to") or main.has("degree", "greatest"))
         and main.all("instant") == ["after the impact"]
         and joining.is_struck_at_start_alone(names)
     ):

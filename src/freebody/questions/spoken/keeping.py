@@ -40,6 +40,9 @@ _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether each name and each number of what was asked stands in words of the grammar, and its kind and way."""
+    begins_with_blow = joining.is_struck_at_start_alone(names)
+    if text.startswith(("time when ", "greatest ")) and begins_with_blow:
+        words = [word for word in words if word != Word("instant", "after the impact")]
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(

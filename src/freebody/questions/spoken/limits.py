@@ -57,7 +57,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if {"tip", "slide"} <= set(clause.all("verb")) and clause.has("mark", "until"):
         return  # which of both comes first is no limit of rest
     head, state = _parted(names, words)
-    if clause.has("ask", "far", "high", "fast") and "may" not in modal:
+    begins = {"start", "slide"} <= set(clause.all("verb")) and not clause.has("ask", "fast")  # from which height on
+    if clause.has("ask", "far", "high", "fast") and "may" not in modal and not begins:
         return  # how far something comes is no limit of rest
     lasts = _lasting(names, head, state, modal)
     if "slide" in state.all("verb") and not joining.is_rough(names):

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from freebody.measures.geometry import ZERO
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import beginning, given, joining, lookup, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
@@ -75,7 +75,8 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
     words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
-    said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(said)))
+    said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
+    said = rewording.on_the_way_back(names, said)
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
     said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said))))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
@@ -89,6 +90,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.at_extremes(rewording.lifting_off(names, rewording.on_what_may_open(names, said)))
     said = rewording.at_driven_joint(names, rewording.holding(said, modal), modal)
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
+    said = rewording.transmitted(names, said, modal)
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = [_AS_LARGE.get(word, word) for word in said]
     words = rewording.heaviest(names, words)
@@ -158,7 +160,9 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
     for word in words:
         body, _, end = word.what.partition(".")
         if word.kind == "name" and end in _ENDS_OF_LADDERS:
-            if names.connections.get(body) and names.connections[body].level_places(names):  # the bottom of a wire
+            ground = names.bodies[GROUND]
+            is_way = body in {*ground.lines, *ground.planes}  # the bottom of an incline, or of a wire
+            if is_way or (names.connections.get(body) and names.connections[body].level_places(names)):
                 place = Word("instant", "at the bottom" if end == "foot" else "at the top")
                 found = [*(found[:-1] if found[-1:] == [_IN] else found), place]
                 continue
@@ -470,6 +474,8 @@ def _which_way(names: Names, sentence: Sentence) -> Groups:
 def _conserved(names: Names, sentence: Sentence) -> Groups:
     """Is the total energy conserved? When is it?"""
     main = sentence.main
+    if main.words[:1] == [Word("verb", "change")]:  # does the energy change: whether it is conserved tells that
+        main = Clause([Word("verb", "conserved"), *main.words[1:]])
     if not main.has("verb", "conserved") or main.has("not"):
         return
     asks_when = main.has("ask", "when", "with")

@@ -46,6 +46,7 @@ _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOT
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _OF_WHAT_IS_LIGHT = ("element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
+_SUPPORTS = ("bearing", "support", "joint", "hinge")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _RODS = ("rod", "bar", "strut", "link")
 _WHEELS = ("wheel",)
@@ -57,6 +58,7 @@ _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
 _PINION = "pinion"  # the smaller of two gears, which is called the wheel only where it is alone
 _BEFORE_VERBS = ("to", "will", "would", "can", "could", "must", "should", "may", "might")
+_OWN_AXES = ("axes", "frame", "coordinates", "system")
 _ONESELF = "I"
 _ASKING = ("do", "does", "can", "could", "must", "should", "may", "have", "need", "would", "will", "shall", "want")
 _ARTICLES = ("the", "a", "an", "it")
@@ -123,6 +125,9 @@ def elements_of(names: Names) -> Elements:
     if not any("rope" in element.words for element in found.exact.values()):  # a light rod is told from no thread
         for name in (name for name in names.connections if "link" in names.called.get(name, ())):
             found.add(name, _ROPES)
+    for side, name in joining.supports_by_side(names).items():
+        for word in _SUPPORTS:
+            found.add(name, said=f"{side} {word}", distance=INFERRED)
     found.fields = {name for name in names.loads if "gravity" in names.called.get(name, ())}
     springs = lookup.springs(names)
     for name in (*names.loads, *sorted(names.impulses)):
@@ -229,6 +234,9 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
     around = tokens[k - 2].lower() if k > 1 else "", tokens[k + 2].lower() if k + 2 < len(tokens) else ""
     if around[0] in _BEFORE_VERBS and around[1] in _ARTICLES and is_verb(tokens[k].lower()):
         yield tokens[k], 1, WRITTEN  # the force to lower the load, where a pulley is called lower
+        return
+    if tokens[k].lower() == "body" and around[1] in _OWN_AXES:
+        yield tokens[k], 1, WRITTEN  # its body axes are no body
         return
     if tokens[k] == _ONESELF and (around[0] in _ASKING or around[1] in _ASKING):
         yield tokens[k], 1, WRITTEN  # which torque do I need, where I is a moment of inertia

@@ -104,8 +104,10 @@ def _swinging(names: Names, body: str) -> list[str]:
     if moving not in ([body], [moving[0]] if moving and not body else None):
         return []
     weighs = any("gravity" in names.called.get(load, ()) for load in names.loads)
-    is_free = weighs and len(names.loads) == 1 and not joining.is_driven(names)
-    if not is_free or not lookup.rests(names) or not lookup.angles(names, moving[0]) or lookup.ways(names, moving[0]):
+    hung = {*lookup.springs(names)} if lookup.heights(names, moving[0]) else set[str]()  # it goes up and down on them
+    is_free = weighs and len({*names.loads} - hung) == 1 and not joining.is_driven(names)
+    is_led = bool(hung) or (bool(lookup.angles(names, moving[0])) and not lookup.ways(names, moving[0]))
+    if not is_free or not lookup.rests(names) or not is_led:
         return []
     return [f"height of {lookup.mass_center_of(names, moving[0])} is least"]
 

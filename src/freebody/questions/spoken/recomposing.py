@@ -100,7 +100,9 @@ def _compared(words: list[Word]) -> list[Word]:
     [k] = signs
     if words[k].kind == "relation" and words[k].what not in (">", "<", "="):
         return words
-    head = [w for w in words[:k] if w.kind != "ask" and w != _RATIO]
+    turns = {Word("ask", "fast"), Word("verb", "turn")} <= {*words[:k]} and not any(w.kind == "quantity" for w in words)
+    own = [Word("quantity", "angular velocity")] if turns else []  # how fast does A turn, compared with B
+    head = [*own, *(w for w in words[:k] if w.kind not in ("ask", *(["verb"] if own else [])) and w != _RATIO)]
     tail = [w for w in words[k + 1 :] if w != _RATIO]
     while tail and tail[0].kind == "preposition":
         tail = tail[1:]

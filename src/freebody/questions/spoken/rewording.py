@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import along_lines, given, joining, lookup
+from freebody.questions.spoken import along_lines, given, joining, lookup, losing, of_forces
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.lexicon import Word
@@ -17,7 +17,11 @@ _FOR = Word("preposition", "of")  # friction for rolling
 _DONE = tuple(Word("verb", verb) for verb in ("hold", "rise", "fall", "move", "start", "turn", "stop", "accelerate"))
 _PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
 _HOW_HARD = (Word("ask", "large"), Word("ask", "much"))
+_WAY_BACK = Word("quantity", "way back")
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
+_RUNS = ("slack tension", "tight tension")  # of the two runs of a belt
+_PULLS = ("force", "tension", "belt force")
+_TRANSMITTED = ("torque", "moment", "driving torque", "power", "transmitted power")
 _COUNTED_OVER_A_TURN = ("work", "energy", "energy lost", "power", "time", "turns")
 
 
@@ -165,6 +169,25 @@ def how_deep(words: list[Word]) -> list[Word]:
     return [own for word in words for own in (meant if word == deep else [word])]
 
 
+def for_a_motion(words: list[Word]) -> list[Word]:
+    """How long it takes for the way up is how long it rises; the time for the way back is how long that takes."""
+    leads, does = words[-2:-1], words[-1:]
+    goes = does == [_WAY_BACK] or (bool(does) and does[0].kind == "verb" and does[0].what in GOES_ON)
+    plain = all(word.kind in ("ask", "name", "pronoun") or word == Word("quantity", "time") for word in words[:-2])
+    is_time = Word("ask", "long") in words or (does == [_WAY_BACK] and Word("quantity", "time") in words)
+    return [*words[:-2], *does] if goes and leads in ([_SO_THAT], [_FOR]) and plain and is_time else words
+
+
+def on_the_way_back(names: Names, words: list[Word]) -> list[Word]:
+    """On the way back, when x = 0: where it started from zero it comes there on no other way."""
+    k = words.index(_WAY_BACK) if _WAY_BACK in words else 0
+    zero = [Word("relation", "="), Word("value", "0")]
+    back = [word.what for j, word in enumerate(words) if word.kind == "name" and words[j + 1 : j + 3] == zero]
+    returns = [name for name in back if name in names.started_at_zero and name in names.start_rates]
+    leads = k > 0 and words[k - 1].kind == "preposition"
+    return [*words[: k - 1], *words[k + 1 :]] if leads and returns and returns == back else words
+
+
 def lasting_from_start(words: list[Word]) -> list[Word]:
     """How long something lasts at the start is how long until it ends: `at first` says no more."""
     start, long = Word("instant", "at start"), Word("ask", "long")
@@ -181,10 +204,27 @@ def rates(words: list[Word]) -> list[Word]:
 
 
 def runs_slack(words: list[Word]) -> list[Word]:
-    """A run of a belt that goes slack pulls with nothing."""
-    runs = [k for k, w in enumerate(words) if w.kind == "quantity" and w.what in ("slack tension", "tight tension")]
+    """A run of a belt that goes slack pulls with nothing; what pulls in a run is its tension."""
+    runs = [k for k, w in enumerate(words) if w.kind == "quantity" and w.what in _RUNS]
     slack = Word("verb", "slack")
-    return [Word("verb", "vanish") if runs and word == slack else word for word in words]
+    words = [Word("verb", "vanish") if runs and word == slack else word for word in words]
+    for k in reversed(runs):  # the force in the slack run is its tension
+        lead = next((j for j in range(k - 1, -1, -1) if words[j].kind != "preposition"), None)
+        if lead is not None and words[lead].kind == "quantity" and words[lead].what in _PULLS:
+            words = [*words[:lead], *words[k:]]
+    return words
+
+
+def transmitted(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """The greatest torque that can be transmitted, where nothing is named: by the only thing that slips beyond one."""
+    carry, greatest = Word("verb", "carry"), Word("degree", "greatest")
+    asked = [k for k, word in enumerate(words) if word.kind == "quantity"]
+    known = all(word.kind in ("ask", "degree", "quantity", "verb", *SILENT) for word in words)
+    is_limit = carry in words and known and (greatest in words or modal == {"may"})
+    if not is_limit or len(asked) != 1 or words[asked[0]].what not in _TRANSMITTED:
+        return words
+    slipping = [*of_forces.having(names, "greatest belt force"), *losing.clutches(names)]
+    return [greatest, words[asked[0]], _FOR, Word("name", slipping[0])] if len(slipping) == 1 else []
 
 
 def spinning(names: Names, words: list[Word]) -> list[Word]:

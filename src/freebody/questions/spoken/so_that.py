@@ -35,10 +35,12 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         verbs
         and (verbs <= {"reach", "rise", "move", "turn"} or (verbs <= {"slide", "stop", "move"} and clause.has("value")))
         and (len(of) >= 1 or clause.has("pronoun"))
-        and not clause.has("quantity")
+        and set(clause.all("quantity")) <= {"height"}
         and not negated
     ):
         yield from _reaching(names, clause, of)
+        if clause.has("quantity"):
+            return
     yield from _no_farther(names, clause, of)
     yield from _in_pose(names, clause, of)
     stays = verbs == {"hold"} or (not verbs and clause.has("relation"))
@@ -103,7 +105,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
             ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
         )  # the end of rest is where motion begins
     holds = verbs or clause.all("instant") == ["in equilibrium"]
-    is_one = holds and verbs <= {"hold", "stop", "move"} and not negated and len(of) == 1 and not everything
+    rests = verbs <= {"hold", "stop", "move"} and negated == (verbs == {"move"})
+    is_one = holds and rests and len(of) == 1 and not everything
     if is_one and verbs == {"stop"} and joining.comes_to_strike(names):  # one of several that collide
         yield [f"velocity of {place} after the impact = 0" for place in lookup.places(names, who)]
     elif is_one and not joining.is_rough(names) and not _is_held(clause):  # one of several bodies stays where it is
@@ -135,6 +138,8 @@ def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
 
 def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:
     """A measure is to reach a value, or just to reach it."""
+    if clause.all("quantity") == ["height"]:  # it gets 5 m high
+        clause = Clause([*clause.without("quantity").words, Word("updown", "up")])
     values = [value for _, value in clause.values]
     signs = [k for k, word in enumerate(clause.words) if word == Word("relation", "=")]
     if len(signs) == 1 and len(of) <= 2 and clause.words[signs[0] - 1].kind == "name":  # it reaches x = d
@@ -311,11 +316,19 @@ def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
     left, sign, right, tail = sides
     for head in whole(names, [*left.words, *timed]) if timed or left.has("instant") else quantities(names, left):
         for text in head:
+            if sign in ("<", "<=") and not timed and not tail and _varies(names, text):  # at no instant of the motion
+                text = f"greatest {text}"
             if isinstance(right, str):
                 yield [f"{text} is {right}" if timed and sign == "=" else f"{text} {sign} {right}{tail}"]
             else:
                 for other in quantities(names, right):
                     yield [f"{text} {sign} {what}{tail}" for what in other]
+
+
+def _varies(names: Names, text: str) -> bool:
+    """Whether a quantity is the force of a spring, or of what stretches as one."""
+    name = text.removeprefix("force in ")
+    return name != text and name in (*lookup.springs(names), *lookup.elastic_strings(names))
 
 
 def _as_sign(word: Word, after: list[Word]) -> Word:

@@ -14,7 +14,7 @@ from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
-from freebody.questions.spoken.lexicon import is_verb, languages, phrases_at, quantity_words, things
+from freebody.questions.spoken.lexicon import is_verb, languages, phrases_at, quantity_words, tells_apart, things
 from freebody.questions.spoken.naming import linked
 from freebody.questions.spoken.words import Unknown, words_of
 
@@ -120,6 +120,8 @@ def absent(elements: Elements, text: str) -> str:
     for word in re.findall(r"[^\W\d_]{3,}", text):
         if any(m.kind == "filler" for language in languages() for m, _ in phrases_at(word.lower(), 0, language)):
             continue  # Germans say `man` of anyone
+        if any(tells_apart(word.lower().replace("ß", "ss"), language) for language in languages()):
+            continue  # which thing, or which value: mittlere
         for language in languages():
             said = in_english_nouns(word, language).lower()
             is_thing = not ({said, word.lower()} & known or is_verb(said)) and said not in quantity_words(language)

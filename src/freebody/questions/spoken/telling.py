@@ -12,6 +12,14 @@ _MASS = re.compile(r"\b(\d+(?:[.,]\d+)?)[ -]?(kg|g|t)[ -]([^\W\d_]+)\b(?: of mas
 _WITH_MASS = re.compile(
     r"\b([^\W\d_]+) (?:of|with|with a|mit|mit der|von) (?:mass|masse)? ?(\d+(?:[.,]\d+)?) ?(kg|g|t)\b"
 )
+_NAMED_SIDE = re.compile(r"\b(?:left|right) ((?:bearing|support|joint|hinge|pin) (?=[A-Z]\b))")  # the left bearing A
+_REACTION = (
+    r"(?:support |bearing |vertical |horizontal )?(?:reaction|\w*(?:lagerkraft|lagerreaktion|lagerlast|reaktion))"
+)
+_REACTION_AT_SIDE = re.compile(
+    rf"\b({_REACTION}) (?:(?:on|at) the |auf der |an der )?(left|right)(?: seite| side)?(?=[?.]?$)", re.IGNORECASE
+)
+_SIDE_OF_REACTION = re.compile(rf"\b(left|right) ({_REACTION})(?=[?.]?$)", re.IGNORECASE)
 _IN_KILOGRAMS = {"kg": 1.0, "g": 1e-3, "t": 1e3}
 _MASSES = ("mass", "masses", "body", "one", "side", "seite")
 _SIZES = ("heavier", "lighter", "bigger", "smaller")
@@ -33,6 +41,9 @@ def told_apart(elements: Elements, text: str) -> str | None:
     def named(found: list[str], written: str) -> str:
         return found[0] if len(found) == 1 else written
 
+    text = _NAMED_SIDE.sub(r"\1", text)
+    if ("left", "bearing") in elements.spoken:  # the reaction on the left
+        text = _REACTION_AT_SIDE.sub(r"\1 \2 bearing", _SIDE_OF_REACTION.sub(r"\2 \1 bearing", text))
     text = _MASS.sub(lambda m: named(of_mass(m[3], m[1], m[2]), m[0]), text)
     text = _WITH_MASS.sub(lambda m: named(of_mass(m[1], m[2], m[3]), m[0]), text)
     begin = 0

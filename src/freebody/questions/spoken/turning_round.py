@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 _RESTS = ("it stays at rest", "it does not slip", "nothing slips")
 _EXERTED = ("torque", "impulse", "angular impulse")  # what a load may exert that is no force
 _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
+_WHICH = (Word("ask", "with"), Word("ask", "what"))
 
 
 def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
@@ -116,16 +117,19 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     known = clause.only("ask", "quantity", "name", "verb", *SILENT) and (is_over or is_before)
     asked = clause.all("quantity")
     doing = set(clause.all("verb")) - {"start"}
-    if not known or doing not in ({"leave"}, {"slide"}) or len(asked) != 1 or not given.is_by_unit(asked[0]):
+    things = [name for _, name in clause.names if name not in names.parameters]
+    if not known or doing not in ({"leave"}, {"slide"}, {"fly"}) or len(asked) != 1 or not given.is_by_unit(asked[0]):
         return
     named = [name for _, name in clause.names if name in names.parameters]
-    things = [name for _, name in clause.names if name not in named]
     chosen = named or given.of_kind(names, asked[0])
     if not chosen and asked[0] in ("speed", "velocity"):  # that of the drive
         chosen = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
     if len(chosen) != 1 or not 1 <= len(things) <= 2:
         return
-    if is_before and doing != {"slide"}:
+    rubs = [joint for joint in joining.rough(names, "") if all(joining.touches(names, joint, x) for x in things)]
+    if rubs and len(things) > 1 and chosen[0] in joining.drive_parameters(names):
+        doing = {"slide"}  # it leaves what carries it round
+    if (is_before and doing != {"slide"}) or doing == {"fly"}:
         return
     if doing == {"slide"}:
         slipping = [thing for thing in things if thing not in joining.driven_bodies(names, chosen[0])]
@@ -238,7 +242,10 @@ def _without_mark(names: Names, words: list[Word]) -> tuple[list[str], Clause, s
 def _end_of_head(names: Names, words: list[Word]) -> int | None:
     """Where the words for the parameter end: the least force F | that holds the load."""
     asks = ("large", "heavy", "rough", "up_to", "from", "for", "much")
-    if not any(word.kind == "degree" or (word.kind == "ask" and word.what in asks) for word in words):
+    is_written = words[:1] == [Word("ask", "with")] and given.is_written(words[1].what if words[1:] else "")
+    if not is_written and not any(
+        word.kind == "degree" or (word.kind == "ask" and word.what in asks) for word in words
+    ):
         return None
     chosen = [
         k for k, w in enumerate(words) if (w.kind == "name" and w.what in names.parameters) or given.is_written(w.what)
@@ -247,11 +254,15 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
         chosen = [k for k, w in enumerate(words) if w.kind == "quantity" and given.is_by_unit(w.what)][:1]
     if not chosen and words[0].kind == "degree" and words[1:2] and any(w.kind == "not" for w in words[2:]):
         chosen = [1] if given.is_by_unit(words[1].what) else []  # the greatest speed without slipping
+    acts = Word("verb", "exert") in words and Word("mark", "until") in words
+    if not chosen and acts and words[0] in _WHICH:  # with what torque may the motor drive at most before
+        return words.index(Word("mark", "until"))
     if not chosen and words[0] in (Word("ask", "heavy"), Word("ask", "rough")):
         chosen = [k for k, word in enumerate(words) if word.kind == "name"]
     if not chosen:
         return None
-    kinds = ("verb", "not", "relation", "degree", *(["quantity"] if words[0] in _FOR else []))
+    is_led = words[0] in _FOR or is_written
+    kinds = ("verb", "not", "relation", "degree", *(["quantity"] if is_led else []))
     marks = ("until", "to", "in equilibrium", "equilibrium")
     begins = (k for k, w in enumerate(words) if k > chosen[0] and (w.kind in kinds or w.what in marks))
     k = next(begins, None)
@@ -306,10 +317,15 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         return (found, rest, end) if len(found) == 1 else None
     if asked == ["impulse"] and not given.of_kind(names, "impulse"):  # of what turns about a hinge
         asked = ["angular impulse"]
+    is_extremal = is_marked and rest.has("degree") and rest.has("quantity")  # the angle for the greatest range
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
-        return (found, rest, end) if len(found) == 1 and (end or head.has("ask")) else None
+        return (found, rest, end) if len(found) == 1 and (end or head.has("ask") or is_extremal) else None
+    bodies = [name for name in others if name in lookup.moving(names)]
+    if not named and bodies and bodies == others and end and len(asked) == 1 and given.is_by_unit(asked[0]):
+        found = given.chosen(names, given.KIND_OF[asked[0]], bodies)  # the greatest torque with which the motor drives
+        return (found, rest, end) if len(found) == 1 and head.has("verb", "exert", "act") else None
     if head.has("ask", "extended") and not named and not asked:
         asked = ["length"]
     loads = [name for name in others if name in names.loads or name in names.impulses]

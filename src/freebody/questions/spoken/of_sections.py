@@ -1,0 +1,29 @@
+"""What the two parts of a cut rod exert on each other across the cut, in the grammar: at a point of its axis."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.model.solids import ROD
+from freebody.questions.spoken.composing import SILENT, Groups, composed, said_of
+from freebody.questions.spoken.words import Clause
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@said_of("bending moment", "shear force", "transverse force")
+def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of the rod that is named, or of the one that has the point; a transverse force elsewhere is that of a guide."""
+    of = [name for _, name in rest.names]
+    rods = [name for name, body in names.bodies.items() if body.solid is ROD]
+    points = [name for name in of if name.partition(".")[0] in rods and "." in name]
+    named = [name for name in of if name in rods]
+    if quantity == "transverse force" and not points:
+        yield from composed(names, "normal force", rest)
+        return
+    if not rest.only("name", *SILENT) or len(points) != 1 or of not in (points, [*named, *points], [*points, *named]):
+        return
+    rod = points[0].partition(".")[0]
+    if named in ([], [rod]):
+        yield [f"{quantity.replace('transverse', 'shear')} of {rod} at {points[0]}"]
