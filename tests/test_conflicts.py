@@ -127,7 +127,7 @@ def test_an_angle_of_a_body_against_the_start_of_its_measure() -> None:
 
 def test_a_place_of_a_body_that_its_pin_does_not_allow() -> None:
     text = "bodies: {r: {rod: {length: 1 m}, at: {start: [1 m, 2 m]}}}\nconnections: {A: {pin: [ground.A, r.start]}}\n"
-    found = named(text)
+    found = named("ground: {points: {A: [0, 0]}}\n" + text)
     assert found.names == ("A", "the given place of r")
     assert not found.is_geometric
 

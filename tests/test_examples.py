@@ -229,6 +229,10 @@ _DISK = "(m*g*R*sin(alpha)/(I + m*R**2))"
 _SPHERE = "(7*mu*cos(theta) - 2*sin(theta))"
 _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 
+_STARTS = (
+    "(M*(1 + z_r/z_s)/(J + m_s*(module*z_s/2)**2/2*(1 + z_r/z_s)**2"
+    " + 3*m_p*((module*(z_s + z_p)/2)**2 + (module*z_p/2)**2/2*(1 - z_r/z_p)**2)))"
+)
 _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
 _C, _S = "(1/sqrt(1 + (2*k*R)**2))", "(2*k*R/sqrt(1 + (2*k*R)**2))"
 _LEANS, _ROLLS = "(k*theta + c*rate(theta))", "(3*m/2 + M)"
@@ -750,7 +754,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "sill": "rho*g*b*h**2/2*(H - h/3)/H",
         "hinge": "rho*g*b*h**3/(6*H)",
         "moment": "rho*g*b*h**3*(H - h)/(6*H)",
-        "half": "H",
+        "deepest": "(6*F*H/(rho*g*b))**(1/3)",
     },
     # in the frame of the wedge m a_W cos pulls along the slope, and N = m g cos - m a_W sin; the centre of mass stays
     "block_on_a_movable_wedge": {
@@ -761,11 +765,11 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         # energy g L/2 sin alpha of the block, shared with the wedge: v_W = m cos(alpha) s'/(m + M)
         "speed": "sqrt(g*L*sin(alpha)*(M**2 + m*(2*M + m)*sin(alpha)**2)/((m + M)*(M + m*sin(alpha)**2)))",
     },
-    # Willis: (w_s - w_c)/(0 - w_c) = -z_r/z_s; massless gears pass on the torque M i, three planets share it
+    # Willis: w_s = (1 + z_r/z_s) w_c, w_p = (1 - z_r/z_p) w_c; the disks of the pitch circles and the planets on theirs
     "planetary_gear_by_module": {
         "ratio": "1 + z_r/z_s",
-        "starts": "M*(1 + z_r/z_s)/J",
-        "teeth": "2*M/(3*module*z_s)",
+        "starts": _STARTS,
+        "teeth": f"2/(3*module*z_s)*(M - m_s*(module*z_s/2)**2/2*(1 + z_r/z_s)*{_STARTS})",
     },
     # about the contact point I = m R^2 (3/2 - 8/(3 pi) cos(phi)), the mass centre 4 R/(3 pi) below the centre
     "rocking_half_disk": {

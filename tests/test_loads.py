@@ -281,6 +281,18 @@ start: {phi: 0, rate(phi): 0}
             "power of it": "T_0*rate(phi)*(1 - rate(phi)/w_0)",
         },
     ),
+    # p L/2 at 3/4 of the length, always across the lever: m L^2/3 phi'' = 3 p L^2/8
+    "lever under a load along it": (
+        "distributed",
+        """
+parameters: {m: 3 kg, L: 2 m, p: 5 N/m}
+bodies: {lever: {rod: {mass: m, length: L}}}
+connections: {axle: {pin: [ground.A, lever.start]}}
+measures: {phi: angle of lever}
+loads: {it: {distributed: {between: [lever.center, lever.end], along: lever.y, intensity: p}}}
+""",
+        {"acceleration of phi": "9*p/(8*m)", "power of it": "3*p*L**2*rate(phi)/8"},
+    ),
     # Kepler: r^2 phi' = r_0 v_0 and the energy give the ellipse; straight out, v^2/2 = mu/r - mu/h
     "orbit": (
         "attraction",

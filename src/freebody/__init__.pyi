@@ -577,8 +577,8 @@ class Driver(_Driver):
     def __init__(
         self,
         measure: _Mapping | None = ...,
-        body: _Text | None = ...,
         follows: _Formula | None = ...,
+        body: _Text | None = ...,
         speed: _Formula | None = ...,
     ) -> None: ...
 

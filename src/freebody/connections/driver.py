@@ -31,8 +31,8 @@ class Driver(Connection, kind="driver"):
     also: ClassVar[tuple[str, ...]] = ("drive", "motor")
 
     measure: str | dict[str, Any] | None = None
-    body: str | None = None
     follows: Formula | None = None
+    body: str | None = None
     speed: Formula | None = None
 
     is_chosen = True

@@ -59,7 +59,7 @@ def guide(
     put if both are, else through its reference point.
     keeps_angle: the body does not turn, so that its `at` is the place of all its points; seen: bodies whose places are
     being asked for."""
-    line = names.edge(along)
+    line = names.edge_along(along)
     direction = names.direction(along, "along", body=names.body(on, "on").name)
     start = names.known(point.body).start
     origin, is_kept = Point(GROUND, (ZERO, ZERO), "ground.origin"), False

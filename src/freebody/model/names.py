@@ -338,6 +338,11 @@ class Names(Formulas):
         body = self.bodies.get(owner)
         return None if body is None else body.side(name)
 
+    def edge_along(self, text: Any) -> Line | None:
+        """A line, or a side whose name is no word for a direction: `cart.right` is the right of the cart."""
+        is_word = isinstance(text, str) and text.strip().rpartition(".")[2] in self.compass
+        return self.line(text) if is_word else self.edge(text)
+
     def plane(self, text: Any, *path: str | int) -> BodyPlane | None:
         """`body.plane`; of the ground also plain `plane`."""
         if not isinstance(text, str):
@@ -404,7 +409,7 @@ class Names(Formulas):
         compass = self.compass
         if text in compass:
             return self.fixed_in(body, compass[text].components, text)
-        line, plane = self.edge(text), self.plane(text)
+        line, plane = self.edge_along(text), self.plane(text)
         if line is not None:
             return line.direction
         if plane is not None:

@@ -15,9 +15,10 @@ _TIME = rf"(?P<time>{_NUMBER}|[A-Za-z_]\w*)"
 # a time behind `after` stands at the end, or before what an equation goes on with
 _END = r"(?=$|\s*(?:=|\)|[-+*/^|])|\s+(?:is|equals|when|at)\b)"
 _WORDS: tuple[tuple[re.Pattern[str], str], ...] = (
+    (re.compile(r"^(?:the )?(?:terminal|limiting) velocity of (?P<of>.+)$"), rf"velocity of \g<of> when {ENDLESS}"),
     (
-        re.compile(r"^(?:the )?(?:terminal|limiting) (?:velocity|speed) of (?P<of>.+)$"),
-        rf"velocity of \g<of> when {ENDLESS}",
+        re.compile(r"^(?:the )?(?:terminal|limiting) speed of (?P<of>.+)$"),
+        rf"size of velocity of \g<of> when {ENDLESS}",
     ),
     (re.compile(r"^(?:the )?limit of (?P<of>.+?)(?: (?:as|for) .*)?$"), rf"\g<of> when {ENDLESS}"),
     (

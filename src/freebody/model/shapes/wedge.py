@@ -75,7 +75,7 @@ class Wedge(Shape, kind="wedge"):
             divide(m * (square(L) + square(h)), number(18)),
             points=points,
             corners=("toe", "heel", "top") if self.rises == "right" else ("heel", "toe", "top"),
-            sides={} if names.space else sides,
+            sides={side: (*way, ZERO) for side, way in sides.items()} if names.space else sides,
             tensor=plate_tensor(m * square(h) / 18, m * square(L) / 18, negate(second)) if names.space else (),
             solid=PLATE,
         )

@@ -195,7 +195,8 @@ def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
     )
     of = next((name for _, name in rest.names), "")
     ends = losing.at_the_end(names, of)
-    for group in motion(names, "angular velocity" if turns else "velocity", rest):
+    goes = "speed" if of in names.bodies and not rest.has("direction") else "velocity"  # of a body its size
+    for group in motion(names, "angular velocity" if turns else goes, rest):
         yield [f"{text} when {end}" for end in ends or ["t grows"] for text in group]
 
 

@@ -144,7 +144,8 @@ def _farthest(system: System, asked: Question, values: dict[str, float]) -> floa
     assert asked.quantity.turn is not None
     _of, event, side = asked.quantity.turn
     of = event.quantity if isinstance(event, Peak) else event.measure
-    return farthest(system.with_parameters(**values), of, side, is_exact=True)[0]
+    given = {name: value for name, value in values.items() if name in system.parameters}  # not those of later phases
+    return farthest(system.with_parameters(**given), of, side, is_exact=True)[0]
 
 
 def _is_untrue(tree: PhaseTree, asked: Question, quantity: Wanted, told: set[int]) -> bool:
