@@ -284,10 +284,15 @@ def test_words_for_an_instant(words: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "words", ["velocity of y as t grows", "limit of velocity of y as t -> oo", "terminal speed of y"]
+    "words", ["velocity of y as t grows", "limit of velocity of y as t -> oo", "terminal velocity of y"]
 )
 def test_words_for_what_is_tended_to(words: str) -> None:
     assert posed(DROPPED, words).value == pytest.approx(-2 * 9.81 / 0.8)
+
+
+@pytest.mark.parametrize("words", ["terminal speed of y", "limiting speed of ball"])
+def test_a_terminal_speed_is_a_size(words: str) -> None:
+    assert posed(DROPPED, words).value == pytest.approx(2 * 9.81 / 0.8)
 
 
 def test_the_time_of_an_instant_is_no_question() -> None:

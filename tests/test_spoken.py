@@ -222,8 +222,8 @@ TYPED = [  # a longer list, many of which are to be refused
 ]
 CASES = [
     *(pytest.param(name, *pair, id=f"{name}-{pair[0]}", marks=()) for name, pairs in SPOKEN.items() for pair in pairs),
-    *(  # every run has a quarter of the list
-        pytest.param(name, said, meant, id=f"{name}-{said}", marks=pytest.mark.slow if k % 4 else ())
+    *(  # every run has an eighth of the list
+        pytest.param(name, said, meant, id=f"{name}-{said}", marks=pytest.mark.slow if k % 8 else ())
         for k, (name, said, meant) in enumerate(TYPED)
     ),
 ]
