@@ -181,7 +181,7 @@ def test_a_tape_follows_an_expression_and_its_derivatives(text: str) -> None:
     assert rows[0, 4] == pytest.approx(by_x, rel=1e-5)
 
 
-def test_an_expression_of_ten_operations_costs_less_than_200_ns() -> None:
+def test_an_expression_of_ten_operations_costs_less_than_200_ns_where_a_wheel_alone_costs_120() -> None:
     torque = (
         "bodies: {w: {disk: {mass: 1 kg, radius: 1 m}}}\nmeasures: {phi: angle of w}\n"
         "parameters: {T0: 1 N m, w0: 2 1/s, k: 3 N m}\n"
@@ -198,9 +198,11 @@ def test_an_expression_of_ten_operations_costs_less_than_200_ns() -> None:
         simulator.engine.evaluate(simulator.start, 0.0, n)
         return (time.thread_time() - began) / n
 
-    # another process on the machine makes a run longer, never shorter: the least of many, of both in turn
+    # another process on the machine makes a run longer, never shorter: the least of many, of both in turn; a slower
+    # machine makes both longer
     runs = np.array([[seconds(loaded), seconds(plain)] for _ in range(20)])
-    assert -np.diff(runs.min(axis=0))[0] < 200e-9
+    with_expression, alone = runs.min(axis=0)
+    assert (with_expression - alone) / alone < 200 / 120
 
 
 # -- the linear system ------------------------------------------------------------------------
