@@ -357,6 +357,8 @@ questions: {there: x of crank.end at t = 0.5 s}
     cases = [
         ("{body: crank, speed: w}", ", angle: phi_0", ""),
         ("{measure: phi, speed: w}", "", "start: {phi: phi_0}"),
+        ("{measure: phi, speed: w}", ", angle: phi_0", ""),
+        ("{measure: angle of crank, speed: w}", ", angle: phi_0", ""),
         ("{measure: phi, follows: phi_0 + w*t}", "", ""),
     ]
     for driver, angle, start in cases:

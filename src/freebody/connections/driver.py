@@ -10,6 +10,7 @@ from freebody.connections.standing import begun_by
 from freebody.language.expression import ZERO, Expr, Symbol, add, multiply, substitute
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Direction, Point
 from freebody.model import glyphs
@@ -75,8 +76,8 @@ parameters: {w: 2 rad/s}
     def _begun(self, names: Names, measure: Measure) -> Expr:
         """Where the file lets it start: at the value of its name, at the angle of its body, else at zero."""
         named = (value for name, value in names.placed_at_start.items() if names.measures.get(name) == measure)
-        own = names.known(self.body).start.angle if self.body is not None else None
-        return next(named, ZERO if own is None else own)
+        turned = (names.known(body).start.angle for body in measure.bodies() if measure == Angle(body))
+        return next((value for value in (*named, *turned) if value is not None), ZERO)
 
     def bears_at(self, names: Names, point: Point, normal: Direction) -> Expr | None:
         """Where what it leads starts, at t = 0."""
