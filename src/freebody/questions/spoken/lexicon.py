@@ -236,7 +236,8 @@ def spelt(text: str, language: str) -> str:
     """A text in which names are marked, spelt as the phrases are, without the mark at its end."""
     text = re.sub(r"(?<![.?! ])[.?! ]+$", "", text) if not text.rstrip().endswith("..") else text
     for pattern, replacement in _spelling(language):
-        text = pattern.sub(replacement, text)
+        if pattern.search(text):  # most do not, and each replacement would be parsed anew
+            text = pattern.sub(replacement, text)
     return " ".join(text.split())
 
 
