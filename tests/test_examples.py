@@ -745,6 +745,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "B": "q*a/2 + P*(a + b)/a",
         "over_B": "-P*b",
         "middle": "q*a**2/8 - P*b/2",
+        # where the shear force q a/2 - P b/a - q x vanishes
+        "most": "(q*a/2 - P*b/a)**2/(2*q)",
         "before": "-q*a/2 - P*b/a",
         "behind": "P",
         "lifts": "q*a**2/(2*b)",

@@ -7,8 +7,10 @@ Meriam & Kraige, Dynamics, ch. 3.
 
 from __future__ import annotations
 
-from math import cos, pi, radians, sin
+from math import cos, pi, radians, sin, sqrt
+from random import Random
 
+import numpy as np
 import pytest
 
 import freebody as fb
@@ -239,6 +241,14 @@ start: {theta: 10 deg, rate(theta): 0}
 """)
 
 
+def test_where_a_chimney_that_falls_is_bent_most_need_not_be_asked() -> None:
+    # m g L sin(theta)/27 at L/3
+    asked = ["greatest bending moment of chimney", "place of the greatest bending moment of chimney"]
+    size, at = CHIMNEY.solve(asked).answers
+    assert size.value == pytest.approx(3 * 9.81 * 2 * sin(radians(10)) / 27, rel=1e-12)
+    assert at.value == pytest.approx(2 / 3, rel=1e-12)
+
+
 def test_a_chimney_that_falls_as_a_rigid_body_is_bent_most_at_a_third_of_its_height() -> None:
     m, length, x, g, theta = 3.0, 2.0, 0.6, 9.81, radians(60)
     M = m * g * sin(theta) * x * (length - x) ** 2 / (4 * length**2)
@@ -347,3 +357,154 @@ loads: {F: {force: {at: beam.C, along: down, magnitude: F}}}
 """
     found = fb.System.from_text(text).solve(["bending moment at C", "shear force just before C"]).answers
     assert [answer.value for answer in found] == pytest.approx([5000 * 2 * 4 / 6, 5000 * 4 / 6])
+
+
+# -- where it is loaded most ------------------------------------------------------------------
+SIMPLE = """
+parameters: {L: 4 m, a: 1 m, q: 500 N/m, w: 300 N/m, P: 200 N}
+ground: {points: {A: [0, 0], B: [L, 0]}}
+bodies: {beam: {rod: {length: L}, angle: 0, at: {start: [0, 0]}, points: {C: [a - L/2, 0], D: [L/2 - a, 0]}}}
+connections: {left: {pin: [ground.A, beam.start]}, right: {slot: {pin: beam.end, along: right, through: ground.B}}}
+"""
+CLAMPED = """
+parameters: {L: 2 m, a: 0.5 m, q: 300 N/m, P: 200 N, m: 20 kg, g: 9.81 m/s^2}
+bodies: {beam: {rod: {length: L, mass: m}, angle: 0, at: {start: [0, 0]}, points: {C: [a - L/2, 0]}}}
+connections: {clamp: {weld: [ground.A, beam.start]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "loads", "moment", "place", "valid"),
+    [
+        # Source: Gere & Goodno, Mechanics of Materials, app. H; sec. 4.5
+        pytest.param(
+            SIMPLE,
+            "it: {distributed: {between: [beam.start, beam.end], along: down, intensity: [0, w]}}",
+            "w*L**2/(9*sqrt(3))",
+            "L/sqrt(3)",
+            (),
+            id="rises",
+        ),
+        pytest.param(
+            SIMPLE,
+            "it: {force: {at: beam.C, along: down, magnitude: P}}",
+            "P*a*(L - a)/L",
+            "a",
+            ("L > a (it is greatest there)",),
+            id="between the supports",
+        ),
+        pytest.param(
+            SIMPLE,
+            "it: {distributed: {between: [beam.start, beam.C], along: down, intensity: q}}",
+            "q*a**2*(2*L - a)**2/(8*L**2)",
+            "a*(2*L - a)/(2*L)",
+            ("L > a (it is greatest there)",),
+            id="over a part",
+        ),
+        pytest.param(
+            SIMPLE,
+            "q: {distributed: {between: [beam.start, beam.end], along: down, intensity: q}}, "
+            "it: {force: {at: beam.C, along: down, magnitude: P}}",
+            "(q*L/2 + P*a/L)**2/(2*q)",
+            "L/2 - P*a/(q*L)",
+            ("a < L²·q/(2·(L·q + P)) (it is greatest there)",),
+            id="even load and a force beside the middle",
+        ),
+        pytest.param(
+            CLAMPED,
+            "w: {gravity: g}, it: {force: {at: beam.C, along: up, magnitude: P}}",
+            "m*g*(L - a)**2/(2*L)",  # by the weight beyond it; m g L/2 - P a at the clamp is less
+            "a",
+            None,
+            id="clamped, pulled up",
+        ),
+    ],
+)
+def test_the_greatest_bending_moment_is_that_of_the_tables(
+    model: str, loads: str, moment: str, place: str, valid: tuple[str, ...] | None
+) -> None:
+    system = fb.System.from_text(f"{model}loads: {{{loads}}}")
+    asked = ["greatest bending moment of beam", "place of the greatest bending moment of beam"]
+    size, at = system.solve(asked).answers
+    numbers = {name: p.value for name, p in system.parameters.items()} | {"sqrt": sqrt}
+    assert size.value == pytest.approx(eval(moment, numbers.copy()), rel=1e-12)
+    assert at.value == pytest.approx(eval(place, numbers.copy()), rel=1e-12, abs=1e-12)
+    if valid is not None:
+        assert tuple(map(str, size.conditions)) == (valid or ("for all positive parameters",))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_greatest_of_many_sections_governs(seed: int) -> None:
+    # loads of any kind at places drawn at random; the sections by hand, on a fine grid
+    draw = Random(seed)
+    L, W, q, P = 4.0, 50.0, draw.uniform(100, 400), draw.uniform(100, 800)
+    a, b = sorted(draw.uniform(0.2, 3.8) for _ in range(2))
+    way, up = draw.choice([("down", -1.0), ("up", 1.0)])
+    system = fb.System.from_text(f"""
+parameters: {{L: {L} m, a: {a} m, b: {b} m, q: {q} N/m, P: {P} N, W: {W} N, g: 10 m/s^2}}
+ground: {{points: {{A: [0, 0], B: [L, 0]}}}}
+bodies:
+  beam: {{rod: {{mass: W/g, length: L}}, angle: 0, at: {{start: [0, 0]}}, points: {{C: [a - L/2, 0], D: [b - L/2, 0]}}}}
+connections:
+  left: {{pin: [ground.A, beam.start]}}
+  right: {{slot: {{pin: beam.end, along: right, through: ground.B}}}}
+loads:
+  weight: {{gravity: g}}
+  sand: {{distributed: {{between: [beam.C, beam.D], along: down, intensity: [q, 2*q]}}}}
+  push: {{force: {{at: beam.C, along: {way}, magnitude: P}}}}
+""")
+    x = np.union1d(np.linspace(0.0, L, 200_001), [a, b])
+    s = np.clip(x - a, 0.0, b - a)  # of the load that rises from q to 2 q
+    sand, moment_of_sand = q * s + q * s**2 / (2 * (b - a)), q * s**2 / 2 + q * s**3 / (6 * (b - a))
+    moment_of_sand += np.where(x > b, sand * (x - b), 0.0)
+    push = up * P * (x >= a)
+    A = (W * L / 2 + moment_of_sand[-1] - up * P * (L - a)) / L
+    shear = A - W * x / L - sand + push
+    moment = A * x - W * x**2 / (2 * L) - moment_of_sand + push * (x - a)
+    asked = ["greatest bending moment", "greatest shear force", "place of the greatest bending moment of beam"]
+    most, force, at = system.solve(asked).answers
+    assert all(one.expression is not None for one in (most, force, at)), most.reason
+    assert most.value == pytest.approx(np.abs(moment).max(), rel=1e-8)
+    assert force.value == pytest.approx(np.abs(shear).max(), rel=1e-4)  # it jumps between two sections
+    assert at.value == pytest.approx(x[np.abs(moment).argmax()], abs=1e-3)
+
+
+def test_a_rod_that_turns_on_a_pin_is_pulled_most_at_it() -> None:
+    # by what lies beyond: m w^2 (L - b)^2/(2 L)
+    system = fb.System.from_text("""
+parameters: {L: 2 m, m: 3 kg, n: 10 rad/s, b: 0.5 m}
+bodies: {bar: {rod: {length: L, mass: m}, points: {O: [b - L/2, 0]}}}
+connections: {hub: {pin: [ground.A, bar.O]}}
+measures: {phi: angle of bar}
+start: {phi: 0, rate(phi): n}
+""")
+    pull, at = system.solve(["greatest axial force", "place of the greatest axial force"]).answers
+    assert pull.value == pytest.approx(3 * 100 * 1.5**2 / 4, rel=1e-12)
+    assert at.value == pytest.approx(0.5)
+    assert "L ≥ 2·b (it is greatest there)" in map(str, pull.conditions)
+
+
+def test_how_large_a_load_may_be_follows_from_the_greatest_bending_moment() -> None:
+    # w = 9 sqrt(3) M/L^2
+    system = fb.System.from_text(
+        SIMPLE + "loads: {it: {distributed: {between: [beam.start, beam.end], along: down, intensity: [0, w]}}}"
+    )
+    (answer,) = system.solve("value of w for which greatest bending moment of beam = 500 N m").answers
+    assert answer.value == pytest.approx(9 * sqrt(3) * 500 / 16, rel=1e-12)
+
+
+def test_where_the_numbers_are_missing_that_tell_which_section_governs_it_is_not_told() -> None:
+    system = fb.System.from_text(
+        SIMPLE.replace("P: 200 N", "P: {unit: N}")
+        + "loads: {q: {distributed: {between: [beam.start, beam.end], along: down, intensity: q}}, "
+        "it: {force: {at: beam.C, along: down, magnitude: P}}}"
+    )
+    (answer,) = system.solve("greatest bending moment").answers
+    assert answer.expression is None
+    assert "not all of them are given" in str(answer.reason)
+
+
+def test_the_derivation_of_the_greatest_bending_moment_cuts_the_rod_there() -> None:
+    text = (CHIMNEY.explain("greatest bending moment of chimney")).to_text()
+    assert "There is no derivation" not in text
+    assert "L/3 from chimney.start" in text

@@ -15,7 +15,7 @@ Johnston, Vector Mechanics for Engineers: Dynamics, sec. 16.1 (d'Alembert).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -36,10 +36,10 @@ from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import FORCE, TORQUE, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import ONE, Direction, Point
-from freebody.measures.turned import points_in
 from freebody.model.elements import RigidBody, Spread
 from freebody.model.solids import ROD
 from freebody.model.state import State
+from freebody.questions.along_a_rod import Pull, between, is_zero, on_axis, pulls_on, sign_of_length
 from freebody.questions.base import NAME, PLACE, Described, Found, Path, Quantity, asked
 from freebody.questions.vectors import Vector, added, axes_of, components_of, cross, dot, place
 from freebody.tolerances import ROUNDED
@@ -49,6 +49,7 @@ if TYPE_CHECKING:
 
 Part = Literal["axial", "shear", "bending"]
 Side = Literal["", "before", "behind"]
+Order = tuple[tuple[Expr, ...], ...]  # places along a rod, in turn; those in one are the same
 Field = tuple[Direction, Expr]  # of gravity: where it pulls to, and its strength
 
 
@@ -62,9 +63,11 @@ class SectionForce(Quantity, kind="section force"):
     offset: Expr
     named: str
     fields: tuple[Field, ...]
-    is_thrust: bool = False
+    is_reversed: bool = False  # counted the other way: a thrust
     may_lie_beside: bool = False  # whether it depends on lengths that the section is one of the rod
     side: Side = ""  # just before the point, towards `start`, or just behind it
+    order: Order = ()  # of the places at which something acts, where the lengths alone do not tell it
+    along: Expr | None = None  # how far the section is from the start of the rod, where it has no name
 
     is_reaction = True
     example = """
@@ -88,10 +91,13 @@ questions: {it: bending moment of beam at beam.center}
 
     @property
     def reason(self) -> Sentence:
-        return Sentence("value.section", {"body": self.body, "at": self._at})
+        kind = "section" if self.along is None else f"greatest_section.{self.part}"
+        return Sentence(f"value.{kind}", {"body": self.body, "at": self._at})
 
     @property
     def _at(self) -> Argument:
+        if self.along is not None:
+            return Sentence("what.section.along", {"x": self.along, "body": self.body})
         return Sentence(f"what.section.{self.side or 'at'}", {"point": self.named}) if self.named else NOTHING
 
     @property
@@ -104,20 +110,21 @@ questions: {it: bending moment of beam at beam.center}
         rod, axes = system.bodies[self.body], axes_of(system)
         along = components_of(Direction(self.body, (ONE, *(ZERO,) * (len(axes) - 1))), state, len(axes))
         force, moment = self._own(system, state, rod)
-        pulls = [pull for pull in _pulls(system, state, rod) if self._is_beyond(state, rod, pull)]
+        pulls = [pull for pull in pulls_on(system, state, rod) if self._is_beyond(state, rod, pull)]
         for pull in (*pulls, *self._spread_beyond(system, state, rod)):
             if pull.at is not None:
-                arm = _between(system, state, self._cut(rod), pull.at)
+                arm = between(system, state, self._cut(rod), pull.at)
                 force = added(force, pull.force)
                 moment = added(moment, added(pull.couple, cross(arm, pull.force)))
+        side = -1 if self.is_reversed else 1
         if self.part == "bending":
-            return moment[0]
+            return side * moment[0]
         if self.part == "shear":
-            return along[1] * force[0] - along[0] * force[1]
-        return -dot(along, force) if self.is_thrust else dot(along, force)
+            return side * (along[1] * force[0] - along[0] * force[1])
+        return side * dot(along, force)
 
     def _cut(self, rod: RigidBody) -> Point:
-        return _on_axis(rod, self.offset)
+        return on_axis(rod, self.offset)
 
     def _own(self, system: Described, state: State[Any], rod: RigidBody) -> tuple[Vector, Vector]:
         """Weight and inertia of the part beyond the cut, and their moment about the cut."""
@@ -127,13 +134,13 @@ questions: {it: bending moment of beam at beam.center}
         length = rod.sizes[0]
         part = add(divide(length, number(2)), negate(self.offset))
         share = divide(multiply(rod.mass, part), length)
-        middle = _on_axis(rod, divide(add(divide(length, number(2)), self.offset), number(2)))
+        middle = on_axis(rod, divide(add(divide(length, number(2)), self.offset), number(2)))
         mass = state.scalar(share)
         force = tuple(-mass * a for a in place(system, state, middle, order=2))
         for along, strength in self.fields:
             weight = mass * state.scalar(strength)
             force = added(force, tuple(weight * c for c in components_of(along, state, n)))
-        moment = cross(_between(system, state, self._cut(rod), middle), force)
+        moment = cross(between(system, state, self._cut(rod), middle), force)
         if self.part == "bending":
             inertia = state.scalar(divide(multiply(share, multiply(part, part)), number(12)))
             moment = (moment[0] - inertia * state.acceleration(Angle(rod.name)),)
@@ -141,10 +148,10 @@ questions: {it: bending moment of beam at beam.center}
 
     def _is_beyond(self, state: State[Any], rod: RigidBody, pull: Pull) -> bool:
         """Whether a pull acts between the cut and the end; a section at the start, or the end, is just inside of it."""
-        if all(map(_is_zero, (*pull.force, *pull.couple))):
+        if all(map(is_zero, (*pull.force, *pull.couple))):
             return False
         if pull.at is None:
-            if self.part != "bending" and all(_is_zero(f) for f in pull.force):
+            if self.part != "bending" and all(is_zero(f) for f in pull.force):
                 return False
             if pull.has_couple:
                 raise CannotAnswer(
@@ -195,7 +202,7 @@ questions: {it: bending moment of beam at beam.center}
             slope = state.gradient(push.measure, rod.name)[:n]
             if not self.named:
                 along = components_of(Direction(rod.name, (ONE, *(ZERO,) * (n - 1))), state, n)
-                if not _is_zero(dot(along, slope)):
+                if not is_zero(dot(along, slope)):
                     raise self._changes(rod, push.load)
                 continue
             found = self._part_beyond(state, rod, push.load, push.spread)
@@ -203,7 +210,7 @@ questions: {it: bending moment of beam at beam.center}
                 share, at = found
                 size = state.law(push) * state.scalar(share)
                 force = tuple(size * c for c in slope)
-                yield Pull(push.load, force, (0,) * (3 if system.space else 1), _on_axis(rod, at), has_couple=False)
+                yield Pull(push.load, force, (0,) * (3 if system.space else 1), on_axis(rod, at), has_couple=False)
 
     def _part_beyond(self, state: State[Any], rod: RigidBody, name: str, spread: Spread) -> tuple[Expr, Expr] | None:
         """The share of a load along a line that acts beyond the cut, and where on the axis; None where nothing does.
@@ -231,95 +238,21 @@ questions: {it: bending moment of beam at beam.center}
         """1 for a place on the axis between the cut and the end, -1 before it; None where it depends on lengths."""
         if self.offset == x:
             return 0
+        if self.order:
+            here, there = (next(k for k, same in enumerate(self.order) if at in same) for at in (self.offset, x))
+            return (there > here) - (there < here)
         if self.offset in (rod.points["start"][0], rod.points["end"][0]):
             return 1 if self.offset == rod.points["start"][0] else -1
-        return _sign(state, add(x, negate(self.offset)))
+        return sign_of_length(state, add(x, negate(self.offset)))
 
     def sentence(self, system: Described) -> Sentence:
-        part = "thrust" if self.is_thrust else self.part
+        part = "thrust" if self.is_reversed and self.part == "axial" else self.part
         return Sentence(f"what.section.{part}", {"body": self.body, "at": self._at})
-
-
-# -- what acts on the rod -------------------------------------------------------------------------
-@dataclass(frozen=True)
-class Pull:
-    """What one connection or load exerts on the rod: a force at a point, and a couple. at: None where it has no point
-    that stays the same."""
-
-    name: str
-    force: Vector
-    couple: Vector
-    at: Point | None
-    has_couple: bool
-
-
-def _pulls(system: Described, state: State[Any], rod: RigidBody) -> Iterator[Pull]:
-    rows = [row for row in system.constraint_rows if rod.name in set(row.measure.bodies())]
-    for name in dict.fromkeys(row.connection for row in rows):
-        own = [row for row in rows if row.connection == name]
-        yield _pull(system, state, rod, name, [(row.measure, state.multiplier(row)) for row in own])
-    for push in system.applied_loads:
-        spread = system.loads[push.load].spread_over if push.load in system.loads else ""
-        if rod.name not in set(push.measure.bodies()) or spread == "mass" or push.spread is not None:
-            continue
-        if spread:
-            told = Message(
-                "{name} acts on all of {body}, and how it is spread is not known", name=push.load, body=rod.name
-            )
-            raise CannotAnswer(told)
-        yield _pull(system, state, rod, push.load, [(push.measure, state.law(push))])
-
-
-def _pull(system: Described, state: State[Any], rod: RigidBody, name: str, pushes: Sequence[tuple[Any, Any]]) -> Pull:
-    n = len(axes_of(system))
-    force: Vector = (0,) * n
-    moment: Vector = (0,) * (3 if system.space else 1)
-    slopes = [state.gradient(measure, rod.name) for measure, _push in pushes]
-    for slope, (_measure, push) in zip(slopes, pushes, strict=True):
-        force = tuple(f + g * push for f, g in zip(force, slope[:n], strict=True))
-        moment = tuple(m + g * push for m, g in zip(moment, slope[n:], strict=True))
-    has_couple = any(all(_is_zero(f) for f in slope[:n]) for slope in slopes)
-    points = dict.fromkeys(p for measure, _push in pushes for p in points_in(measure) if p.body == rod.name)
-    for point in points:
-        arm = _between(system, state, rod.mass_center, point)
-        if all(_acts_there(slope[:n], slope[n:], arm) for slope in slopes):
-            couple = tuple(m - c for m, c in zip(moment, cross(arm, force), strict=True))
-            return Pull(name, force, couple, point, has_couple)
-    return Pull(name, force, moment, None, has_couple)
-
-
-def _acts_there(force: Vector, moment: Vector, arm: Vector) -> bool:
-    """Whether a force with its moment about the mass centre acts at the end of an arm, or is a couple alone."""
-    return all(_is_zero(f) for f in force) or all(
-        _is_zero(m - c) for m, c in zip(moment, cross(arm, force), strict=True)
-    )
-
-
-def _on_axis(rod: RigidBody, offset: Expr) -> Point:
-    return Point(rod.name, (offset, *rod.points["end"][1:]), f"{rod.name} at a section")
-
-
-def _between(system: Described, state: State[Any], first: Point, second: Point) -> Vector:
-    here, there = place(system, state, first), place(system, state, second)
-    return tuple(b - a for a, b in zip(here, there, strict=True))
-
-
-def _sign(state: State[Any], expr: Expr) -> int | None:
-    """-1, 0 or 1; None where it depends on lengths."""
-    value = state.scalar(expr)
-    if _is_zero(value):
-        return 0
-    size = state.absolute(value)
-    return 1 if _is_zero(size - value) else -1 if _is_zero(size + value) else None
-
-
-def _is_zero(x: Any) -> bool:
-    return bool(abs(x) < ROUNDED) if isinstance(x, float) else bool(x == 0)
 
 
 # -- how it is asked ------------------------------------------------------------------------------
 _SIDES: dict[str, Side] = {"before": "before", "behind": "behind", "after": "behind"}
-_PARTS: dict[str, Part] = {"shear": "shear", "shearing": "shear", "bending": "bending"}
+PARTS: dict[str, Part] = {"shear": "shear", "shearing": "shear", "bending": "bending"}
 
 
 def _is_of_a_body(names: Names, found: Found) -> bool:
@@ -336,8 +269,8 @@ def _is_of_a_body(names: Names, found: Found) -> bool:
 )
 def _at_a_point(names: Names, found: Found, path: Path) -> Quantity | None:
     asked_for, of = str(found["part"]), str(found["of"])
-    part = _PARTS.get(asked_for.partition(" ")[0], "axial")
-    rod = _rod(names, of, path)
+    part = PARTS.get(asked_for.partition(" ")[0], "axial")
+    rod = rod_named(names, of, path)
     if rod is None or rod.is_placeholder:  # one that could not be read is told where it stands
         return None if rod is None else SectionForce(rod.name, part, ZERO, "", ())
     text, side = str(found["at"]), _SIDES.get(str(found["side"]), "")
@@ -348,7 +281,7 @@ def _at_a_point(names: Names, found: Found, path: Path) -> Quantity | None:
     if names.space and part != "axial":
         names.problem(Message("shear forces and bending moments are told in models of the plane"), *path)
         return None
-    return _section(names, rod, part, point.offset[0], str(point), is_thrust=asked_for == "compression", side=side)
+    return _section(names, rod, part, point.offset[0], str(point), is_reversed=asked_for == "compression", side=side)
 
 
 def _is_of_one_rod(names: Names, found: Found) -> bool:
@@ -395,7 +328,7 @@ questions: {it: axial force of bar}
 )
 def _of_a_bar(names: Names, found: Found, path: Path) -> Quantity | None:
     part, of = str(found["part"]), str(found["of"])
-    rod = _rod(names, of, path)
+    rod = rod_named(names, of, path)
     if rod is None or rod.is_placeholder:
         return None if rod is None else SectionForce(rod.name, "axial", ZERO, "", ())
     if part.startswith(("shear", "bending")):
@@ -409,10 +342,11 @@ def _of_a_bar(names: Names, found: Found, path: Path) -> Quantity | None:
         )
         names.problem(told, *path)
         return None
-    return _section(names, rod, "axial", ZERO, "", is_thrust=part == "compression")
+    return _section(names, rod, "axial", ZERO, "", is_reversed=part == "compression")
 
 
-def _rod(names: Names, name: str, path: Path) -> RigidBody | None:
+def rod_named(names: Names, name: str, path: Path) -> RigidBody | None:
+    """A rod by its name; what is none is told."""
     rod = names.body(name, *path)
     if not rod.is_placeholder and rod.solid is not ROD:
         told = Message("sections are cut through rods; {body} is none", body=rod.name)
@@ -428,12 +362,16 @@ def _section(
     offset: Expr,
     named: str,
     *,
-    is_thrust: bool = False,
+    is_reversed: bool = False,
     side: Side = "",
 ) -> SectionForce:
-    fields = tuple(sorted(names.fields, key=repr))
     share = divide(offset, rod.sizes[0])
-    return SectionForce(rod.name, part, offset, named, fields, is_thrust, not _is_fixed(share), side)
+    return SectionForce(rod.name, part, offset, named, fields_of(names), is_reversed, not _is_fixed(share), side)
+
+
+def fields_of(names: Names) -> tuple[Field, ...]:
+    """The fields of gravity of a model, in an order of their own."""
+    return tuple(sorted(names.fields, key=repr))
 
 
 def _is_fixed(share: Expr) -> bool:

@@ -257,7 +257,7 @@ class Glossary:
         key = rate_key(meaning.symbol)
         self.meanings[key] = meaning
         self.formulas.pop(key, None)
-        for name in ("_anywhere", "_at_start", "_at_event"):
+        for name in ("_anywhere", "further", "_at_start", "_at_event"):
             for world in self.__dict__.get(name, ()):
                 world.forget(key)
         return meaning.symbol
@@ -368,6 +368,14 @@ class Glossary:
         pairs = zip(self.setup.draws, general, strict=True)
         worlds = (World(self, draw, draw.seen(snapshot), snapshot) for draw, snapshot in pairs)
         return list(islice(filter(self.is_one, worlds), N_WORLDS))
+
+    @cached_property
+    def further(self) -> list[World]:
+        """More motions, for lines that say nothing of most of them: closer to the file's values."""
+        with suppress(CannotAnswer):
+            seen = list(islice(self.setup.anywhere_stream(), N_WORLDS, None))
+            return [World(self, draw, draw.seen(snapshot), snapshot) for draw, snapshot in seen]
+        return []
 
     @cached_property
     def _at_start(self) -> list[World]:

@@ -8,18 +8,19 @@ event that is asked for.
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, takewhile
 from typing import Literal
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import Stated, to_text
 from freebody.language.sentences import Argument, Message, Sentence
-from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen
+from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
+from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.spread import NO_DERIVATION, disagreement
 
 ROUND_OFF = 1e-6  # of a line, by the size of its terms
@@ -202,13 +203,17 @@ class Script:
     def _check(self, sides: Sequence[Side], relations: Sequence[Relation], when: TrueWhen) -> None:
         expressions = list(sides)
         room = BY_DIFFERENCES if any(isinstance(s, (Derivative, Difference)) for s in sides) else ROUND_OFF
-        n_held, trouble = 0, ""
-        for world in filter(self.glossary.is_one, self.glossary.worlds(when)):
+        n_held, trouble, is_silent = 0, "", False
+
+        def is_open() -> bool:
+            return is_silent and n_held < FEWEST
+
+        for world in filter(self.glossary.is_one, self._worlds(when, is_open)):
             try:
                 known = [world.of(side) for side in expressions]
                 scale = max(world.scale(expressions), world.noise / ROUND_OFF)
             except (CannotAnswer, ArithmeticError, ValueError) as error:
-                trouble = str(error)
+                trouble, is_silent = str(error), isinstance(error, SaysNothing)
                 continue
             if not all(math.isfinite(part) for side in known for part in side):  # as angles in a gimbal lock
                 trouble = Message("a part of it has no value there")
@@ -231,6 +236,12 @@ class Script:
                 n=n_held,
             )
             raise CannotAnswer(Message("{what}: {why}", what=told, why=trouble) if trouble else told)
+
+    def _worlds(self, when: TrueWhen, is_open: Callable[[], bool]) -> Iterator[World]:
+        """Motions at which a line has to hold, and more of them where it says nothing of too many."""
+        yield from self.glossary.worlds(when)
+        if when == "always" and is_open():
+            yield from takewhile(lambda _world: is_open(), self.glossary.further)
 
 
 def _agrees(a: float, b: float, relation: Relation, scale: float, share: float = ROUND_OFF) -> bool:

@@ -56,6 +56,9 @@ def quantities(names: Names, clause: Clause) -> Groups:
         return
     if clause.has("relation") or clause.has("value") or clause.has("turns") or clause.has("other"):
         return
+    if loaded := of_sections.greatest(names, clause):
+        yield loaded
+        return
     if clause.has("quantity", *FORCES) and _are_two_joints(names, clause):
         return  # the forces at A and B
     if clause.has("quantity", "ratio", "difference", "sum"):

@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.model.solids import ROD
-from freebody.questions.spoken.composing import SILENT, Groups, composed, said_of
+from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed, said_of
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+_GREATEST = {"bending moment": "bending moment", "shear force": "shear force", "transverse force": "shear force"}
 
 
 @said_of("bending moment", "shear force", "transverse force")
@@ -27,3 +29,26 @@ def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
     rod = points[0].partition(".")[0]
     if named in ([], [rod]):
         yield [f"{quantity.replace('transverse', 'shear')} of {rod} at {points[0]}"]
+
+
+def greatest(names: Names, clause: Clause) -> list[str]:
+    """Where a rod is bent, sheared or pulled most, and how much; nothing where a point is named."""
+    (kind, *more) = [*clause.all("quantity"), ""]
+    is_place = more[:-1] in (["position"], ["distance"])
+    if kind in ("position", "distance") and len(more) > 1:
+        (kind, *more), is_place = more, True
+    if kind not in _GREATEST or not (is_place or more in ([], [""])) or "greatest" not in clause.all("degree"):
+        return []
+    if not clause.only("quantity", "degree", "name", "ask", "verb", *SILENT) or clause.has("degree", "least"):
+        return []
+    rods = [name for name, body in names.bodies.items() if body.solid is ROD]
+    of = [name for _, name in clause.names]
+    if len(of) > 1 or not {*of} <= {*rods}:
+        return []
+    found = [f"greatest {_GREATEST[kind]} of {rod}" for rod in of or rods]
+    if not is_place and not clause.has("ask", "where"):
+        return found
+    places = [f"place of the {one}" for one in found]
+    if clause.has("preposition", "and"):  # how great it is, and where
+        return [JOINT.join(both) for both in zip(found, places, strict=True)]
+    return places

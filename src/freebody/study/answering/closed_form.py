@@ -20,6 +20,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.event import FarthestPlace
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
+from freebody.questions.greatest_section import GreatestInRod
 from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import Staying
 from freebody.questions.period import Period
@@ -293,6 +294,13 @@ class QuestionSolver:
     def _freedom(self, q: DegreesOfFreedom) -> Finding:
         dof = self.model.degrees_of_freedom
         return Finding(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
+
+    @_found.register(GreatestInRod)
+    def _greatest_in_rod(self, q: GreatestInRod) -> Finding:
+        from freebody.study.answering.greatest_section import find
+
+        self._state = self.setup.start_for(q) if self.question.at_start else self.setup.state
+        return find(self.setup, self.question, q, self._state)
 
     def _check_pose_alone(self, x: Elements) -> None:
         """Raises CannotAnswer where what the pose alone should tell depends on the sense of the motion as well."""

@@ -1,0 +1,237 @@
+"""Questions about where a rod is loaded most, and how much: the greatest bending moment, shear force or axial force.
+
+What acts on the rod parts it into spans, in each of which all of these are polynomials in the place x, with dM/dx = V.
+On 0 <= s = x/l <= 1 of a span of length l
+
+    V = b_0 (1 - s)^2 + 2 b_1 s (1 - s) + b_2 s^2,    M = M_0 + integral of V dx,
+
+at most, for loads along lines, weight and inertia are linear in x. b_0 and b_2 are its values at both ends, and b_1
+follows from M_1 - M_0 = l (b_0 + b_1 + b_2)/3. So the greatest size stands at the end of a span, or where V = 0 for M,
+and where V' = 0 for V. Source: Gere & Goodno, Mechanics of Materials, sec. 4.4 and 4.5; for polynomials by Bernstein's
+base Farin, Curves and Surfaces for CAGD, ch. 6.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from math import copysign, sqrt
+from typing import TYPE_CHECKING, Any, Literal
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, add, divide, negate, number
+from freebody.language.sentences import Message, Sentence
+from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
+from freebody.model.elements import RigidBody
+from freebody.model.solids import ROD
+from freebody.model.state import State
+from freebody.questions.along_a_rod import pulls_on
+from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.section import PARTS, Field, Order, Part, SectionForce, Side, fields_of, rod_named
+from freebody.tolerances import LEAST, ROUNDED
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_LETTERS = {"axial": "N_max", "shear": "V_max", "bending": "M_max"}
+
+
+@dataclass(frozen=True)
+class Span:
+    """A part of a rod between two neighbouring places at which something acts. start: from the start of the rod; ends:
+    the quantity at both ends; bernstein: what decides where it is extreme within, b_0 to b_2 of the shear force for a
+    bending moment, of itself for another one."""
+
+    start: Any
+    length: Any
+    ends: tuple[Any, Any]
+    bernstein: tuple[Any, Any, Any]
+    is_moment: bool
+
+    @property
+    def slopes(self) -> tuple[Any, ...]:
+        """Of the quantity, by Bernstein's base, but for a positive factor: within the span it is extreme where these
+        change sign."""
+        b = self.bernstein
+        return b if self.is_moment else (b[1] - b[0], b[2] - b[1])
+
+    def extreme(self, root: Any) -> tuple[Any, Any]:
+        """How much it is where its slope vanishes, and where that is. root: s there."""
+        b_0, b_1, b_2 = self.bernstein
+        at = self.start + self.length * root
+        if not self.is_moment:
+            return b_0 + (b_1 - b_0) * root, at  # b_0 + 2 d_0 s + (d_1 - d_0) s^2 with (d_1 - d_0) s = -d_0
+        c = (b_0, 2 * (b_1 - b_0), b_0 - 2 * b_1 + b_2)
+        area = root * (c[0] + root * (c[1] / 2 + root * c[2] / 3))
+        return self.ends[0] + self.length * area, at
+
+
+def root_of(slopes: Sequence[Any], side: int, sqrt_of: Callable[[Any], Any]) -> Any:
+    """The one s at which a slope changes its sign, two or three coefficients of which are given. side: its sign before
+    it."""
+    d = slopes
+    if len(d) == 2:
+        return d[0] / (d[0] - d[1])
+    c = (d[0], 2 * (d[1] - d[0]), d[0] - 2 * d[1] + d[2])
+    return 2 * c[0] / (-c[1] + side * sqrt_of(c[1] * c[1] - 4 * c[0] * c[2]))
+
+
+@dataclass(frozen=True)
+class GreatestInRod(Quantity, kind="greatest section force"):
+    """The greatest size of a section force along a rod, or the place of it, measured from the start of the rod."""
+
+    body: str
+    part: Part
+    fields: tuple[Field, ...]
+    asks: Literal["size", "place"] = "size"
+
+    is_reaction = True
+    example = """
+bodies: {beam: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}}}
+connections: {clamp: {weld: [ground.A, beam.start]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: greatest bending moment of beam}
+"""
+
+    @property
+    def dimension(self) -> Dimension:
+        if self.asks == "place":
+            return LENGTH
+        return TORQUE if self.part == "bending" else FORCE
+
+    @property
+    def letter(self) -> str:
+        return "x" if self.asks == "place" else _LETTERS[self.part]
+
+    @property
+    def may_jump(self) -> bool:
+        return True
+
+    def places(self, system: Described, state: State[Any]) -> Order:
+        """The places along the rod at which something acts, in turn, with both ends; the state tells their order."""
+        rod = system.bodies[self.body]
+        places = [rod.points["start"][0], rod.points["end"][0]]
+        for pull in pulls_on(system, state, rod):
+            if pull.at is not None:
+                places.append(pull.at.offset[0])
+            elif pull.has_couple:
+                raise CannotAnswer(
+                    Message("where on {body} the couple of {name} acts is not said", body=rod.name, name=pull.name)
+                )
+        for push in system.applied_loads:
+            if push.spread is not None and push.spread.first.body == rod.name:
+                places += [push.spread.first.offset[0], push.spread.second.offset[0]]
+        along = {place: state.scalar(place) for place in dict.fromkeys(places)}
+        if not all(isinstance(x, (int, float)) for x in along.values()):
+            raise CannotAnswer(Message("in which order things act along {body} is told by numbers", body=rod.name))
+        near = ROUNDED * state.scalar(rod.sizes[0])
+        found = list[tuple[Expr, ...]]()
+        for place in sorted(along, key=along.__getitem__):
+            if found and along[place] - along[found[-1][0]] <= near:
+                found[-1] = (*found[-1], place)
+            else:
+                found.append((place,))
+        return tuple(found)
+
+    def spans(self, system: Described, state: State[Any], order: Order) -> Iterator[Span]:
+        """Those of the rod between places that follow one another."""
+        rod = system.bodies[self.body]
+
+        def at(place: Expr, part: Part, side: Side, order: Order = order) -> Any:
+            cut = SectionForce(rod.name, part, place, str(place), self.fields, side=side, order=order)
+            return cut.value(system, state)
+
+        for k in range(len(order) - 1):
+            begin, end = order[k][0], order[k + 1][0]
+            length = state.scalar(add(end, negate(begin)))
+            part: Part = "axial" if self.part == "axial" else "shear"
+            first, last = at(begin, part, "behind"), at(end, part, "before")
+            if self.part == "axial":
+                middle = divide(add(begin, end), number(2))
+                within = at(middle, part, "", (*order[: k + 1], (middle,), *order[k + 1 :]))
+                ends, between = (first, last), 2 * within - (first + last) / 2
+            else:
+                moments = at(begin, "bending", "behind"), at(end, "bending", "before")
+                between = 3 * (moments[1] - moments[0]) / length - first - last
+                ends = moments if self.part == "bending" else (first, last)
+            start = state.scalar(add(begin, negate(rod.points["start"][0])))
+            yield Span(start, length, ends, (first, between, last), self.part == "bending")
+
+    def value(self, system: Described, state: State[Any]) -> float:
+        """In numbers; where the sizes in two places are the same the first one is told."""
+        found: list[tuple[float, float]] = []
+        for span in self.spans(system, state, self.places(system, state)):
+            found.append((span.ends[0], span.start))
+            found += [span.extreme(root) for root in _roots(span.slopes)]
+            found.append((span.ends[1], span.start + span.length))
+        size = max(abs(value) for value, _at in found)
+        if self.asks == "size":
+            return size
+        return next(at for value, at in found if abs(value) >= size * (1.0 - ROUNDED))
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence(f"what.greatest_section.{self.asks}.{self.part}", {"body": self.body})
+
+
+def _roots(d: Sequence[float]) -> list[float]:
+    """Where between 0 and 1 a polynomial by Bernstein's base is zero."""
+    if len(d) == 2:
+        return [d[0] / (d[0] - d[1])] if d[0] * d[1] < 0.0 else []
+    c = (d[0], 2.0 * (d[1] - d[0]), d[0] - 2.0 * d[1] + d[2])
+    square = c[1] * c[1] - 4.0 * c[0] * c[2]
+    if square < 0.0:
+        return []
+    half = -(c[1] + copysign(sqrt(square), c[1])) / 2.0  # Numerical Recipes, sec. 5.6: no difference of near numbers
+    found = [top / bottom for top, bottom in ((half, c[2]), (c[0], half)) if abs(bottom) > LEAST]
+    return sorted(s for s in found if 0.0 < s < 1.0)
+
+
+# -- how it is asked ------------------------------------------------------------------------------
+_WHAT = r"(?P<part>(?:axial|shear|shearing) force|bending moment)"
+_ALONE = """
+bodies: {beam: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}}}
+connections: {clamp: {weld: [ground.A, beam.start]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+
+
+def _is_of_one_rod(names: Names, found: Found) -> bool:
+    return found["of"] is not None or len(_rods(names)) == 1
+
+
+def _rods(names: Names) -> list[str]:
+    return [name for name, body in names.bodies.items() if body.solid is ROD]
+
+
+@asked(
+    "greatest axial force | shear force | bending moment [of ROD]",
+    rf"(?:greatest|largest|maximum) {_WHAT}(?: (?:of|in) (?:the )?(?P<of>{NAME}))?",
+    rank=62,
+    fits=_is_of_one_rod,
+)
+def _greatest(names: Names, found: Found, path: Path) -> Quantity | None:
+    return _read(names, found, path, "size")
+
+
+@asked(
+    "place of the greatest axial force | shear force | bending moment [of ROD]",
+    rf"(?:place|position|location) of (?:the )?(?:greatest|largest|maximum) {_WHAT}"
+    rf"(?: (?:of|in) (?:the )?(?P<of>{NAME}))?",
+    rank=62,
+    example=f"{_ALONE}questions: {{it: place of the greatest bending moment of beam}}\n",
+    fits=_is_of_one_rod,
+)
+def _place(names: Names, found: Found, path: Path) -> Quantity | None:
+    return _read(names, found, path, "place")
+
+
+def _read(names: Names, found: Found, path: Path, asks: Literal["size", "place"]) -> Quantity | None:
+    rod: RigidBody | None = rod_named(names, str(found["of"] or _rods(names)[0]), path)
+    part = PARTS.get(re.split(" ", str(found["part"]))[0], "axial")
+    if rod is None or rod.is_placeholder:
+        return None if rod is None else GreatestInRod(rod.name, part, (), asks)
+    if names.space:
+        names.problem(Message("shear forces and bending moments are told in models of the plane"), *path)
+        return None
+    return GreatestInRod(rod.name, part, fields_of(names), asks)
