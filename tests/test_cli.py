@@ -149,6 +149,17 @@ def test_a_missing_file_is_named_with_the_nearest_one(tmp_path: Path) -> None:
     assert "Did you mean model.yaml?" in done.stderr
 
 
+def test_a_file_in_the_place_of_a_command_is_solved(tmp_path: Path) -> None:
+    asked = ["examples/atwood_machine.yaml", "--find", "acceleration of x1", "--json"]
+    alone, named = freebody(*asked), freebody("solve", *asked)
+    assert alone.returncode == named.returncode == 0, alone.stderr
+    assert json.loads(alone.stdout)["answers"] == json.loads(named.stdout)["answers"]
+    missing = freebody("nothing.yaml", cwd=tmp_path)
+    assert missing.returncode == 2
+    assert "there is no such file" in missing.stderr
+    assert "Did you mean 'solve'" in freebody("slove", "nothing.yaml", cwd=tmp_path).stderr
+
+
 def test_new_writes_a_model_that_solves_and_never_overwrites(tmp_path: Path) -> None:
     assert freebody("new", "first.yaml", cwd=tmp_path).returncode == 0
     done = freebody("solve", "first.yaml", cwd=tmp_path)

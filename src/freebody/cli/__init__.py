@@ -7,9 +7,11 @@ import gc
 import signal
 import sys
 from collections.abc import Callable
-from typing import Annotated
+from pathlib import Path
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from freebody.cli.doctor import doctor
 from freebody.cli.export import export
@@ -31,11 +33,21 @@ _OWN: dict[str, Callable[..., None]] = {"simulate": simulate, "sweep": sweep, "f
 _BESIDE: tuple[Callable[..., None], ...] = (synthesise, sheet, export, quiz, studio, examples, new, schema, doctor)
 
 
+class _Commands(TyperGroup):
+    """The commands; a model file in the place of one is solved."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        if args[0] not in self.commands and (Path(args[0]).suffix or Path(args[0]).is_file()):
+            args = ["solve", *args]
+        return super().resolve_command(ctx, args)
+
+
 def commands() -> typer.Typer:
     """The program: every study that the table has a command for, in its order, and what belongs to model files."""
     app = typer.Typer(
         name="freebody",
-        help="Rigid-body mechanics that shows its work and proves it.",
+        cls=_Commands,
+        help="Rigid-body mechanics that shows its work and proves it. freebody FILE answers the questions of FILE.",
         no_args_is_help=True,
         pretty_exceptions_enable=False,
         rich_markup_mode=None,
