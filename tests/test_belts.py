@@ -297,3 +297,20 @@ questions: {it: "WORDS"}
 """
     (answer,) = fb.System.from_text(text.replace("WORDS", words)).solve().answers
     assert answer.value == pytest.approx(math.pi)
+
+
+def test_what_follows_from_the_parameters_of_a_belt_is_told_where_nothing_has_mass() -> None:
+    # Source: Shigley, Mechanical Engineering Design, sec. 17-2: theta = pi - 2 asin((D - d)/(2 C))
+    system = fb.System.from_text("""
+parameters: {d1: 200 mm, d2: 500 mm, a: 1.2 m, n1: 1450 rpm, mu: 0.3, F1: 2 kN}
+bodies: {small: {disk: {radius: d1/2}, at: [0, 0]}, large: {disk: {radius: d2/2}, at: [a, 0]}}
+connections:
+  axle1: {pin: [ground.O1, small]}
+  axle2: {pin: [ground.O2, large]}
+  belt: {belt: {around: [small, large], friction: mu, largest_tension: F1}}
+  motor: {driver: {body: small, speed: n1}}
+""")
+    wrap, motion = system.solve(["angle of wrap", "angular velocity of large"]).answers
+    assert wrap.value == pytest.approx(math.pi - 2 * math.asin((0.5 - 0.2) / 2.4), rel=1e-12)
+    assert motion.expression is None
+    assert "Give the body a mass" in str(motion.reason)

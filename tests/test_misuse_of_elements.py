@@ -137,3 +137,16 @@ def test_a_spring_from_a_body_to_itself_is_told_to_want_two_bodies() -> None:
     YAML().dump(_with(data, (*place, "first"), "ball"), text)
     (warning,) = fb.System.from_text(text.getvalue()).warnings
     assert "it acts between ball and itself, and has no direction: name points of two bodies" in warning.text()
+
+
+def test_a_question_of_a_kind_of_thing_that_could_not_be_read_is_no_second_mistake() -> None:
+    with pytest.raises(ModelError) as raised:
+        fb.System.from_text("""
+space: true
+parameters: {F: 20 kN, p: 8 mm}
+bodies: {spindle: {cylinder: {radius: 25 mm, length: 300 mm}}}
+connections: {thread: {screw: {between: [ground, spindle], along: z, pitch: p, mean_diameter: 50 mm}}}
+loads: {load: {force: {at: spindle, along: [0, 0, -1], magnitude: F}}}
+questions: [is the screw self-locking, efficiency]
+""")
+    assert [str(p.message).partition(";")[0] for p in raised.value.problems] == ["screw has no mean_diameter"]

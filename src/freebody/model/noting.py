@@ -112,6 +112,11 @@ class Noting:
         """Whether something of the model could not be read, so that what seems not to be there may be."""
         return any(p.path[:1] and p.path[0] in _ELEMENTS for p in self.problems)
 
+    def is_of_broken_kind(self, text: str) -> bool:
+        """Whether a text speaks of a kind of thing one of which could not be read."""
+        kinds = {str(p.path[2]) for p in self.problems if len(p.path) > 2 and p.path[0] in _ELEMENTS}
+        return any(re.search(rf"\b{kind.replace('_', ' ')}\b", text.lower()) for kind in kinds)
+
     def is_told(self, *path: str | int) -> bool:
         """Whether a problem is noted at a place, or inside it."""
         here = self._path + path

@@ -32,9 +32,10 @@ _TYPES: tuple[tuple[Any, FieldType], ...] = (
 MEANT: Mapping[str, tuple[str, ...]] = {
     "from": ("first", "start"),
     "to": ("second",),
-    "between": ("first", "second", "body", "on", "reacts_on"),
+    **dict.fromkeys(("between", "around"), ("first", "second", "body", "on", "reacts_on")),
     "direction": ("along",),
     "axis": ("along", "about"),
+    "along": ("about",),
     "rest_length": ("length",),
     **dict.fromkeys(("natural_length", "free_length", "unstretched_length"), ("length",)),
     **dict.fromkeys(("center", "com", "centre_of_mass"), ("center_of_mass",)),
@@ -64,7 +65,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
-    "from", "to", "on", "at", "direction", "value", "omega", "mu", "center", "com",
+    "from", "to", "on", "at", "direction", "axis", "along", "value", "omega", "mu", "center", "com",
     "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
 ))  # fmt: skip
@@ -167,10 +168,10 @@ class Spec(BaseModel, metaclass=_Described):
 
     @classmethod
     def meant(cls, key: str) -> tuple[str, ...]:
-        """The fields that people mean by a word: the two of `between`, else the first that there is."""
+        """The fields that people mean by a word: the two of `between` or `around`, else the first that there is."""
         known = [field.alias or name for name, field in cls.model_fields.items()]
         found = tuple(field for field in MEANT.get(key, ()) if field in known)
-        return found[: 2 if key == "between" else 1]
+        return found[: 2 if key in ("between", "around") else 1]
 
     @classmethod
     def second_words(cls) -> dict[str, tuple[str, ...]]:

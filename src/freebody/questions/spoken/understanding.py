@@ -154,6 +154,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
     if not nearest and (passing := same_value(names, text)) is not None:
         return understood(names, passing, read)
+    if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
+        return []
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)

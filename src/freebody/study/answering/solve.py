@@ -171,7 +171,13 @@ def _with_parameters(system: System, questions: Sequence[Question]) -> Solution:
     others = [q for q in questions if q.id not in answers]
     if not others:
         return Solution.of(system, setup.model, tuple(answers.values()))
-    rest = _in_whole(system, others, None)
+    try:
+        rest = _in_whole(system, others, None)
+    except (ModelError, CannotAnswer) as error:  # of a motion: what follows from the parameters is answered
+        of_model = isinstance(error, ModelError)
+        reason = further(*(problem.message for problem in error.problems)) if of_model else str(error)
+        told = tuple(answers.get(q.id) or refused(q, reason) for q in questions)
+        return Solution.of(system, setup.model, told)
     answers |= {a.id: a for a in rest.answers}
     return replace(rest, answers=tuple(answers[q.id] for q in questions))
 
