@@ -149,4 +149,4 @@ connections: {thread: {screw: {between: [ground, spindle], along: z, pitch: p, m
 loads: {load: {force: {at: spindle, along: [0, 0, -1], magnitude: F}}}
 questions: [is the screw self-locking, efficiency]
 """)
-    assert [str(p.message).partition(";")[0] for p in raised.value.problems] == ["screw has no mean_diameter"]
+    assert [str(p.message).partition(".")[0] for p in raised.value.problems] == ["screw has no mean_diameter"]
