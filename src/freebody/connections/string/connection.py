@@ -71,7 +71,17 @@ class String(Connection, kind="string"):
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
 
-    called: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "wire", "line")
+    called: ClassVar[tuple[str, ...]] = (
+        "rope",
+        "cord",
+        "cable",
+        "thread",
+        "wire",
+        "line",
+        "capstan",
+        "rope friction",
+        "bollard",
+    )
     also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread")
     elsewhere: ClassVar[Mapping[str, str]] = {
         "length": Message("it is as long as where its ends and the bodies on its way are put (at) makes it"),

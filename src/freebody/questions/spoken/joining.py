@@ -222,8 +222,11 @@ def direction(names: Names, name: str) -> str | None:
 
 
 def guides(names: Names, body: str) -> list[str]:
-    """Directions of the ground along which connections guide a body."""
+    """Directions of the ground along which connections guide a body; one that joins it to the ground comes before a
+    slot in which another one moves."""
     joints_ = [name for name in names.connections if body in names.bodies and _is_of(names, name, body)]
+    of_ground = [name for name in joints_ if {*names.connections[name].mentions(names)} - {GROUND} == {body}]
+    joints_ = of_ground or joints_
     return [along for along in (direction(names, name) for name in joints_) if along is not None]
 
 
