@@ -81,7 +81,7 @@ def _turning(
         return _first_turn(quantity, context, question, answer, method)
     script = context.script()
     lines = first_integral(context, script)
-    lines += tell_momenta(script, setup.motion.integrals, c, lines, "start")
+    lines += tell_momenta(script, setup.motion.integrals_of(c), c, lines, "start")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")

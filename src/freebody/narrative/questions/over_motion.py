@@ -37,7 +37,7 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
     parts, unknowns = parts_of(context, q.of)
     forces = by_momentum(context, script, unknowns) if unknowns else {}
     lines = first_integral(context, script)
-    lines += tell_momenta(script, setup.motion.integrals, seen.c, lines, "start")
+    lines += tell_momenta(script, setup.motion.integrals_of(seen.c), seen.c, lines, "start")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, seen.c)
         square = square_line(context, script, seen.c, lines, "start")

@@ -277,8 +277,9 @@ def _along(setup: Setup, of: Quantity, c: Coordinate, span: PassedPlaces | None 
     way = motion.way_of(c)
     x = explicit(model, f.lowest_terms(model.in_independent_speeds(f.element(value))))
     place = f.variable(c.index)
-    here = {**motion.integrals.places_at(c, place, None), **motion.integrals.resting}
-    here |= motion.integrals.speeds_at(c, place, f.variable(c.speed))
+    integrals = motion.integrals_of(c)
+    here = {**integrals.places_at(c, place, None), **integrals.resting}
+    here |= integrals.speeds_at(c, place, f.variable(c.speed))
     here = {k: v for k, v in here.items() if k not in (c.index, c.speed)}
     x = f.lowest_terms(f.follow(x, here))
     others = {k.index for k in (*model.coordinates, *model.dependent)} - {c.index}
