@@ -1,5 +1,7 @@
-"""Parts that do not act on each other, in a phase or in smooth motion: each has the energy that it has alone. What
-strikes a hanging rod at the depth a gives it the angular velocity w = 3 m v a (1 + e)/(3 m a^2 + M L^2), and the rod swings on by
+"""Parts that do not act on each other, in a phase or in smooth motion: each has the energy that it has alone.
+
+What strikes a hanging rod at the depth a gives it the angular velocity w = 3 m v a (1 + e)/(3 m a^2 + M L^2), and the
+rod swings on by
 
     w^2 + (3 g/L) cos(angle from below) = const.,
 
