@@ -345,3 +345,16 @@ def test_an_extreme_up_to_an_event_is_derived_and_has_a_number_where_nothing_rep
     assert found.expression is None
     assert isinstance(found.value, float)
     assert found.value < 1.5 * 9.81 * (3 - 2 * math.cos(math.pi / 3))
+
+
+def test_what_a_place_beside_the_way_takes_is_no_condition_of_the_extreme() -> None:
+    """A cart at rest whose pendulum is struck has its greatest speed, 2 m v/(M + m), where the pendulum hangs again."""
+    cart = """
+parameters: {M: 3 kg, m: 1 kg, L: 0.5 m, v: 2 m/s, g: 9.81 m/s^2}
+bodies: {cart: {particle: {mass: M}, at: [0, 0]}, bob: {particle: {mass: m}}}
+connections: {rail: {guide: {body: cart, along: right}}, rod: {link: [cart, bob, L]}}
+loads: {w: {gravity: g}}
+measures: {x: x of cart, theta: {angle of line from cart to bob from down}}
+start: {theta: 0, rate(theta): v/L, x: 0, rate(x): 0}
+"""
+    is_formula(cart, "greatest speed of cart", "2*m*v/(M + m)")

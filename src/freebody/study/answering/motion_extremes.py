@@ -334,8 +334,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     seen.add_needs()
     found = seen.candidates()
     chosen = [seen.best(found, side) for side in sides]
-    conditions = [*seen.conditions, *_kept(setup), *taken_throughout(setup)]
     values = tuple(seen.value_of(s) for s in chosen)
+    conditions = [*seen.conditions, *_kept(setup)]
+    conditions += _of_these(taken_throughout(setup), [*values, seen.even, seen.odd, *(c.element for c in conditions)])
     check = CrossCheck(question, Message("numerical integration over a cycle of the motion"), MOTION_TOLERANCE)
     measure = setup.model.measure_of(seen.c)
 
@@ -351,6 +352,14 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     notes = [seen.where(words[side], s) for side, s in zip(sides, chosen, strict=True)]
     element = values if len(values) > 1 else next(iter(values))
     return Finding(element, evidence, conditions, notes, list(seen.span.says))
+
+
+def _of_these(taken: Sequence[Condition], told: Sequence[Ratio]) -> list[Condition]:
+    """Signs that were taken, without those of roots that stand in nothing that is told: of places that do not count."""
+    f = told[0].field
+    inside = set[int]().union(*map(f.ingredients, told))
+    roots = [(c, {g for g in f.ingredients(c.element) if f.generators[g].kind == "root"}) for c in taken]
+    return [c for c, own in roots if own <= inside]
 
 
 def _kept(setup: Setup) -> list[Condition]:
