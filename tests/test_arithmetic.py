@@ -12,6 +12,7 @@ import pytest
 
 from freebody.api import System
 from freebody.errors import ModelError
+from posed import is_formula, posed
 
 ATWOOD = """
 parameters: {m1: 3 kg, m2: 2 kg, M: 1 kg, R: 0.1 m, g: 9.81 m/s^2}
@@ -145,3 +146,28 @@ def test_a_vector_is_no_number() -> None:
     answer = System.from_text(ATWOOD).solve("acceleration of left/g").answers[0]
     assert answer.expression is None
     assert "along a direction" in str(answer.reason)
+
+
+BOX = """
+parameters: {m: 50 kg, b: 2 m, g: 9.81 m/s^2, mu: 0.4, P: 100 N}
+ground: {lines: {floor: {along: right}}}
+bodies: {box: {rectangle: {mass: m, width: b, height: b}, at: [0, b/2], points: {l: [-b/2, -b/2], r: [b/2, -b/2]}}}
+connections:
+  l: {contact: {between: [box.l, floor], friction: mu}}
+  r: {contact: {between: [box.r, floor], friction: mu}}
+loads: {w: {gravity: g}, pull: {force: {at: box, along: right, magnitude: P}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("friction force of l + friction force of r", "-P"),
+        ("friction force of l + friction force of r + P", "0"),
+        ("(friction force of l + friction force of r)/(normal force of l + normal force of r)", "-P/(m*g)"),
+        ("|friction force of l + friction force of r|", "P"),
+    ],
+)
+def test_frictions_of_which_only_the_sum_is_determined_are_added(question: str, formula: str) -> None:
+    is_formula(BOX, question, formula)
+    assert posed(BOX, "friction force of l - friction force of r").expression is None

@@ -301,3 +301,60 @@ def test_whether_the_least_is_of_the_first_or_of_the_difference_has_to_be_said()
 def test_what_follows_from_the_parameters_has_no_extreme_in_a_motion() -> None:
     with pytest.raises(fb.ModelError, match="follows from the parameters alone and is the same throughout the motion"):
         System.from_text(ROTOR).solve("greatest mass of rotor")
+
+
+PUSHED = """
+parameters: {m: 2 kg, v0: 1 m/s, F0: 20 N, k: 10 N/m, b: 3 m, c: 1 m}
+bodies: {ball: {particle: {mass: m}, at: [0, 0], velocity: [v0, 0]}}
+connections: {rail: {guide: {body: ball, along: right}}}
+loads: {f: {force: {on: ball, along: right, value: F0 - k*x}}}
+measures: {x: x of ball}
+"""
+SPEED_AT_C = "sqrt(v0^2 + (2*F0*c - k*c^2)/m)"
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        # v^2 = v0^2 + (2 F0 x - k x^2)/m, which grows up to x = F0/k
+        (PUSHED, "greatest speed of ball until x = b", "sqrt(v0^2 + F0^2/(m*k))"),
+        (PUSHED, "greatest speed of ball until x = c", SPEED_AT_C),
+        (PUSHED, "greatest acceleration of ball until x = b", "F0/m"),
+        (PUSHED, "greatest change of x until x = b", "b"),
+        (
+            PUSHED,
+            "(greatest speed of ball until x = c) - (speed of ball at start)",
+            "sqrt(v0^2 + (2*F0*c - k*c^2)/m) - v0",
+        ),
+        # S = m g (3 cos theta - 2 cos a)
+        (PENDULUM, "greatest tension of rope until theta = a/2", "m*g*(3*cos(a/2) - 2*cos(a))"),
+        (PENDULUM, "greatest change of theta until theta = 0", "a"),
+        (PENDULUM, "greatest speed of bob until theta = a/2", "sqrt(2*g*L*(cos(a/2) - cos(a)))"),
+    ],
+)
+def test_an_extreme_up_to_an_event_is_at_an_end_or_where_the_slope_vanishes(
+    model: str, question: str, formula: str
+) -> None:
+    is_formula(model, question, formula)
+
+
+def test_an_extreme_up_to_an_event_is_derived_and_has_a_number_where_nothing_repeats_itself() -> None:
+    told = is_derived(PENDULUM, "greatest tension of rope until theta = 0")
+    assert "3⋅m⋅g" in told["en"] or "3·m·g" in told["en"]
+    found = posed(PENDULUM, "greatest tension of rope until t = 0.1 s")
+    assert found.expression is None
+    assert isinstance(found.value, float)
+    assert found.value < 1.5 * 9.81 * (3 - 2 * math.cos(math.pi / 3))
+
+
+def test_what_a_place_beside_the_way_takes_is_no_condition_of_the_extreme() -> None:
+    """A cart at rest whose pendulum is struck has its greatest speed, 2 m v/(M + m), where the pendulum hangs again."""
+    cart = """
+parameters: {M: 3 kg, m: 1 kg, L: 0.5 m, v: 2 m/s, g: 9.81 m/s^2}
+bodies: {cart: {particle: {mass: M}, at: [0, 0]}, bob: {particle: {mass: m}}}
+connections: {rail: {guide: {body: cart, along: right}}, rod: {link: [cart, bob, L]}}
+loads: {w: {gravity: g}}
+measures: {x: x of cart, theta: {angle of line from cart to bob from down}}
+start: {theta: 0, rate(theta): v/L, x: 0, rate(x): 0}
+"""
+    is_formula(cart, "greatest speed of cart", "2*m*v/(M + m)")

@@ -46,6 +46,32 @@ def test_an_extreme_between_two_phases_has_the_formula_by_hand(model: str, quest
     is_formula(model, question, formula)
 
 
+UPWARDS = """
+parameters: {m: 2 kg, e: 0.5, h: 1 m, H: 1.2 m, g: 9.81 m/s^2, w: 3 m/s}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {particle: {mass: m}, at: [0, h]}}
+connections: {touch: {contact: {between: [ball, floor], restitution: e}}}
+loads: {weight: {gravity: g}}
+measures: {y: y of ball}
+start: {rate(y): w}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("greatest y until y = H", "H"),  # before it turns at h + w^2/(2 g)
+        ("least y until y = H", "h"),
+        ("greatest y until y = h", "h + w^2/(2*g)"),
+        ("greatest speed of ball until y = h/2", "sqrt(w^2 + g*h)"),
+        ("greatest change of y until y = h/2", "(w^2/(2*g) + h/2 + abs(w^2/(2*g) - h/2))/2"),
+        ("greatest change of y until the first impact", "(w^2/(2*g) + h + abs(w^2/(2*g) - h))/2"),
+    ],
+)
+def test_an_extreme_up_to_an_event_knows_nothing_of_what_comes_later(question: str, formula: str) -> None:
+    is_formula(UPWARDS, question, formula)
+
+
 def test_only_what_has_been_positive_falls_unseen() -> None:
     first = np.array([1.0, -1.0, -1.0, 0.0, 1.0])
     seen = np.array([[-1.0, -1.0, 1.0, -1.0, 1.0], [-1.0, -1.0, -1.0, -1.0, 1.0]])

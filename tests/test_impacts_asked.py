@@ -235,3 +235,21 @@ start: {x: 0, y: r, rate(x): v, rate(y): -u, phi: 0, rate(phi): w}
         "least mu so that velocity of x after the impact <= (5*v - 2*r*w)/7",
         "2*(v + r*w)/(7*(1 + e)*u)",
     )
+
+
+def test_what_just_stops_is_found_on_the_border_of_going_on_and_rebounding() -> None:
+    """Behind the impact A has (mA - e mB) u/(mA + mB): it slides on, or back."""
+    model = """
+parameters: {mA: 2 kg, mB: 3 kg, v0: 6 m/s, mu: 0.2, e: 0.5, d: 2 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  A: {particle: {mass: mA}, at: [0, 0], velocity: [v0, 0]}
+  B: {particle: {mass: mB}, at: [d, 0]}
+connections:
+  fa: {contact: {between: [A, floor], friction: mu}}
+  fb: {contact: {between: [B, floor], friction: mu}}
+  hit: {stop: {measure: gap, min: 0, restitution: e}}
+loads: {w: {gravity: g}}
+measures: {gap: x of B from A, xA: x of A, xB: x of B}
+"""
+    is_formula(model, "value of e for which speed of A after the impact = 0", "mA/mB")

@@ -1,5 +1,7 @@
-"""Parts that do not act on each other in a phase: each has the energy that it has alone. What strikes a hanging rod at
-the depth a gives it the angular velocity w = 3 m v a (1 + e)/(3 m a^2 + M L^2), and the rod swings on by
+"""Parts that do not act on each other, in a phase or in smooth motion: each has the energy that it has alone.
+
+What strikes a hanging rod at the depth a gives it the angular velocity w = 3 m v a (1 + e)/(3 m a^2 + M L^2), and the
+rod swings on by
 
     w^2 + (3 g/L) cos(angle from below) = const.,
 
@@ -13,7 +15,7 @@ from freebody.api import System
 from freebody.study.phases.tree import tree_of
 from freebody.symbolic.blocks import apart_from
 from freebody.symbolic.phases.energy_motion import EnergyMotion
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 CART = """
 parameters: {m: 1 kg, M: 2 kg, L: 1 m, v: 2 m/s, e: 0.8, g: 9.81 m/s^2}
@@ -81,3 +83,36 @@ def test_what_a_spring_joins_is_one_block() -> None:
     phase = tree_of(System.from_text(joined)).roots[0].phase
     rod, _turn, x, y = phase.model.coordinates
     assert not {rod, x, y} & {*apart_from(phase.model, rod), *apart_from(phase.model, x)}
+
+
+APART = """
+parameters: {m: 2 kg, M: 1 kg, L: 1 m, g: 9.81 m/s^2, alpha: 60 deg, k: 5 N/m^3, a: 0.3 m, m3: 2 kg, L3: 2 m}
+ground: {points: {P: [10 m, 0], O: [0, 0]}}
+bodies: {bob: {particle: {mass: m}}, block: {particle: {mass: M}}, third: {rod: {mass: m3, length: L3}}}
+connections:
+  rod: {link: [ground.O, bob, L]}
+  rail: {guide: {body: block, along: right}}
+  hinge: {pin: [ground.P, third.start]}
+loads: {weight: {gravity: g}, spring: {law: {measure: x, force: -k*x^3}}}
+measures: {theta: {angle of line from ground.O to bob from down}, phi: {angle of third from right}, x: x of block}
+start: {theta: alpha, rate(theta): 0, x: a, rate(x): 0, phi: 0, rate(phi): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("velocity of theta when theta = 0", "-sqrt(2*g*(1 - cos(alpha))/L)"),
+        ("tension of rod when theta = 0", "m*g*(3 - 2*cos(alpha))"),
+        ("greatest tension of rod", "m*g*(3 - 2*cos(alpha))"),
+        ("velocity of x when x = 0", "-a^2*sqrt(k/(2*M))"),
+        ("least x", "-a"),
+        ("velocity of phi when phi = -90 deg", "-sqrt(3*g/L3)"),
+    ],
+)
+def test_parts_that_move_smoothly_have_their_own_energies(question: str, formula: str) -> None:
+    is_formula(APART, question, formula)
+
+
+def test_the_energy_of_a_part_is_derived() -> None:
+    assert "do not act on each other" in is_derived(APART, "velocity of theta when theta = 0")["en"]

@@ -15,7 +15,19 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Protocol
 
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
-from freebody.language.expression import FUNCTIONS, Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol, free_symbols
+from freebody.language.expression import (
+    FUNCTIONS,
+    Call,
+    Expr,
+    Number,
+    PowerOf,
+    ProductOf,
+    Sum,
+    Symbol,
+    add,
+    free_symbols,
+    multiply,
+)
 from freebody.language.parser import parse
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
@@ -331,6 +343,8 @@ def read_calculated(
     for name in sorted(free_symbols(form) - named.keys()):
         if name != "pi":
             inside.append((name, OfParameters(Symbol(name), dimensions[name])))
+    together = dict(inside)
+    form, inside = _together(form, together), list(together.items())
     form = _with_constants(form, {*named}, inside, dimensions)
     used = free_symbols(form)
     operands_left = tuple((name, q) for name, q in inside if name in used)
@@ -338,6 +352,29 @@ def read_calculated(
     of_answers = not scopes.isdisjoint(OF_MOTIONS)
     kind = CalculatedOfMotion if of_answers else CalculatedOnTheWay if "course" in scopes else Calculated
     return kind(form, operands_left, measured, text)
+
+
+def _together(form: Expr, operands: dict[str, Quantity]) -> Expr:
+    """Terms of a sum that are one quantity together as one operand, which takes the place of the first: of two
+    frictions only the sum may be determined."""
+    if isinstance(form, ProductOf):
+        return multiply(*(_together(factor, operands) for factor in form.factors))
+    if isinstance(form, Call):
+        return Call(form.function, _together(form.argument, operands))
+    if not isinstance(form, Sum):
+        return form
+    kept = list[Expr]()
+    for term in form.terms:
+        its = operands.get(term.name) if isinstance(term, Symbol) else None
+        for one in kept:
+            if its is not None and isinstance(one, Symbol) and one.name in operands:
+                whole = operands[one.name].added_to(its)
+                if whole is not None:
+                    operands[one.name] = whole
+                    break
+        else:
+            kept.append(_together(term, operands))
+    return add(*kept)
 
 
 def _numbers(runs: Sequence[str]) -> dict[int, Quantity]:

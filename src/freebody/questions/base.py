@@ -322,6 +322,10 @@ class Quantity:
         """The measure whose value, rate or acceleration it is, and which of these."""
         return None
 
+    def added_to(self, other: Quantity) -> Quantity | None:
+        """The sum with another one as a quantity, which may be determined where its parts are not."""
+        return None
+
     @property
     def principle(self) -> str:
         """Which principle governs its change: the part of the catalogues with the sentences about its conservation."""

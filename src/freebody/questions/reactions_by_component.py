@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -91,6 +91,13 @@ questions: {it: tension of rod}
     @property
     def may_jump(self) -> bool:
         return True
+
+    def added_to(self, other: Quantity) -> Quantity | None:
+        its = component_of(other)
+        if its is None or self.less or its.less or self.reaction != its.reaction or self.transmits != its.transmits:
+            return None
+        rows = (self.row, *self.further, its.row, *its.further)
+        return replace(self, at=(), further=rows[1:], free_wheels=()) if len({*rows}) == len(rows) else None
 
     def value(self, system: Described, state: State[Any]) -> Any:
         """What the row transmits, less the dry friction on the way to the place that is asked for. Raises CannotAnswer

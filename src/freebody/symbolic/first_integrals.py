@@ -63,6 +63,16 @@ class FirstIntegrals:
         self.keeps_side = False  # of a motion that is followed only as long as it stays on the side of its start
         self.field = model.field
 
+    def suffice_for(self, c: Coordinate) -> bool:
+        """Whether they give the speed of a coordinate."""
+        try:
+            self.speed_squared(c, self.field.variable(c.index))
+        except FormulaTooLong:
+            return True
+        except CannotAnswer:
+            return False
+        return True
+
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
         """u^2 at q = at."""
         f = self.field
@@ -74,7 +84,7 @@ class FirstIntegrals:
         for j, row in enumerate(M):
             for k, entry in enumerate(row):
                 total = total + f.follow(self._explicit(entry), self.start.values) * u0[j] * u0[k]
-        before, now = (self.potential(values) for values in (self.start.values, {**self.resting, c.index: at}))
+        before, now = (self.potential(values) for values in (self.start.values, {**self._held, c.index: at}))
         square = self.on_its_line((total - rest + 2 * (before - now)) / mass)
         if self.model.dependent and len(square.num) > _MOST_TERMS:
             raise FormulaTooLong(Message("through the closed loop the speed would be a formula that is too long"))
@@ -98,7 +108,7 @@ class FirstIntegrals:
         before = f.follow(now, self.start.values)
         for entry, other in zip(self.model.dynamics.mass_matrix[row], self.model.coordinates, strict=True):
             entry = self._explicit(entry)
-            now = now + entry * (f.zero if other.index in self.resting else f.variable(other.speed))
+            now = now + entry * (f.zero if other.index in self._held else f.variable(other.speed))
             before = before + f.follow(entry, self.start.values) * self.start.of(other.speed)
         return now, before
 
@@ -141,7 +151,7 @@ class FirstIntegrals:
             return parts.second, self._in_place(parts.rest, c)
         if len(self.model.coordinates) > 1:
             mass, rest = self._reduced(c)
-            return mass / 2, self.field.lowest_terms(rest / 2 + self.potential(dict(self.resting)))
+            return mass / 2, self.field.lowest_terms(rest / 2 + self.potential(dict(self._held)))
         return self.model.dynamics.mass_matrix[0][0] / 2, self.potential({})
 
     def by_degree(self, c: Coordinate) -> JacobiParts:
@@ -184,7 +194,7 @@ class FirstIntegrals:
         side of the start. A coordinate that is a distance itself is never on the other side."""
         f, samples = self.field, self.model.samples
         roots = {g: f.radicand(g) for g in x.generators() if f.generators[g].kind == "root" and f.generators[g].made_of}
-        if not (self.keeps_side and self.resting):
+        if not (self.keeps_side and self._held):
             roots = {g: square for g, square in roots.items() if self._keeps_sign(square)}
         plain = {g: x for g, x in roots.items() if all(n % 2 == 0 for _base, n in f.factor(x.num)[1])}
         if any(abs(value) < ROUND_OFF for x in plain.values() for value in samples.at_starts(x)):
@@ -202,7 +212,7 @@ class FirstIntegrals:
     def _explicit(self, x: Ratio) -> Ratio:
         """Without the angles that closed loops bind, and with what stays at rest where it is."""
         x = self._closure.explicit(x) if self.model.dependent else x
-        return self.field.follow(x, self.resting) if self.resting else x
+        return self.field.follow(x, self._held) if self._held else x
 
     @cached_property
     def resting(self) -> dict[int, Ratio]:
@@ -210,7 +220,12 @@ class FirstIntegrals:
         all of them are there none is accelerated, whatever the others do."""
         if self.model.dependent or is_driven(self.model) or len(self.model.coordinates) < 2:
             return {}
-        return staying_of(self.model, self.start) | self.apart
+        return {g: x for g, x in staying_of(self.model, self.start).items() if g not in self.apart}
+
+    @cached_property
+    def _held(self) -> dict[int, Ratio]:
+        """What is no variable here: what stays at rest, and what moves apart."""
+        return self.resting | self.apart
 
     @cached_property
     def _closure(self) -> Closure:
@@ -224,7 +239,7 @@ class FirstIntegrals:
         except CannotAnswer:
             return {}
         own = {c.index: at, c.speed: speed}
-        return {k: self.field.follow(x, own) for k, x in speeds.items() if k != c.speed}
+        return {k: self.field.follow(x, own) for k, x in speeds.items() if k != c.speed and k not in self.apart}
 
     def places_at(self, c: Coordinate, at: Ratio, time: Ratio | None) -> dict[int, Ratio]:
         """The other coordinates, by generator, where one of them has a value: dq_k/dt = a + b(q) dq/dt is integrated
@@ -236,7 +251,7 @@ class FirstIntegrals:
         except CannotAnswer:
             return {}
         for k in self.model.coordinates:
-            if k is c:
+            if k is c or k.index in self.apart:
                 continue
             speed = speeds[k.speed]
             along = f.partial(speed, c.speed)
@@ -250,7 +265,7 @@ class FirstIntegrals:
         return found
 
     def _check(self, c: Coordinate) -> None:
-        others = [k for k in self.model.coordinates if k is not c and k.index not in self.resting]
+        others = [k for k in self.model.coordinates if k is not c and k.index not in self._held]
         if any(k.index in self._needed for k in others):
             raise CannotAnswer(
                 Message(
@@ -281,7 +296,7 @@ class FirstIntegrals:
             elements = [self._kinetic, self._potential(SymbolicState(self.model))]
         else:
             entries = [self._explicit(x) for row in self.model.dynamics.mass_matrix for x in row]
-            elements = [*entries, self.potential(dict(self.resting))]
+            elements = [*entries, self.potential(dict(self._held))]
         return set[int]().union(*map(self.field.ingredients, elements))
 
     def speeds(self, c: Coordinate) -> dict[int, Ratio]:
@@ -289,7 +304,7 @@ class FirstIntegrals:
         self._check(c)
         f, names = self.field, self.model.coordinates
         own = names.index(c)
-        others = [k for k in range(len(names)) if k != own and names[k].index not in self.resting]
+        others = [k for k in range(len(names)) if k != own and names[k].index not in self._held]
         rows: list[Row] = []
         for k in others:
             line = [self._explicit(x) for x in self.model.dynamics.mass_matrix[k]]
@@ -301,7 +316,7 @@ class FirstIntegrals:
         if solved.free or solved.contradictory:
             raise CannotAnswer(Message("the momenta do not give the speeds of the other coordinates"))
         found = {k: f.lowest_terms(line.get(RHS, f.zero)) for k, line in solved.pivots.items()}
-        still = {k.speed: f.zero for k in names if k.index in self.resting}
+        still = {k.speed: f.zero for k in names if k.index in self._held}
         return {**still, **found, c.speed: f.variable(c.speed)}
 
     def potential(self, values: dict[int, Ratio]) -> Ratio:

@@ -118,8 +118,9 @@ class SmoothMotion(MotionCycles):
     def _independent_at(self, reached: Reached) -> dict[int, Ratio]:
         values = dict(reached.values)
         if (c := reached.coordinate) is not None and reached.speed is not None and len(self.model.coordinates) > 1:
-            values = self.integrals.speeds_at(c, reached.at, reached.speed) | values
-            values = self.integrals.places_at(c, reached.at, reached.time) | values
+            integrals = self.integrals_of(c)
+            values = integrals.speeds_at(c, reached.at, reached.speed) | values
+            values = integrals.places_at(c, reached.at, reached.time) | values
         if reached.time is None:
             return values
         values[self.field.index(self.field.time)] = reached.time

@@ -51,7 +51,7 @@ class MotionCycles(MotionLaws):
         if self.stands_still:
             return Reached(self.field.zero, c, q0, self.field.zero)
         try:
-            self.integrals.speed_squared(c, self.field.variable(c.index))
+            self.speed_squared(c, self.field.variable(c.index))
         except CannotAnswer:
             law = self.law_of(c, takes_side=True)
             if law is None:

@@ -12,6 +12,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.symbolic.blocks import apart_from
 from freebody.symbolic.coupled import CoupledMotion, coupled_with
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
@@ -30,6 +31,7 @@ class MotionLaws:
         self.start = start
         self.field = model.field
         self.integrals = FirstIntegrals(model, start)
+        self._integrals = dict[int, FirstIntegrals]()
         self._on_one_side = False
 
     def coupled(self, c: Coordinate) -> CoupledMotion | None:
@@ -120,12 +122,20 @@ class MotionLaws:
         return False
 
     # -- first integral -----------------------------------------------------------------------
+    def integrals_of(self, c: Coordinate) -> FirstIntegrals:
+        """Those that give the speed of a coordinate: of all of the model, or where these do not suffice of what it
+        moves together with."""
+        if c.index not in self._integrals:
+            apart = () if self.integrals.suffice_for(c) else apart_from(self.model, c)
+            self._integrals[c.index] = FirstIntegrals(self.model, self.start, apart) if apart else self.integrals
+        return self._integrals[c.index]
+
     def way_of(self, c: Coordinate) -> EnergyPath:
         """The way of a coordinate by energy."""
         square = self.speed_squared(c, self.field.variable(c.index))
         a0 = self.field.follow(self.acceleration(c), self.start.values)
         start = self.start.of(c.index), self.start.of(c.speed), a0
-        coasts = self.integrals.coasts(c)
+        coasts = self.integrals_of(c).coasts(c)
         return EnergyPath(self.model, c, square, start, takes_side=self._on_one_side, coasts=coasts)
 
     @contextmanager
@@ -143,4 +153,4 @@ class MotionLaws:
 
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
         """u^2 at q = at."""
-        return self.integrals.speed_squared(c, at)
+        return self.integrals_of(c).speed_squared(c, at)

@@ -131,7 +131,7 @@ def _by_integrals(motion: SmoothMotion, c: Coordinate, x: Ratio) -> Ratio:
     """An element that knows of no speeds: those of the other coordinates follow from momenta, u^2 from energy."""
     f = motion.field
     if len(motion.model.coordinates) > 1:
-        x = f.follow(x, {k: speed for k, speed in motion.integrals.speeds(c).items() if k != c.speed})
+        x = f.follow(x, motion.integrals_of(c).speeds_at(c, f.variable(c.index), f.variable(c.speed)))
     parts = x.numerator().coefficients(c.speed)
     if c.speed in f.ingredients(x.denominator()) or any(not p.is_zero() for p in parts[1::2]):
         raise _NotOne

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol, add, multiply, number, power
 from freebody.language.sentences import Message
@@ -29,7 +31,7 @@ def lines_by_energy(way: EventWay) -> list[int]:
     if reached.speed is None:
         raise CannotAnswer(Message("the motion to the event has no closed form"))
     lines = first_integral(context, script)
-    speeds = tell_momenta(script, context.setup.motion.integrals, c, lines, "event")
+    speeds = tell_momenta(script, context.setup.motion.integrals_of(c), c, lines, "event")
     u = rates_of(c.name, 1)
     event = way.question.event
     assert isinstance(event, QuestionEvent)
@@ -38,7 +40,7 @@ def lines_by_energy(way: EventWay) -> list[int]:
         given = place_line(way)
         # where the place is given its values are put in; where the speed is given the place is found
         put_in: dict[int, Ratio] = {} if event.order == 1 else {c.index: reached.at}
-        second, rest = (context.setup.motion.closure.explicit(x) for x in context.setup.motion.integrals.terms(c))
+        second, rest = (context.setup.motion.closure.explicit(x) for x in context.setup.motion.integrals_of(c).terms(c))
         end, u0 = [f.lowest_terms(f.follow(x, put_in)) for x in (second, rest)], at_start(way)[1]
         m_start, v_start = (f.follow(x, context.setup.start.values) for x in (second, rest))
         left = add(multiply(tidy(end[0]), power(u, number(2))), tidy(end[1]))
@@ -68,22 +70,30 @@ def first_integral(context: Context, script: Script) -> list[int]:
 
 
 def say_first_integral(context: Context, script: Script, c: Coordinate) -> None:
-    """What else is like a potential energy along the motion, and what is conserved beside a driver."""
+    """What else is like a potential energy along the motion, what is conserved beside a driver, and what of the energy
+    belongs to coordinates that move apart."""
     setup, system = context.setup, context.system
-    f = setup.model.field
+    f, integrals = setup.model.field, context.setup.motion.integrals_of(c)
+    if apart := [k for k in setup.model.coordinates if k.index in integrals.apart]:
+        own = [k for k in setup.model.coordinates if k not in apart]
+        script.say("course.apart", own=_symbols(own), names=_symbols(apart))
     for load in dict.fromkeys(p.load for p in system.applied_loads if not system.loads[p.load].stores_energy):
-        parts = [setup.motion.integrals.potential_of(p, setup.state) for p in system.applied_loads if p.load == load]
+        parts = [integrals.potential_of(p, setup.state) for p in system.applied_loads if p.load == load]
         total = f.lowest_terms(sum(parts, f.zero))
         if not total.is_zero():
             script.say("course.as_potential", load=load, potential=tidy(total), name=Symbol(c.name))
     if is_driven(setup.model):
-        led = setup.motion.integrals.by_degree(c).led
+        led = integrals.by_degree(c).led
         rates = tuple(rates_of(k.name, 1) for k in setup.model.coordinates)
         if led.is_zero():
             script.say("course.jacobi", rates=rates)
         else:
             potential, rate = tidy(f.lowest_terms(led)), rates_of(c.name, 1)
             script.say("course.inertia", rate=rate, rates=rates, name=Symbol(c.name), potential=potential)
+
+
+def _symbols(coordinates: Sequence[Coordinate]) -> tuple[Symbol, ...]:
+    return tuple(Symbol(k.name) for k in coordinates)
 
 
 def square_line(context: Context, script: Script, c: Coordinate, lines: list[int], when: TrueWhen) -> int:
@@ -109,7 +119,7 @@ def time_by_energy(way: EventWay) -> list[int]:
     assert reached.integral is not None
     assert reached.time is not None
     lines = first_integral(context, script)
-    lines += tell_momenta(script, context.setup.motion.integrals, c, lines, "event")
+    lines += tell_momenta(script, context.setup.motion.integrals_of(c), c, lines, "event")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "event")

@@ -56,6 +56,8 @@ def _of_extent(
 ) -> list[DerivationStage]:
     """By the turn of its coordinate where it goes one way with it, else as an extreme of the motion."""
     setup = context.setup
+    if question.event is not None:
+        return tell_extreme(context, question, quantity.of_motion, method)
     if (turned := _evenly(quantity.of_motion, context, question, method)) is not None:
         return turned
     swings = wave_of(setup, quantity.of_motion.of) is not None
@@ -79,7 +81,7 @@ def _turning(
         return _first_turn(quantity, context, question, answer, method)
     script = context.script()
     lines = first_integral(context, script)
-    lines += tell_momenta(script, setup.motion.integrals, c, lines, "start")
+    lines += tell_momenta(script, setup.motion.integrals_of(c), c, lines, "start")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")
@@ -133,6 +135,8 @@ def _extreme(
     q: ExtremeOfMotion, context: Context, question: Question, answer: Answer, method: Method
 ) -> list[DerivationStage]:
     """Of a quantity over the motion; what a drive keeps going makes one turn after the other."""
+    if question.event is not None:
+        return tell_extreme(context, question, q, method)
     if (turned := _evenly(q, context, question, method)) is not None:
         return turned
     if (swing := wave_of(context.setup, q.of)) is not None:

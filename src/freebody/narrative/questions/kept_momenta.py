@@ -34,7 +34,7 @@ def tell_momenta(
     """The momenta of the coordinates beside c, and the speeds that they give. lines: the energies; show: how what
     belongs to the start is written; opens: whether they are a stage of their own. Returns the lines of the speeds; none
     where c is alone."""
-    others = [k for k in integrals.model.coordinates if k is not c]
+    others = [k for k in integrals.model.coordinates if k is not c and k.index not in integrals.apart]
     if not others:
         return ()
     moving = [k for k in others if k.index not in integrals.resting]
@@ -73,11 +73,11 @@ def places_by_momenta(
 ) -> tuple[int, ...]:
     """Where other coordinates that are asked for are at the event, where their speeds can be integrated over the
     way."""
-    motion = context.setup.motion
+    integrals = context.setup.motion.integrals_of(c)
     found: list[int] = []
-    places = motion.integrals.places_at(c, reached.at, reached.time)
+    places = integrals.places_at(c, reached.at, reached.time)
     for k in asked:
-        if k is not c and k.index in places and k.index not in motion.integrals.resting:
+        if k is not c and k.index in places and k.index not in integrals.resting:
             args: dict[str, Argument] = {"lines": tuple(lines)}
             value = tidy(places[k.index])
             found.append(

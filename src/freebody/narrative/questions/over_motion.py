@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol, number, power
 from freebody.language.sentences import Message, Sentence
 from freebody.narrative.context import Context, Method, refuse
@@ -15,9 +16,10 @@ from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
 from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.questions.extent import ExtremeOfMotion
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.crosscheck import SaysNothing, holds
-from freebody.study.answering.motion_extremes import Along, Stationary, along
+from freebody.study.answering.extremes_until import extreme_in_numbers
+from freebody.study.answering.motion_extremes import Along, Stationary, along, along_until
 from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.symbolic.tidy import tidy
 
@@ -29,14 +31,13 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
     refuse(method, ("energy",), Message("what is greatest over a motion"))
     f, script = model.field, context.script()
     with setup.motion.on_one_side():
-        seen = along(setup, q.of)
-        seen.add_needs()
+        seen = _seen(context, question, q)
         found = seen.candidates()
         chosen = seen.best(found, q.side)
     parts, unknowns = parts_of(context, q.of)
     forces = by_momentum(context, script, unknowns) if unknowns else {}
     lines = first_integral(context, script)
-    lines += tell_momenta(script, setup.motion.integrals, seen.c, lines, "start")
+    lines += tell_momenta(script, setup.motion.integrals_of(seen.c), seen.c, lines, "start")
     with script.stage("stage.event", "hint.event"):
         say_first_integral(context, script, seen.c)
         square = square_line(context, script, seen.c, lines, "start")
@@ -56,6 +57,8 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
         def read(world: World) -> float:
             if not all(holds(setup, c, world.draw, world.draw.start()) for c in seen.conditions):
                 raise SaysNothing(Message("the motion is another one there"))
+            if question.event is not None:
+                return extreme_in_numbers(setup, world.draw, q, question.event)
             low, high = extremes_over_cycle(setup, world.draw, model.measure_of(seen.c), q.of)
             return low if q.side < 0 else high
 
@@ -67,9 +70,22 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
     return script.stages
 
 
+def _seen(context: Context, question: Question, q: ExtremeOfMotion) -> Along:
+    """The quantity along all of a motion that repeats itself, or up to an event."""
+    setup = context.setup
+    if isinstance(question.event, QuestionEvent):
+        return along_until(setup, q.of, setup.motion.reach(question.event))
+    if question.event is not None:
+        raise CannotAnswer(Message("there is no closed form"))
+    seen = along(setup, q.of)
+    seen.add_needs()
+    return seen
+
+
 def table_of_places(context: Context, script: Script, seen: Along, found: Sequence[Stationary]) -> None:
     """The places of the motion at which the quantity can be extreme, with its values."""
-    script.say("steady.places_of_motion", name=Symbol(seen.c.name))
+    places = "steady.places_of_motion" if seen.repeats else "steady.places_of_way"
+    script.say(places, name=Symbol(seen.c.name))
     header = (Sentence("steady.table_place"), Sentence("steady.table_value"))
     rows = [(seen.place_text(s), tidy(seen.value_of(s))) for s in found if seen.is_inside(s)]
     script.add(FormulaTable(header, tuple(rows)))

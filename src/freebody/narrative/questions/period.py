@@ -66,7 +66,7 @@ def _by_energy(context: Context, script: Script, c: Coordinate, found: Reached) 
     law = found.integral
     assert law is not None
     lines = first_integral(context, script)
-    lines += tell_momenta(script, context.setup.motion.integrals, c, lines, "start")
+    lines += tell_momenta(script, context.setup.motion.integrals_of(c), c, lines, "start")
     with script.stage("stage.integration", "hint.integration"):
         say_first_integral(context, script, c)
         square = square_line(context, script, c, lines, "start")

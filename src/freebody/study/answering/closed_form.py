@@ -317,7 +317,9 @@ class QuestionSolver:
         return f.lowest_terms(f.element(value))
 
     # -- an event along the motion ------------------------------------------------------------
+    @singledispatchmethod
     def _at_event(self, q: Quantity) -> Finding:
+        """By the kind of question, as above."""
         event = self.question.event
         assert event is not None
         try:
@@ -326,9 +328,7 @@ class QuestionSolver:
             if not q.is_of_state or q.is_of_event or not isinstance(event, QuestionEvent):
                 raise
             return self._at_the_start_alone(q, event)
-        purpose, never = event.comes, NeverHappens(event.never)
-        told = self.setup.state.here  # lengths that are held, by what they are at the start
-        conditions = insisted((Condition(told(x), relation, purpose) for x, relation in reached.conditions), never)
+        conditions = self._comes(event, reached)
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         x, there = self._there(q, reached)
         if has_integrals(x):
@@ -358,6 +358,25 @@ class QuestionSolver:
         )
         named = chain_of(self.setup, q, x, there) if q.is_of_state else None
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says, in_names=named)
+
+    @_at_event.register(Extent)
+    def _extent_until(self, q: Extent) -> Finding:
+        return self._extreme_until(q.of_motion)
+
+    @_at_event.register(ExtremeOfMotion)
+    def _extreme_until(self, q: ExtremeOfMotion) -> Finding:
+        from freebody.study.answering.extremes_until import find
+
+        event = self.question.event
+        assert event is not None
+        reached = self._reach(event)
+        return find(self.setup, self.question.text, q, event, reached, self._comes(event, reached))
+
+    def _comes(self, event: AskedEvent, reached: Reached) -> list[Condition]:
+        """What it needs to come; lengths that are held are told by what they are at the start."""
+        needed = ((self.setup.state.here(x), relation) for x, relation in reached.conditions)
+        never = NeverHappens(event.never)
+        return insisted((Condition(x, relation, event.comes) for x, relation in needed), never)
 
     def _there(self, q: Quantity, reached: Reached) -> tuple[Elements, SymbolicState]:
         """A quantity at an event, and the state there; with the loops solved first where the formula is too long

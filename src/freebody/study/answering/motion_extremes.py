@@ -12,8 +12,8 @@ Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, sec. 3.3 (o
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from freebody.errors import CannotAnswer, NotReached
@@ -43,6 +43,7 @@ from freebody.study.setup import Setup
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath, PassedPlaces
@@ -65,7 +66,9 @@ class Stationary:
 
 @dataclass
 class Along:
-    """A quantity along a motion by energy, even + odd u; the square of a size. conditions: under which it is so."""
+    """A quantity along a motion by energy, even + odd u; the square of a size. repeats: whether the motion is
+    meant as a whole, which goes through its places again and again; is_once: whether it goes through them once, in one
+    sense; conditions: under which it is so."""
 
     setup: Setup
     c: Coordinate
@@ -74,29 +77,38 @@ class Along:
     even: Ratio
     odd: Ratio
     is_root: bool
+    repeats: bool = True
+    is_once: bool = False
     conditions: list[Condition] = field(default_factory=list[Condition])
 
     # -- what may be extreme ------------------------------------------------------------------
     def candidates(self) -> list[Stationary]:
-        """The values at the turns and where the slope vanishes, each once."""
-        f, found = self.setup.model.field, list[Stationary]()
+        """The values at the ends of the way and where the slope vanishes, each once."""
+        found = list[Stationary]()
         for end in () if self.span.ends is None else self.span.ends:
-            found = _with(found, Stationary(self._at(self.even, end), ((end, self.way.numbers(end)),), is_turn=True))
+            for value in self._values(end) if self.is_once else (self._at(self.even, end),):  # u = 0 at a turn
+                found = _with(found, Stationary(value, ((end, self.way.numbers(end)),), is_turn=True))
         for place, numbers in self.way.places(self._slope()):
-            rate = f.sqrt(self._at(self.way.square, place), self.setup.model.samples.is_negative)
-            for sense in self.senses if not self.odd.is_zero() else (0,):
-                value = self._at(self.even, place)
-                if sense:
-                    value = f.lowest_terms(value + sense * self._at(self.odd, place) * rate)
+            for value in self._values(place):
                 found = _with(found, Stationary(value, ((place, numbers),)))
         if not found:
             raise _NO_FORM
         return found
 
+    def _values(self, place: Ratio) -> Iterator[Ratio]:
+        """The quantity at a place, in each sense in which the motion goes through it."""
+        f, value = self.setup.model.field, self._at(self.even, place)
+        if self.odd.is_zero():
+            yield value
+            return
+        rate = f.sqrt(self._at(self.way.square, place), self.setup.model.samples.is_negative)
+        for sense in self.senses:
+            yield f.lowest_terms(value + sense * self._at(self.odd, place) * rate)
+
     @property
     def senses(self) -> tuple[int, ...]:
         """In which the coordinate moves: both ways, or on and on."""
-        return (1, -1) if self.span.ends is not None else (self.way.sense,)
+        return (self.way.sense,) if self.span.ends is None or self.is_once else (1, -1)
 
     def _slope(self) -> Ratio:
         """What vanishes where the slope along the coordinate does."""
@@ -239,7 +251,24 @@ def along(setup: Setup, of: Quantity) -> Along:
     raise reason or CannotAnswer(Message("nothing moves by itself"))
 
 
-def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
+def along_until(setup: Setup, of: Quantity, reached: Reached) -> Along:
+    """A quantity along the motion from its start to an event. Raises CannotAnswer where that is not one freedom by
+    energy, or where it changes with the sense of a motion that turns before."""
+    c = reached.coordinate
+    if c is None:
+        raise _NO_FORM
+    way = setup.motion.way_of(c)
+    begin, end = way.covered(reached.at)
+    ends = (begin, end) if way.numbers(begin)[0] < way.numbers(end)[0] else (end, begin)
+    seen = _along(setup, of, c, PassedPlaces(ends, [], []))
+    turns = begin != way.q0
+    if turns and not seen.odd.is_zero():
+        raise _NO_FORM
+    return replace(seen, repeats=False, is_once=not turns)
+
+
+def _along(setup: Setup, of: Quantity, c: Coordinate, span: PassedPlaces | None = None) -> Along:
+    """span: the places that count, else all of a motion that repeats itself."""
     model, motion = setup.model, setup.motion
     f = model.field
     value = of.value(setup.system, setup.state)
@@ -248,8 +277,9 @@ def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
     way = motion.way_of(c)
     x = explicit(model, f.lowest_terms(model.in_independent_speeds(f.element(value))))
     place = f.variable(c.index)
-    here = {**motion.integrals.places_at(c, place, None), **motion.integrals.resting}
-    here |= motion.integrals.speeds_at(c, place, f.variable(c.speed))
+    integrals = motion.integrals_of(c)
+    here = {**integrals.places_at(c, place, None), **integrals.resting}
+    here |= integrals.speeds_at(c, place, f.variable(c.speed))
     here = {k: v for k, v in here.items() if k not in (c.index, c.speed)}
     x = f.lowest_terms(f.follow(x, here))
     others = {k.index for k in (*model.coordinates, *model.dependent)} - {c.index}
@@ -262,7 +292,7 @@ def _along(setup: Setup, of: Quantity, c: Coordinate) -> Along:
         x = f.lowest_terms(x * x)
     even, odd = _by_parity(x, c, way.square)
     try:
-        span = way.span()
+        span = span or way.span()
     except NotReached:
         raise CannotAnswer(Message("the motion does not repeat itself")) from None
     return Along(setup, c, way, span, even, odd, is_root)
@@ -304,8 +334,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     seen.add_needs()
     found = seen.candidates()
     chosen = [seen.best(found, side) for side in sides]
-    conditions = [*seen.conditions, *_kept(setup), *taken_throughout(setup)]
     values = tuple(seen.value_of(s) for s in chosen)
+    conditions = [*seen.conditions, *_kept(setup)]
+    conditions += _of_these(taken_throughout(setup), [*values, seen.even, seen.odd, *(c.element for c in conditions)])
     check = CrossCheck(question, Message("numerical integration over a cycle of the motion"), MOTION_TOLERANCE)
     measure = setup.model.measure_of(seen.c)
 
@@ -321,6 +352,14 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     notes = [seen.where(words[side], s) for side, s in zip(sides, chosen, strict=True)]
     element = values if len(values) > 1 else next(iter(values))
     return Finding(element, evidence, conditions, notes, list(seen.span.says))
+
+
+def _of_these(taken: Sequence[Condition], told: Sequence[Ratio]) -> list[Condition]:
+    """Signs that were taken, without those of roots that stand in nothing that is told: of places that do not count."""
+    f = told[0].field
+    inside = set[int]().union(*map(f.ingredients, told))
+    roots = [(c, {g for g in f.ingredients(c.element) if f.generators[g].kind == "root"}) for c in taken]
+    return [c for c, own in roots if own <= inside]
 
 
 def _kept(setup: Setup) -> list[Condition]:

@@ -93,7 +93,7 @@ def number_instead(setup: Setup, question: Question) -> Value:
         return number_of_loop(q, setup)
     if q.wanted is not None:
         return None
-    if question.event is not None and not q.is_of_state:
+    if question.event is not None and not q.is_of_state and q.turn is None:
         return None  # it says of which equilibrium it is asked
     return number_of(setup, q, question.event)
 
@@ -114,7 +114,8 @@ def number_at(setup: Setup, quantity: Quantity, event: AskedEvent | None, draw: 
                 if part.transition is not None:
                     raise CannotAnswer(Message("numbers alone tell nothing of an event of contacts and strings"))
                 return number_at(setup, part.of, part.event, draw)
-            return number_at(setup, part.of if isinstance(part, AtStart) else part, None, draw)
+            of, until = (part.of, None) if isinstance(part, AtStart) else (part, event)
+            return number_at(setup, of, until, draw)
 
         return float(number_at_draw(quantity, draw, number))
     return _number(quantity, setup, event, draw)
@@ -182,6 +183,8 @@ def _period_number(quantity: Period, setup: Setup, event: AskedEvent | None, dra
 def _extent_number(quantity: Extent, setup: Setup, event: AskedEvent | None, draw: Draw) -> float | tuple[float, ...]:
     from freebody.study.answering.extent import extent_in_numbers
 
+    if event is not None:
+        return _extreme_number(quantity.of_motion, setup, event, draw)
     value = extent_in_numbers(draw, quantity.measure, quantity.side)
     if len(setup.model.coordinates) > 1 or depends_on_time(setup.system):  # the first turns need not be the farthest
         _insist_no_farther(quantity, draw, value)
@@ -208,8 +211,11 @@ def _insist_no_farther(quantity: Extent, draw: Draw, value: float) -> None:
 def _extreme_number(
     quantity: ExtremeOfMotion, setup: Setup, event: AskedEvent | None, draw: Draw
 ) -> float | tuple[float, ...]:
+    from freebody.study.answering.extremes_until import extreme_in_numbers
     from freebody.study.answering.motion_values import extremes_over_cycle
 
+    if event is not None:
+        return extreme_in_numbers(setup, draw, quantity, event)
     measure = next(iter(setup.system.measures.values()), None)
     low, high = extremes_over_cycle(setup, draw, measure, quantity.of, is_exact=True)
     return low if quantity.side < 0 else high

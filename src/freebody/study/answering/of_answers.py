@@ -27,15 +27,15 @@ from freebody.system.system import System
 
 
 def questions_in(question: Question) -> tuple[Question, ...]:
-    """A question for each operand that is more than parameters."""
-    alone = replace(question, options={}, key=None, event=None, at_start=False, transition=None)
+    """A question for each operand that is more than parameters; one of a motion up to an event is asked up to it."""
+    alone = replace(question, options={}, key=None, at_start=False)
     asked: list[Question] = []
     for k, q in enumerate(question.quantity.inner):
         part = replace(alone, id=f"{question.id} {k}", quantity=q)
         if isinstance(q, AtEvent):
             part = replace(part, quantity=q.of, event=q.event, at_start=q.at_start, transition=q.transition)
         elif isinstance(q, AtStart):
-            part = replace(part, quantity=q.of, at_start=True)
+            part = replace(part, quantity=q.of, event=None, at_start=True, transition=None)
         if not isinstance(q, OfParameters):
             asked.append(part)
     return tuple(asked)

@@ -138,7 +138,7 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
         equation = compared(tidy(turned[0].element.numerator()), "=", ZERO)
         why = Message("the equation {equation} is not solved for {name} in closed form", equation=equation, name=name)
         raise _in_numbers(setup, question, turned, reworded(why, equation))
-    possible = [c for c in candidates if c.at]
+    possible = [c for c in candidates if c.at] or list(_between_cases(turned))
     if not possible and (told := _of_other_sign(setup.system.parameters[name], candidates)) is not None:
         raise NoneFound(told)
     if not possible and isinstance(why_not, SoInRange):
@@ -146,6 +146,14 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
     if not possible:
         raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
     return _chosen(possible)
+
+
+def _between_cases(turned: Sequence[_Turned]) -> Iterator[_Candidate]:
+    """Values on the border of two cases by the formulas of both: a body that rebounds or goes on, and just stops."""
+    found = [c for one in turned for c in one.candidates(at_border=True) if c.at]
+    for k, c in enumerate(found):
+        if any(c.value == other.value and c.of is not other.of for other in found[k + 1 :]):
+            yield c
 
 
 def _of_other_sign(parameter: Parameter, candidates: Sequence[_Candidate]) -> Message | None:
@@ -206,8 +214,9 @@ class _Turned:
     element: Ratio
     formula: Formula
 
-    def candidates(self) -> list[_Candidate]:
-        """All values that solve the equation, with what they need."""
+    def candidates(self, *, at_border: bool = False) -> list[_Candidate]:
+        """All values that solve the equation, with what they need. at_border: what the formula needs may just not be so
+        there."""
         field, known = self.setup.model.field, list[Ratio]()
         equation, one_side = without_roots(self.element, self.index)
         zeros = zeros_of(self.setup.model, equation, self, quadratic=True)
@@ -219,12 +228,14 @@ class _Turned:
         below = self.element.denominator()
         if self.index in field.ingredients(below):
             needed.append(Condition(below, "!=", Message("divisor")))
-        return [self._candidate(value, needed) for value in known]
+        return [self._candidate(value, needed, at_border=at_border) for value in known]
 
-    def _candidate(self, value: Ratio, needed: Sequence[Condition]) -> _Candidate:
+    def _candidate(self, value: Ratio, needed: Sequence[Condition], *, at_border: bool) -> _Candidate:
         """needed: in which the value is put in for the parameter, as it is where the formula is one."""
         conditions = [*domain_of(self.parameter, value), *real(value)]
-        conditions += [self._with_value(c, value) for c in (*needed, *self.formula.needed)]
+        own = [self._with_value(c, value) for c in self.formula.needed]
+        own = [c for c in own if not (at_border and c.relation == ">" and c.element.is_zero())]
+        conditions += [*(self._with_value(c, value) for c in needed), *own]
         kept: list[Condition] = []
         for c in conditions:
             condition, possible = require(c.element, c.relation, c.purpose)
@@ -232,7 +243,7 @@ class _Turned:
                 return _Candidate(self, value, [], [])
             if condition is not None:
                 kept.append(condition)
-        so = (made for made in self._put_back(value) if self._is_so(made, value))
+        so = (made for made in self._put_back(value) if self._is_so(made, value, own))
         return _Candidate(self, value, kept, list(islice(so, _ENOUGH)))
 
     def _with_value(self, c: Condition, value: Ratio) -> Condition:
@@ -283,13 +294,13 @@ class _Turned:
         target = abs(draw.reference.number(self.quantity.target))
         return max(target, magnitude(self.quantity.of.dimension, draw.seen(draw.start())))
 
-    def _is_so(self, made: PutBack, value: Ratio) -> bool:
+    def _is_so(self, made: PutBack, value: Ratio, needed: Sequence[Condition]) -> bool:
         """Whether the formula has the value there, and is true."""
         try:
             here, room = self._instant(value, made), _NEAR * made.size
             (number,) = element_at(self.setup, self.element, made.draw, here)
-            needed = [self._with_value(c, value) for c in self.formula.needed if c.relation != "!="]
-            return abs(number) <= room and all(holds(self.setup, c, made.draw, here, round_off=room) for c in needed)
+            own = [c for c in needed if c.relation != "!="]
+            return abs(number) <= room and all(holds(self.setup, c, made.draw, here, round_off=room) for c in own)
         except (CannotAnswer, ArithmeticError, ValueError):
             return False
 

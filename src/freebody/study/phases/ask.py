@@ -17,7 +17,6 @@ from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
-from freebody.questions.course import Transition
 from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
@@ -100,23 +99,23 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
 
 def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:
     """How far the motion gets until it first turns on that side, through all phases until then: by itself, or thrown
-    back by an impact. Where the way up to a change of a contact is meant, to that change at most."""
+    back by an impact. Where the way up to a change of a contact or an event is meant, to that at most."""
     turn = question.quantity.turn
     assert turn is not None
     of, event, side = turn
-    behind, change = is_behind_an_impact(question), question.transition
+    behind, is_until = is_behind_an_impact(question), bool(question.transition or question.event)
     turns = first_turns(tree, question)
     found, ends = turns.found, list[AnswerBranch]()
-    if change is not None and not behind:
+    if is_until and not behind:
         found, ends = until_change(tree, question, turns)
     own = next(((q, p) for q, p in found if 0 in p.sets or not tree.system.has_values), None)
     is_farthest = partial(_no_farther, tree, event=event, side=side, until=_time_of_own(tree, ends))
     if own is None and turns.question.event is None and _sets_out_away(tree, turns, side):
-        return _of_those_away(tree, of, side, turns, change, ends, is_farthest)
+        return _of_those_away(tree, question, of, side, turns, ends, is_farthest)
     if own is None:
         raise CannotAnswer(NOT_UNTIL if ends else NO_TURN)
     answer = _of_branches(tree, own[0], [p for q, p in found if q is own[0]])
-    if own[0].transition is None:
+    if own[0].transition is None and (own[0].event is None or own[0].event is event):
         answer = replace(answer, notes=(*answer.notes, Message("there it first turns on that side")))
     return answer if behind else is_farthest(answer)
 
@@ -128,10 +127,10 @@ def _sets_out_away(tree: PhaseTree, turns: FirstTurns, side: int) -> bool:
 
 def _of_those_away(
     tree: PhaseTree,
+    question: Question,
     of: Quantity,
     side: int,
     turns: FirstTurns,
-    change: Transition | None,
     ends: list[AnswerBranch],
     is_farthest: Callable[[Answer], Answer],
 ) -> Answer:
@@ -142,8 +141,8 @@ def _of_those_away(
     try:
         return is_farthest(_at_start_of_way(tree, begun, starts, side, turns.rate, ends))
     except CannotAnswer as error:
-        for transition, branches in away(tree, starts, side, turns, change, ends):
-            asked = replace(begun, at_start=False, transition=transition)
+        for asked, branches in away(tree, starts, side, turns, replace(question, quantity=of), ends):
+            asked = replace(asked, quantity=of)
             with suppress(CannotAnswer):
                 return is_farthest(_of_branches(tree, asked, branches))
         raise error

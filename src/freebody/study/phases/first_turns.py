@@ -58,7 +58,7 @@ def first_turns(tree: PhaseTree, question: Question) -> FirstTurns:
     root = tree.roots[0]
     blow = question.transition
     behind = is_behind_an_impact(question)
-    question = replace(question, transition=None)
+    question = replace(question, event=None, transition=None)
     rate = tree.home.model.field.zero if behind else _rate_of(tree, root, event)
     open_ = np.arange(tree.sets.n) if rate.is_zero() else np.flatnonzero(side * tree.numbers(rate) > 0)
     found: list[tuple[Question, AnswerBranch]] = []
@@ -130,16 +130,16 @@ def _between(tree: PhaseTree, question: Question, event: Peak, side: int, way: W
             behind = _rate_of(tree, node, event)
             grows = rate_at_end(tree, before, event)
             if node.impact is None:
-                yield from _where(tree, before, [(side * grows, ">"), (-side * behind, ">=")])
+                yield from where(tree, before, [(side * grows, ">"), (-side * behind, ">=")])
             else:
                 struck = branch_at(tree, question, way, edge.first, conditions, node.sets, node)
                 if isinstance(struck.value, tuple) or isinstance(before.value, tuple):
                     return
                 jump = struck.value - before.value
-                yield from _where(tree, struck, [(side * jump, ">"), (-side * behind, ">=")])
-                yield from _where(tree, before, [(-side * jump, ">"), (side * grows, ">")])
+                yield from where(tree, struck, [(side * jump, ">"), (-side * behind, ">=")])
+                yield from where(tree, before, [(-side * jump, ">"), (side * grows, ">")])
                 if jump.is_zero():
-                    yield from _where(tree, before, [(side * grows, ">"), (-side * behind, ">=")])
+                    yield from where(tree, before, [(side * grows, ">"), (-side * behind, ">=")])
             yield from _between(tree, question, event, side, way.on(edge, node))
 
 
@@ -151,7 +151,7 @@ def rate_at_end(tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent) -> R
     return tree.to_home(phase, there.here(phase.model.in_independent_speeds(rate_of(tree, phase, event))))
 
 
-def _where(tree: PhaseTree, piece: AnswerBranch, needed: Sequence[tuple[Ratio, str]]) -> Iterator[AnswerBranch]:
+def where(tree: PhaseTree, piece: AnswerBranch, needed: Sequence[tuple[Ratio, str]]) -> Iterator[AnswerBranch]:
     """The part of a piece where some elements are positive, or not negative."""
     sets = piece.sets
     for x, relation in needed:

@@ -73,6 +73,7 @@ def pieces(tree: PhaseTree, question: Question, behind: Transition | None = None
         found = list(_at_event(tree, question, question.event, roots, met, is_first=True))
     else:
         found = list(_at_instants(tree, question, roots))
+    found = [piece for piece in found if len(piece.sets)]  # signs that formulas take may be those of none
     if not found:
         raise NotHere(_not_found(tree, question, met))
     found.sort(key=lambda p: int(p.sets[0]))

@@ -120,7 +120,8 @@ def _as_found(formula: Formula) -> tuple[Finding, list[Condition]]:
 def _turns(tree: PhaseTree, asked: Question, quantity: Wanted) -> list[tuple[AnswerBranch, Formula]]:
     """The formulas of how far it gets: until it first turns, up to a change of a contact, or behind an impact."""
     turns, found = first_turns(tree, asked), Found()
-    if asked.transition is None or is_behind_an_impact(asked):
+    is_until = bool(asked.transition or asked.event)
+    if not is_until or is_behind_an_impact(asked):
         found = turns.found
     else:
         found, _ends = until_change(tree, asked, turns)
@@ -130,7 +131,7 @@ def _turns(tree: PhaseTree, asked: Question, quantity: Wanted) -> list[tuple[Ans
     if quantity.relation != "=" and not _is_untrue(tree, asked, quantity, told):
         raise CannotAnswer(Message("how far it gets is not known in all cases, so that no range is told"))
     formulas = [(piece, _formula(tree, own, piece)) for own, piece in found]
-    if asked.transition is not None:
+    if is_until:
         return [(piece, replace(formula, in_numbers=None, is_put_back=False)) for piece, formula in formulas]
 
     def in_numbers(values: dict[str, float]) -> Value:

@@ -1,7 +1,8 @@
-"""How far a motion gets up to a change of its contacts, or through changes that follow on its way to the other side.
+"""How far a motion gets up to a change of its contacts or another event, or through changes that follow on its way to
+the other side.
 
-Up to a change it is farthest at its first turn where that comes before, else at the change. What sets out to the other
-side may be farther than at its start where two later phases meet, or at the change.
+Up to there it is farthest at its first turn where that comes before, else at the change or event. What sets out to the
+other side may be farther than at its start where two later phases meet, or at the change.
 """
 
 from __future__ import annotations
@@ -12,11 +13,11 @@ from itertools import product
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.questions.course import Transition
 from freebody.questions.reading import Question
 from freebody.study.phases.branch import AnswerBranch
-from freebody.study.phases.first_turns import FirstTurns, rate_at_end
+from freebody.study.phases.first_turns import FirstTurns, rate_at_end, where
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import PhaseTree
@@ -27,8 +28,8 @@ Found = list[tuple[Question, AnswerBranch]]
 
 
 def until_change(tree: PhaseTree, question: Question, turns: FirstTurns) -> tuple[Found, list[AnswerBranch]]:
-    """The farthest places up to the change that a question names, of what sets out to the side that is meant; and the
-    ways to the change."""
+    """The farthest places up to the change or event that a question names, of what sets out to the side that is meant;
+    and the ways to it."""
     turn = question.quantity.turn
     assert turn is not None
     of, event, side = turn
@@ -36,9 +37,10 @@ def until_change(tree: PhaseTree, question: Question, turns: FirstTurns) -> tupl
     ends = pieces(tree, question)
     found = Found()
     for asked, turn in turns.found:
-        first = np.concatenate([_before(asked, turn, end) for end in ends])
+        first = np.concatenate([_before(question, asked, turn, end) for end in ends])
         if len(first):
             found.append((asked, replace(turn, sets=np.sort(first))))
+        found += [(asked, within) for end in ends for within in _within(tree, question, asked, turn, end)]
     turned = {int(k) for _asked, turn in found for k in turn.sets}
     grows = side * tree.numbers(turns.rate) > 0
     for end in ends:
@@ -65,21 +67,21 @@ def away(
     starts: Sequence[AnswerBranch],
     side: int,
     turns: FirstTurns,
-    change: Transition | None,
+    question: Question,
     ends: Sequence[AnswerBranch],
-) -> Iterator[tuple[Transition | None, list[AnswerBranch]]]:
-    """Where what sets out to the other side may be farthest: between two later phases, or at the change, which is told
-    beside it. starts: what it has at the start, beyond which it has to be."""
+) -> Iterator[tuple[Question, list[AnswerBranch]]]:
+    """Where what sets out to the other side may be farthest: between two later phases, or at the change that a question
+    names; each with when it is asked for. starts: what it has at the start, beyond which it has to be."""
     between = list(turns.behind)
     if ends:
-        pairs = [(turn, end, _before(turns.question, turn, end)) for turn, end in product(turns.behind, ends)]
+        pairs = [(turn, end, _before(question, turns.question, turn, end)) for turn, end in product(turns.behind, ends)]
         between = [
             replace(turn, sets=sets, conditions=[*turn.conditions, *end.conditions]) for turn, end, sets in pairs
         ]
     backwards = np.flatnonzero(side * tree.numbers(turns.rate) < 0)
-    for transition, found in ((None, between), (change, ends)):
+    for asked, found in ((turns.question, between), (question, ends)):
         if beyond := [p for start in starts for piece in found for p in _beyond(tree, start, piece, side, backwards)]:
-            yield transition, beyond
+            yield asked, beyond
 
 
 def _beyond(
@@ -99,8 +101,23 @@ def _beyond(
         yield replace(piece, sets=sets, conditions=conditions, notes=notes)
 
 
-def _before(asked: Question, turn: AnswerBranch, end: AnswerBranch) -> Chosen:
+def _before(question: Question, asked: Question, turn: AnswerBranch, end: AnswerBranch) -> Chosen:
     """The sets for which a turn comes before the change: within a phase before it, or between two of them."""
     n, last = len(turn.nodes), len(end.nodes)
-    is_before = end.first is not None and (n < last or (n == last and asked.event is not None))
+    is_in_phase = question.event is None and asked.event is not None  # which the change ends
+    is_before = end.first is not None and (n < last or (n == last and is_in_phase))
     return np.intersect1d(turn.sets, end.sets) if is_before else turn.sets[:0]
+
+
+def _within(
+    tree: PhaseTree, question: Question, asked: Question, turn: AnswerBranch, end: AnswerBranch
+) -> Iterator[AnswerBranch]:
+    """Where a turn comes before an event in the same phase, by their times. Raises CannotAnswer where one has none."""
+    if question.event is None or asked.event is None or end.first is None or len(turn.nodes) != len(end.nodes):
+        return
+    if not len(sets := np.intersect1d(turn.sets, end.sets)):
+        return
+    if turn.time is None or end.time is None:
+        raise CannotAnswer(Message("whether it turns before '{event}' was not decided", event=question.event.text))
+    both = replace(turn, sets=sets, conditions=[*turn.conditions, *end.conditions])
+    yield from where(tree, both, [(end.time - turn.time, ">=")])

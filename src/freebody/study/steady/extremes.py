@@ -14,6 +14,7 @@ from dataclasses import replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import n_operations
 from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.questions.base import Quantity
@@ -212,6 +213,7 @@ def _where(which: str, e: Extremum, turning: TurningAngle) -> str:
     )
 
 
+_MOST_SHOWN = 60  # operations of a formula that is told
 _MOST_TERMS = 300  # of what is looked through for stationary places
 
 
@@ -337,6 +339,9 @@ class ExtremaSearch:
             if not inner._exists(place, places):  # where it is, a condition
                 continue
             if self._at_first(value) <= 0:
+                if (n := n_operations(tidy(base))) > _MOST_SHOWN:  # near zero its round-off decides
+                    told = Message("whether it goes all round was not decided: by a formula of {n} operations", n=n)
+                    raise CannotAnswer(told)
                 raise CannotAnswer(Message("{why}: {x} vanishes on the way", why=otherwise, x=to_text(tidy(base))))
             self._add(value, purpose)
         self.conditions += inner.conditions

@@ -56,7 +56,7 @@ class EnergyMotion(ClosedFormMotion):
     def cyclic(self) -> tuple[Coordinate, ...]:
         """The coordinates whose speeds momenta give."""
         others = (k for k in self.model.coordinates if k is not self.coordinate)
-        return tuple(k for k in others if k.index not in self.integrals.resting)
+        return tuple(k for k in others if k.index not in {*self.integrals.resting, *self.integrals.apart})
 
     def reduced(self, x: Ratio) -> Ratio:
         """With the speeds that momenta give put in. Raises CannotAnswer where it depends on another coordinate."""
@@ -69,8 +69,7 @@ class EnergyMotion(ClosedFormMotion):
         x = self.model.in_independent_speeds(x)
         if not self._others:
             return x
-        resting = {k: value for k, value in self.integrals.resting.items() if k not in self.integrals.apart}
-        return self.integrals.on_its_line(self.model.field.follow(x, {**self._others, **resting}))
+        return self.integrals.on_its_line(self.model.field.follow(x, {**self._others, **self.integrals.resting}))
 
     def _met(self, x: Ratio) -> list[Coordinate]:
         if not self._others and not self.beside:
@@ -157,8 +156,7 @@ class EnergyMotion(ClosedFormMotion):
         own = {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}
         others = {k: f.follow(x, own) for k, x in self._others.items()}
         if self._others:
-            there = self.integrals.places_at(c, value, None)
-            others |= {k: x for k, x in there.items() if k not in self.integrals.apart}
+            others |= self.integrals.places_at(c, value, None)
         return CourseZero(None, {**others, **own}, value)
 
     def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:

@@ -1,0 +1,46 @@
+"""The greatest and the least value of a quantity from the start of a smooth motion to an event: at one of these, or
+where its slope vanishes between them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freebody.language.sentences import Message
+from freebody.questions.extent import ExtremeOfMotion
+from freebody.questions.reading import AskedEvent
+from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.extent import LONGEST, kept_on_the_way
+from freebody.study.answering.finding import Finding, NotHere
+from freebody.study.answering.motion_extremes import along_until
+from freebody.study.answering.motion_values import extremes_between
+from freebody.study.answering.repeated import checked
+from freebody.study.answering.witness import motion_to, patience
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.reached import Reached
+
+
+def find(
+    setup: Setup, question: str, q: ExtremeOfMotion, event: AskedEvent, reached: Reached, needs: Sequence[Condition]
+) -> Finding:
+    """The closed form. needs: for the event to come."""
+    seen = along_until(setup, q.of, reached)
+    chosen = seen.best(seen.candidates(), q.side)
+    conditions = [*needs, *seen.conditions, *kept_on_the_way(setup, reached)]
+    value = seen.value_of(chosen)
+    check = CrossCheck(question, Message("numerical integration from the start to the event"), MOTION_TOLERANCE)
+    evidence = checked(setup, check, value, conditions, lambda draw: extreme_in_numbers(setup, draw, q, event))
+    if evidence is None:
+        missed = ", ".join(broken(setup, conditions))
+        raise NotHere(Message("it is not largest or least there at the model's own values: that needs {x}", x=missed))
+    note = seen.where(Message("largest") if q.side > 0 else Message("least"), chosen)
+    return Finding(value, evidence, conditions, [note, *reached.notes], list(reached.says))
+
+
+def extreme_in_numbers(setup: Setup, draw: Draw, q: ExtremeOfMotion, event: AskedEvent) -> float:
+    """The same by the numeric route. Raises CannotAnswer where the event does not come."""
+    start = draw.start()
+    end = motion_to(draw.reference, start, patience(start, LONGEST), event).time
+    low, high = extremes_between(setup, draw, q.of, start.t, end)
+    return high if q.side > 0 else low
