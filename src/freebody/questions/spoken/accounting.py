@@ -29,6 +29,8 @@ _PUSHES = frozenset(
 )
 _TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
 _FREQUENCIES = frozenset({"natural frequency", "natural frequencies", "period of small oscillations"})
+_EXERTS = tuple(Word("verb", verb) for verb in ("exert", "act", "carry"))
+_OF_LOAD = re.compile(r"(?:greatest|least) force in ")
 PLACED = ("high", "far")  # how high, how far, something acts: where
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
@@ -82,6 +84,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         if asked & {"acceleration", "deceleration"} and given.growing(names, []):
             return False
         is_extreme = _is_extreme(text)
+        if _OF_LOAD.match(text) and any(word in _EXERTS for word in words):  # what can be exerted at most
+            return False
         does = any(word.kind == "verb" for word in words)
         if asked & _PUSHES and (Word("verb", "rise") in words or (is_extreme and not does)):  # what load it can lift
             return False

@@ -279,7 +279,8 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in lookup.moving(names) or name in names.measures), "")
             main = _without_owner(names, main, instant)
-            if instant == "upright pose" and poses.begins_hanging(names, of):
+            lies = instant == "level" and poses.begins_lying(names, of) and lookup.rests(names)
+            if lies or (instant == "upright pose" and poses.begins_hanging(names, of)):
                 tails.append([" at start"])
                 continue
             if (instant in ("at the top", "at the top of the loop") and poses.begins_uppermost(names, of)) or (
@@ -378,6 +379,11 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
     if len(said) == 1 and clause.only("instant", "pronoun", "name", "verb", "preposition"):
         of = next((name for _, name in clause.names if name in lookup.moving(names)), "")
         if poses.begins_at(names, of, lowest=places[said[0]]):
+            yield [" at start"]
+            return
+    if clause.has("part", "horizontal") and clause.only("part", "name", "verb", *SILENT) and lookup.rests(names):
+        of = next((name for _, name in clause.names if name in lookup.moving(names)), "")
+        if poses.begins_lying(names, of):  # let go where it lies level
             yield [" at start"]
             return
     if (

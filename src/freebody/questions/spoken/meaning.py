@@ -85,7 +85,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         return
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
     said = rewording.by_joint(names, rewording.taken_along(names, said))
-    said = rewording.pulling(names, rewording.balanced_at(names, said))
+    said = rewording.pulling(names, rewording.balanced_at(names, rewording.held_by_clamp(names, said)))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.at_extremes(rewording.lifting_off(names, rewording.on_what_may_open(names, said)))
     said = rewording.at_driven_joint(names, rewording.holding(said, modal), modal)
@@ -392,9 +392,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
         asked = main.all("quantity")
         is_all = len(of) <= 1 or "in equilibrium" in main.all("instant")  # what a part is at is that of all
-        if not asked and lookup.is_controlled(names) and is_all:
+        spins = names.space and not lookup.rests(names) and not asked
+        if not asked and (lookup.is_controlled(names) or spins) and is_all:
             yield ["stability of steady motion"]
-        if asked == ["equilibrium"] or (not asked and is_all):
+        if asked == ["equilibrium"] or (not asked and is_all and not spins):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]

@@ -195,6 +195,8 @@ def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
     if rest.only("name", *SILENT) and len(of) <= 1:
         measures = lookup.angles(names, who) if turns else lookup.places(names, who)
         yield [f"|acceleration of {measure}|" for measure in measures]
+        alone = [who] if who in names.bodies else lookup.massive(names)
+        yield [f"|acceleration of {alone[0]}|"] if not (measures or turns) and len(alone) == 1 else []
         yield [f"|angular acceleration of {who}|"] if turns and who in names.bodies else []
 
 

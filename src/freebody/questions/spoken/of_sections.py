@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.model.solids import ROD
+from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.composing import SILENT, Groups, composed, said_of
 from freebody.questions.spoken.words import Clause
 
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 @said_of("bending moment", "shear force", "transverse force")
 def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
     """Of the rod that is named, or of the one that has the point; a transverse force elsewhere is that of a guide."""
-    of = [name for _, name in rest.names]
+    of = [_cut_at(names, name) for _, name in rest.names]
     rods = [name for name, body in names.bodies.items() if body.solid is ROD]
     points = [name for name in of if name.partition(".")[0] in rods and "." in name]
     named = [name for name in of if name in rods]
@@ -27,3 +28,11 @@ def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
     rod = points[0].partition(".")[0]
     if named in ([], [rod]):
         yield [f"{quantity.replace('transverse', 'shear')} of {rod} at {points[0]}"]
+
+
+def _cut_at(names: Names, name: str) -> str:
+    """For a connection that holds one point of a rod that point: at the wall. Else the name."""
+    if name not in names.connections or name in names.bodies:
+        return name
+    ends = [end for end in joining.ends_of(names, name) if "." in end and end.partition(".")[0] in lookup.moving(names)]
+    return ends[0] if len(ends) == 1 else name

@@ -220,9 +220,9 @@ def begins_hanging(names: Names, body: str) -> bool:
     return _starts(names, body, -90.0) and lookup.rests(names)
 
 
-def begins_lying(names: Names) -> bool:
+def begins_lying(names: Names, body: str = "") -> bool:
     """Whether something that goes round starts level."""
-    return any(_starts(names, "", pointing) for pointing in (0.0, 180.0))
+    return any(_starts(names, body, pointing) for pointing in (0.0, 180.0))
 
 
 def begins_standing(names: Names) -> bool:
