@@ -68,6 +68,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
     others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
+    if _may_settle(names, sentence):
+        return
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == [
@@ -241,6 +243,16 @@ def _is_of_state(mark: str, clause: Clause) -> bool:
     verbs = set(clause.all("verb"))
     contact = verbs & {"roll", "slide", "hit", "leave", "slack", "taut", "stop", "begin_roll"}
     return bool(contact) and (mark == "after" or (verbs <= {"roll", "slide"} and not clause.has("value")))
+
+
+def _may_settle(names: Names, sentence: Sentence) -> bool:
+    """Whether it is asked where something comes to rest that is let go and that nothing stops: where it turns back for
+    an instant may be meant, or where it settles."""
+    main, others = sentence.main, sentence.others
+    is_where = main.has("ask", "where", "with") or main.all("quantity") in (["angle"], ["position"])
+    doing = [own for mark, own in others if mark == "when"] or [main]
+    stops = len(doing) == 1 and doing[0].all("verb") == ["stop"] and len(others) <= 1
+    return is_where and stops and lookup.rests(names) and not joining.is_rough(names)
 
 
 def _is_continuous(names: Names, main: Clause) -> bool:

@@ -159,7 +159,11 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         lasts = verbs <= {"slide", "start", "move"} and "slide" in verbs
         is_between = len(state.names) > 1 and verbs == {"hold"} and not state.has("not")
         return f"{joint} does not slip" if lasts or is_between else None
-    holds = verbs & {"hold", "stop"} or state.has("instant", "in equilibrium") or state.has("quantity", "equilibrium")
+    holds = (
+        verbs & ({"hold", "stop"} if joining.is_rough(names) else {"hold"})
+        or state.has("instant", "in equilibrium")
+        or state.has("quantity", "equilibrium")
+    )
     ends = verbs & _ENDS_REST
     is_denied = _is_denied(state)
     if holds and (not ends or is_denied):

@@ -76,7 +76,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
-    said = rewording.on_the_way_back(names, said)
+    said = rewording.on_the_way_back(names, rewording.placed(said, modal))
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
     said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said))))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:

@@ -43,6 +43,8 @@ def for_what(names: Names, words: list[Word]) -> list[Word]:
         kept = [w for w in tail.words if w.kind not in ("quantity", "preposition")]
         return [*head.words, _SO_THAT, *kept, Word("verb", "stable")]
     kept = [w for w in head.words if w.kind not in ("degree", "ask")]  # the best angle
+    if tail.all("quantity") == ["distance"] and lookup.flies(names, ""):
+        tail = Clause([Word("quantity", "horizontal range") if w.kind == "quantity" else w for w in tail.words])
     is_angle = head.all("quantity") == ["angle"] or (len(kept) == 1 and kept[0].what in names.parameters)
     if is_angle and tail.has("degree", "greatest") and tail.all("quantity") == ["horizontal range"]:
         return [Word("ask", "for"), *kept, *tail.without("degree").words, Word("degree", "greatest")]
@@ -61,6 +63,14 @@ def balanced_at(names: Names, words: list[Word]) -> list[Word]:
     if not (asks and rests and plain and len(measures) == 1) or others:
         return words
     return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
+
+
+def placed(words: list[Word], modal: set[str]) -> list[Word]:
+    """At what height may one push is how high one may."""
+    asks = [Word("ask", "with"), Word("quantity", "height")]
+    k = next((k for k in range(len(words) - 1) if words[k : k + 2] == asks), None)
+    is_asked = k is not None and modal == {"may"} and Word("verb", "exert") in words
+    return [*words[:k], Word("ask", "high"), *words[k + 2 :]] if is_asked and k is not None else words
 
 
 def held_by_clamp(names: Names, words: list[Word]) -> list[Word]:
