@@ -525,7 +525,7 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
 
 
 def _passed_over(names: Names, text: str, words: list[Word], language: str) -> list[Word]:
-    """Bodies that a text names without a mark, by a word that is none of those which are read in it: the small piston."""
+    """Bodies that a text names without a mark, by a word that is read as nothing else: the small piston."""
     plain = set(re.findall(r"[\w.]+", re.sub(MARKED, " ", text)))
     return [
         Word("name", body)
