@@ -142,7 +142,8 @@ def _is_pushed(names: Names, words: Sequence[Word], text: str) -> bool:
     bodies = {word.what for word in words if word.kind == "name"} & {*names.bodies}
     chosen = given.chosen(names, given.KIND_OF["force"], [])
     pushed = {body for p in names.applied_loads if free_symbols(p.law) & {*chosen} for body in p.measure.bodies()}
-    return text.startswith("reaction of ") and bool(bodies & pushed)
+    is_joint = any(word.kind == "name" and word.what in names.connections for word in words)
+    return text.startswith("reaction of ") and bool(bodies & pushed) and not is_joint
 
 
 def _is_extreme(text: str) -> bool:

@@ -267,6 +267,7 @@ _LIMITING = (  # of which one is said where it is asked how much of something is
     *(Word("ask", what) for what in ("from", "up_to", "for", "with")),
     *(Word("verb", what) for what in ("suffice", "no_slip", "no_move")),
 )
+_STARTS, _WHICH_WAY = Word("verb", "start"), Word("ask", "way")
 _POSES = {"horizontal": "level", "vertical": "upright pose"}  # and the instant at which something is so
 _BY_ITSELF = ("long",)  # asks for how long something is done
 _AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
@@ -287,7 +288,7 @@ def dropped(words: Sequence[Word], text: str) -> list[Word]:
 def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
     found: list[Word] = []
     for k, word in enumerate(words):
-        if _goes_on(words, k):
+        if _goes_on(words, k) or (word == _STARTS and words[0] == _WHICH_WAY):  # as it is accelerated
             continue
         word = Word("instant", _POSES[word.what]) if _is_pose(words, k) else word
         if word.kind == "instant" and (nth := _NTH.search(word.what)):

@@ -252,6 +252,7 @@ def _may_settle(names: Names, sentence: Sentence) -> bool:
     is_where = main.has("ask", "where", "with") or main.all("quantity") in (["angle"], ["position"])
     doing = [own for mark, own in others if mark == "when"] or [main]
     stops = len(doing) == 1 and doing[0].all("verb") == ["stop"] and len(others) <= 1
+    stops = stops and not any(own.has("instant") for own in (main, *doing))
     return is_where and stops and lookup.rests(names) and not joining.is_rough(names)
 
 
