@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from itertools import pairwise, takewhile
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import free_symbols
 from freebody.language.units import LENGTH, MASS
 from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import ALONG
@@ -29,6 +30,8 @@ _PUSHES = frozenset(
 )
 _TURNS = frozenset({"moment", "torque", "driving torque", "friction torque"})
 _FREQUENCIES = frozenset({"natural frequency", "natural frequencies", "period of small oscillations"})
+_EXERTS = tuple(Word("verb", verb) for verb in ("exert", "act", "carry"))
+_OF_LOAD = re.compile(r"(?:greatest|least) force in ")
 PLACED = ("high", "far")  # how high, how far, something acts: where
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
@@ -82,9 +85,16 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         if asked & {"acceleration", "deceleration"} and given.growing(names, []):
             return False
         is_extreme = _is_extreme(text)
+        is_place = bool(asked) and asked <= {"height", "position", "distance"}
+        if (is_place or _OF_LOAD.match(text)) and any(
+            word in _EXERTS for word in words
+        ):  # what can be exerted, and where
+            return False
         does = any(word.kind == "verb" for word in words)
         if asked & _PUSHES and (Word("verb", "rise") in words or (is_extreme and not does)):  # what load it can lift
             return False
+    if Word("filler", "must") in words and asked == {"force"} and _is_pushed(names, words, text):
+        return False
     is_to_be = Word("filler", "must") in words and any(word.what in ("to", "so_that") for word in words)
     if is_to_be and _OF_MOTION.match(text):  # how fast it must be pushed, so that it leaves
         return False
@@ -93,7 +103,7 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     if asked & _FREQUENCIES and Word("preposition", "about") in words and " about " not in text:
         return False  # about a circle, which is no equilibrium
-    if any(asked & kinds and not said.search(text) for kinds, said in _SAID):
+    if loses_quantity(words, text):
         return False
     is_push, is_turn = bool(asked & _PUSHES), bool(asked & _TURNS)
     if is_push and not is_turn and _TORQUE.search(text):
@@ -110,6 +120,13 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     return not (is_place and _is_extreme(text))
 
 
+def loses_quantity(words: Sequence[Word], text: str) -> bool:
+    """Whether words name a quantity of a kind that words of the grammar do not ask for, nor for what it depends on."""
+    asked = {word.what for word in words if word.kind == "quantity"}
+    is_of_something_else = TURNED_ROUND.match(text) or _NO_QUANTITY.match(text)
+    return not is_of_something_else and any(asked & kinds and not said.search(text) for kinds, said in _SAID)
+
+
 def _is_of_another_force(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether a force that is to be so is of a connection that nobody names, where another force is named: that of the
     buffer, whose stiffness is asked for, is no force of the rail."""
@@ -118,6 +135,15 @@ def _is_of_another_force(names: Names, words: Sequence[Word], text: str) -> bool
     forces = {word.what for word in words if word.kind == "quantity"} & {"force", "contact force", "reaction"}
     found = {*re.findall(r"[^\W\d]\w*", text)} & pushing
     return bool(forces and named and found) and not named & found
+
+
+def _is_pushed(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether the force that a body needs is that of a load on it, and is taken for what holds it."""
+    bodies = {word.what for word in words if word.kind == "name"} & {*names.bodies}
+    chosen = given.chosen(names, given.KIND_OF["force"], [])
+    pushed = {body for p in names.applied_loads if free_symbols(p.law) & {*chosen} for body in p.measure.bodies()}
+    is_joint = any(word.kind == "name" and word.what in names.connections for word in words)
+    return text.startswith("reaction of ") and bool(bodies & pushed) and not is_joint
 
 
 def _is_extreme(text: str) -> bool:

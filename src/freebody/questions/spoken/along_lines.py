@@ -9,7 +9,7 @@ from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import to_python
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import Components
+from freebody.measures.geometry import GROUND, Components
 from freebody.questions.spoken import joining
 
 if TYPE_CHECKING:
@@ -28,6 +28,21 @@ def at_point(names: Names, who: str, point: str) -> list[str]:
         for measure, m in lines
         if (place := _place(names, at, m.origin.offset, m.along.components)) is not None
     ]
+
+
+def slid(names: Names, who: str) -> list[str]:
+    """The ways of a body along the straight lines that it touches with friction, from the body that has the line."""
+    found: list[str] = []
+    for joint in joining.rough(names, who) if who in names.bodies else ():
+        ends = joining.ends_of(names, joint)
+        own = [end for end in ends if end.partition(".")[0] == who]
+        for end in ends:
+            body, _, line = end.rpartition(".")
+            if own and body in ("", GROUND) and line in names.bodies[GROUND].lines:
+                found.append(f"travel of {own[0]} along {line}")
+            elif own and body in names.bodies and body != who and line in names.bodies[body].lines:
+                found.append(f"travel of {own[0]} along {end} from {body}")
+    return found
 
 
 def is_along(names: Names, measure: str, body: str) -> bool:

@@ -6,7 +6,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
+from freebody.questions.spoken import along_lines, dimensions, farthest, given, joining, lookup, losing, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, POSES, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -171,6 +171,9 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
         yield [
             f"change of {way} until rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)
         ]
+        if not lookup.went(names, of) and (who := of or next(iter(lookup.massive(names)), "")) in names.bodies:
+            ways = [f"{axis} of {who}" for axis in joining.guided_along(names, who)] or along_lines.slid(names, who)
+            yield [f"change of {way} until {who} stops" for way in ways[:1]]
 
 
 def _is_pushed(names: Names) -> bool:
@@ -211,11 +214,16 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     """What fraction of the energy is lost up to an event: of the kinetic energy, where there is no other."""
     main = sentence.main.without("part", "initial")  # of what there is at first
     whole_loss = Word("quantity", "energy lost")
-    main = Clause([whole_loss if w == Word("quantity", "kinetic energy lost") else w for w in main.words])
+    is_heat = asked == ["heat of kinetic energy"]  # of the kinetic energy, whatever becomes of the rest of it
+    asked = [whole_loss.what] if is_heat else asked
+    losses = (Word("quantity", "kinetic energy lost"), Word("quantity", "heat of kinetic energy"))
+    main = Clause([whole_loss if w in losses else w for w in main.words])
     is_first = sentence.main.has("part", "initial") and not joining.is_struck_at_start_alone(names)
     sentence = Sentence(main, sentence.others)
     is_lost = asked in (["energy lost"], ["kinetic energy lost"])
-    is_lost = is_lost and not (is_first and asked == ["energy lost"] and not losing.has_kinetic_energy_alone(names))
+    is_lost = is_lost and not (
+        is_first and asked == ["energy lost"] and not is_heat and not losing.has_kinetic_energy_alone(names)
+    )
     is_all = all(lookup.is_all_that_moves(names, name) for _, name in main.names)
     blows = ("in the impact", "at the impact")
     if is_lost and not sentence.others and (main.has("instant", *blows) or losing.only_loses_in_the_blow(names)):
@@ -224,7 +232,12 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
             whole = "kinetic energy at start" if is_first else f"(kinetic energy before the {blow})"
             yield [f"ratio of energy lost in the {blow} to {whole}"]
         return
-    if is_lost and is_all and losing.has_kinetic_energy_alone(names) and main.only("quantity", "ask", "name", *SILENT):
+    if (
+        is_lost
+        and is_all
+        and (is_heat or losing.has_kinetic_energy_alone(names))
+        and main.only("quantity", "ask", "name", *SILENT)
+    ):
         for end in ends(names, sentence):
             yield [f"ratio of energy lost until {condition} to kinetic energy at start" for condition in end]
 
@@ -240,6 +253,8 @@ def counted(names: Names, sentence: Sentence) -> Groups:
         for condition in conditions(names, main.without("ask")):
             yield [f"{what} of {head} until {text}" for head, text in product(heads, condition)]
         return
+    if not sentence.others:
+        yield from farthest.slipped(names, main)
     sentence = _there_and_back(_while_it_turns(sentence))
     for group in _heads_counted(names, sentence):
         if sentence.others == () and main.has("instant", "in the impact"):

@@ -130,6 +130,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "energy": r"energy|work|lost",
         "energy lost": r"lost|heat|work|loss",
         "kinetic energy lost": r"lost|kinetic|work",
+        "heat of kinetic energy": r"lost",
         "power": rf"power|{_CHOICE}",
         "transmitted power": r"force of .* [*] .*velocity|greatest power",
         "work": r"work|energy|lost",
@@ -266,6 +267,8 @@ _LIMITING = (  # of which one is said where it is asked how much of something is
     *(Word("ask", what) for what in ("from", "up_to", "for", "with")),
     *(Word("verb", what) for what in ("suffice", "no_slip", "no_move")),
 )
+_STARTS, _WHICH_WAY = Word("verb", "start"), Word("ask", "way")
+_POSES = {"horizontal": "level", "vertical": "upright pose"}  # and the instant at which something is so
 _BY_ITSELF = ("long",)  # asks for how long something is done
 _AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
 _LEADS = ("until", "after", "to", "when", "while", "so_that")
@@ -285,8 +288,9 @@ def dropped(words: Sequence[Word], text: str) -> list[Word]:
 def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
     found: list[Word] = []
     for k, word in enumerate(words):
-        if _goes_on(words, k):
+        if _goes_on(words, k) or (word == _STARTS and words[0] == _WHICH_WAY):  # as it is accelerated
             continue
+        word = Word("instant", _POSES[word.what]) if _is_pose(words, k) else word
         if word.kind == "instant" and (nth := _NTH.search(word.what)):
             is_there = nth[1] in text
         else:
@@ -296,6 +300,13 @@ def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
         if not is_there:
             found.append(word)
     return found
+
+
+def _is_pose(words: Sequence[Word], k: int) -> bool:
+    """Whether a word says in which pose something is, behind `when`, and no part of a quantity."""
+    behind = [*takewhile(lambda word: word.kind in ("name", "pronoun", "filler", "verb"), reversed(words[:k]))]
+    before = words[k - len(behind) - 1] if len(behind) < k else None
+    return words[k].kind == "part" and words[k].what in _POSES and before == _WHEN
 
 
 def _goes_on(words: Sequence[Word], k: int) -> bool:

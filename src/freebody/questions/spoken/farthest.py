@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup, poses
+from freebody.questions.spoken import along_lines, joining, lookup, poses
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -76,7 +76,8 @@ def how_far(names: Names, main: Clause) -> Groups:
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
     elif set(main.all("verb")) - {"move"} == {"slide"} and (names.impulses or not lookup.rests(names)):
         if not _slips_on_what_moves(names, who):
-            yield [f"distance travelled along {way} until slipping ends" for way in lookup.ways(names, who)]
+            ways = lookup.ways(names, who) or along_lines.slid(names, who)
+            yield [f"distance travelled along {way} until slipping ends" for way in ways]
     elif set(main.all("verb")) == {"turn"}:
         led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
         yield [
@@ -84,6 +85,17 @@ def how_far(names: Names, main: Clause) -> Groups:
             for angle in lookup.angles(names, who)
         ]
         yield [lookup.farthest(names, angle) for angle in lookup.hung(names, who)]
+
+
+def slipped(names: Names, main: Clause) -> Groups:
+    """How far does the parcel slip on the belt? The way along what it touches there, until both move alike."""
+    who = next((name for _, name in main.names), "")
+    alone = joining.rough(names, who) if len(main.names) == 1 else []
+    joint = alone[0] if len(alone) == 1 else joining.slipping_on(names, main.names)
+    asks = main.all("ask") == ["far"] and set(main.all("verb")) - {"move"} == {"slide"}
+    if asks and joint is not None and joining.is_between(names, joint) and main.only("ask", "verb", "name", *SILENT):
+        ways = along_lines.slid(names, who)
+        yield [f"distance travelled along {way} until slipping of {joint} ends" for way in ways if len(ways) == 1]
 
 
 def _slips_on_what_moves(names: Names, who: str) -> bool:

@@ -68,6 +68,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
     others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
+    if _may_settle(names, sentence):
+        return
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == [
@@ -243,6 +245,17 @@ def _is_of_state(mark: str, clause: Clause) -> bool:
     return bool(contact) and (mark == "after" or (verbs <= {"roll", "slide"} and not clause.has("value")))
 
 
+def _may_settle(names: Names, sentence: Sentence) -> bool:
+    """Whether it is asked where something comes to rest that is let go and that nothing stops: where it turns back for
+    an instant may be meant, or where it settles."""
+    main, others = sentence.main, sentence.others
+    is_where = main.has("ask", "where", "with") or main.all("quantity") in (["angle"], ["position"])
+    doing = [own for mark, own in others if mark == "when"] or [main]
+    stops = len(doing) == 1 and doing[0].all("verb") == ["stop"] and len(others) <= 1
+    stops = stops and not any(own.has("instant") for own in (main, *doing))
+    return is_where and stops and lookup.rests(names) and not joining.is_rough(names)
+
+
 def _is_continuous(names: Names, main: Clause) -> bool:
     """Whether a quantity is the same just before and just after rolling or slipping begins: forces and accelerations
     are not."""
@@ -279,7 +292,8 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant in _PLACES:
             of = next((name for _, name in main.names if name in lookup.moving(names) or name in names.measures), "")
             main = _without_owner(names, main, instant)
-            if instant == "upright pose" and poses.begins_hanging(names, of):
+            lies = instant == "level" and poses.begins_lying(names, of) and lookup.rests(names)
+            if lies or (instant == "upright pose" and poses.begins_hanging(names, of)):
                 tails.append([" at start"])
                 continue
             if (instant in ("at the top", "at the top of the loop") and poses.begins_uppermost(names, of)) or (
@@ -378,6 +392,11 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
     if len(said) == 1 and clause.only("instant", "pronoun", "name", "verb", "preposition"):
         of = next((name for _, name in clause.names if name in lookup.moving(names)), "")
         if poses.begins_at(names, of, lowest=places[said[0]]):
+            yield [" at start"]
+            return
+    if clause.has("part", "horizontal") and clause.only("part", "name", "verb", *SILENT) and lookup.rests(names):
+        of = next((name for _, name in clause.names if name in lookup.moving(names)), "")
+        if poses.begins_lying(names, of):  # let go where it lies level
             yield [" at start"]
             return
     if (

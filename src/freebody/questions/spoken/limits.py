@@ -56,6 +56,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         return
     if {"tip", "slide"} <= set(clause.all("verb")) and clause.has("mark", "until"):
         return  # which of both comes first is no limit of rest
+    if clause.has("mark", "until") and clause.has("verb", "end"):
+        return  # up to which event something is counted
     head, state = _parted(names, words)
     begins = {"start", "slide"} <= set(clause.all("verb")) and not clause.has("ask", "fast")  # from which height on
     if clause.has("ask", "far", "high", "fast") and "may" not in modal and not begins:
@@ -157,7 +159,11 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         lasts = verbs <= {"slide", "start", "move"} and "slide" in verbs
         is_between = len(state.names) > 1 and verbs == {"hold"} and not state.has("not")
         return f"{joint} does not slip" if lasts or is_between else None
-    holds = verbs & {"hold", "stop"} or state.has("instant", "in equilibrium") or state.has("quantity", "equilibrium")
+    holds = (
+        verbs & ({"hold", "stop"} if joining.is_rough(names) else {"hold"})
+        or state.has("instant", "in equilibrium")
+        or state.has("quantity", "equilibrium")
+    )
     ends = verbs & _ENDS_REST
     is_denied = _is_denied(state)
     if holds and (not ends or is_denied):

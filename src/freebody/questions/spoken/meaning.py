@@ -76,7 +76,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
-    said = rewording.on_the_way_back(names, said)
+    said = rewording.on_the_way_back(names, rewording.placed(said, modal))
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
     said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said))))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
@@ -85,7 +85,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         return
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
     said = rewording.by_joint(names, rewording.taken_along(names, said))
-    said = rewording.pulling(names, rewording.balanced_at(names, said))
+    said = rewording.pulling(names, rewording.balanced_at(names, rewording.held_by_clamp(names, said)))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.at_extremes(rewording.lifting_off(names, rewording.on_what_may_open(names, said)))
     said = rewording.at_driven_joint(names, rewording.holding(said, modal), modal)
@@ -392,9 +392,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
         asked = main.all("quantity")
         is_all = len(of) <= 1 or "in equilibrium" in main.all("instant")  # what a part is at is that of all
-        if not asked and lookup.is_controlled(names) and is_all:
+        spins = names.space and not lookup.rests(names) and not asked
+        if not asked and (lookup.is_controlled(names) or spins) and is_all:
             yield ["stability of steady motion"]
-        if asked == ["equilibrium"] or (not asked and is_all):
+        if asked == ["equilibrium"] or (not asked and is_all and not spins):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]

@@ -56,7 +56,7 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if not of:
         moving = lookup.moving(names)
         if not (quantity == "speed" or along or quantity.startswith("angular")):
-            moving = lookup.of_places(names) or moving
+            moving = _with_ends(names, lookup.of_places(names)) or moving
         turned = [name for name in moving if joining.axle_of(names, name) == "center" and not end]
         plain = quantity.removeprefix("angular ")
         yield [
@@ -93,6 +93,16 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"{quantity.removeprefix('angular ')} of {name}{end}"] if name in names.measures else []
     elif name in names.bodies and quantity != "speed":
         yield [f"{quantity} of {name}{end}"]
+
+
+def _with_ends(names: Names, measures: list[str]) -> list[str]:
+    """Measures, and for a distance what moves at its ends: its rate is only what its velocity has along the line."""
+    found: list[str] = []
+    for name in measures:
+        measure = names.measures.get(name)
+        ends = {*measure.bodies()} - {GROUND} if isinstance(measure, Distance) else set[str]()
+        found += sorted(ends & {*lookup.massive(names)}) or [name]
+    return list(dict.fromkeys(found))
 
 
 @said_of("tangential acceleration", "normal acceleration", "radius of curvature")
@@ -195,6 +205,8 @@ def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
     if rest.only("name", *SILENT) and len(of) <= 1:
         measures = lookup.angles(names, who) if turns else lookup.places(names, who)
         yield [f"|acceleration of {measure}|" for measure in measures]
+        alone = [who] if who in names.bodies else lookup.massive(names)
+        yield [f"|acceleration of {alone[0]}|"] if not (measures or turns) and len(alone) == 1 else []
         yield [f"|angular acceleration of {who}|"] if turns and who in names.bodies else []
 
 

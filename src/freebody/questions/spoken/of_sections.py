@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.model.solids import ROD
+from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed, said_of
 from freebody.questions.spoken.words import Clause
 
@@ -17,7 +18,7 @@ _GREATEST = {"bending moment": "bending moment", "shear force": "shear force", "
 @said_of("bending moment", "shear force", "transverse force")
 def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
     """Of the rod that is named, or of the one that has the point; a transverse force elsewhere is that of a guide."""
-    of = [name for _, name in rest.names]
+    of = [_cut_at(names, name) for _, name in rest.names]
     rods = [name for name, body in names.bodies.items() if body.solid is ROD]
     points = [name for name in of if name.partition(".")[0] in rods and "." in name]
     named = [name for name in of if name in rods]
@@ -52,3 +53,11 @@ def greatest(names: Names, clause: Clause) -> list[str]:
     if clause.has("preposition", "and"):  # how great it is, and where
         return [JOINT.join(both) for both in zip(found, places, strict=True)]
     return places
+
+
+def _cut_at(names: Names, name: str) -> str:
+    """For a connection that holds one point of a rod that point: at the wall. Else the name."""
+    if name not in names.connections or name in names.bodies:
+        return name
+    ends = [end for end in joining.ends_of(names, name) if "." in end and end.partition(".")[0] in lookup.moving(names)]
+    return ends[0] if len(ends) == 1 else name

@@ -131,7 +131,8 @@ def _to_be_covered(names: Names, body: str, sense: int) -> list[str]:
     spare = [name for name in names.unused if names.parameters[name].dimension == LENGTH]
     if len(spare) != 1 or names.space:
         return []
-    going = dict.fromkeys((*lookup.inclined(names, body), *lookup.heights(names, body)))
+    inclined = [] if spare[0][0] in "hH" else lookup.inclined(names, body)  # a height is no way along a slope
+    going = dict.fromkeys((*inclined, *lookup.heights(names, body)))
     along = [name for name, own in going if own == sense and name in names.started_at_zero]
     hung = lookup.climbed(names, body, spare[0], sense) if body in strings.hanging(names) and not going else []
     return [f"{name} = {spare[0]}" for name in along] or hung
@@ -220,9 +221,9 @@ def begins_hanging(names: Names, body: str) -> bool:
     return _starts(names, body, -90.0) and lookup.rests(names)
 
 
-def begins_lying(names: Names) -> bool:
+def begins_lying(names: Names, body: str = "") -> bool:
     """Whether something that goes round starts level."""
-    return any(_starts(names, "", pointing) for pointing in (0.0, 180.0))
+    return any(_starts(names, body, pointing) for pointing in (0.0, 180.0))
 
 
 def begins_standing(names: Names) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import along_lines, given, joining, lookup, losing, of_forces
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.events import GOES_ON
@@ -21,6 +22,7 @@ _WAY_BACK = Word("quantity", "way back")
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 _RUNS = ("slack tension", "tight tension")  # of the two runs of a belt
 _PULLS = ("force", "tension", "belt force")
+_TRANSMITS = tuple(Word("verb", verb) for verb in ("carry", "exert", "act"))
 _TRANSMITTED = ("torque", "moment", "driving torque", "power", "transmitted power")
 _COUNTED_OVER_A_TURN = ("work", "energy", "energy lost", "power", "time", "turns")
 
@@ -41,6 +43,8 @@ def for_what(names: Names, words: list[Word]) -> list[Word]:
         kept = [w for w in tail.words if w.kind not in ("quantity", "preposition")]
         return [*head.words, _SO_THAT, *kept, Word("verb", "stable")]
     kept = [w for w in head.words if w.kind not in ("degree", "ask")]  # the best angle
+    if tail.all("quantity") == ["distance"] and lookup.flies(names, ""):
+        tail = Clause([Word("quantity", "horizontal range") if w.kind == "quantity" else w for w in tail.words])
     is_angle = head.all("quantity") == ["angle"] or (len(kept) == 1 and kept[0].what in names.parameters)
     if is_angle and tail.has("degree", "greatest") and tail.all("quantity") == ["horizontal range"]:
         return [Word("ask", "for"), *kept, *tail.without("degree").words, Word("degree", "greatest")]
@@ -59,6 +63,26 @@ def balanced_at(names: Names, words: list[Word]) -> list[Word]:
     if not (asks and rests and plain and len(measures) == 1) or others:
         return words
     return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
+
+
+def placed(words: list[Word], modal: set[str]) -> list[Word]:
+    """At what height may one push is how high one may."""
+    asks = [Word("ask", "with"), Word("quantity", "height")]
+    k = next((k for k in range(len(words) - 1) if words[k : k + 2] == asks), None)
+    is_asked = k is not None and modal == {"may"} and Word("verb", "exert") in words
+    return [*words[:k], Word("ask", "high"), *words[k + 2 :]] if is_asked and k is not None else words
+
+
+def held_by_clamp(names: Names, words: list[Word]) -> list[Word]:
+    """The torque that holds the arm, where the ground holds it fast: the moment of what it is clamped by."""
+    torque, of = Word("quantity", "torque"), [word.what for word in words if word.kind == "name"]
+    if torque not in words or len(of) != 1 or of[0] not in lookup.moving(names):
+        return words
+    clamps = [name for name in joining.joints(names, of[0], GROUND, "moment") if "weld" in names.called.get(name, ())]
+    if len(clamps) != 1:
+        return words
+    put = {torque: Word("quantity", "moment"), Word("name", of[0]): Word("name", clamps[0])}
+    return [put.get(word, word) for word in words]
 
 
 def pulling(names: Names, words: list[Word]) -> list[Word]:
@@ -217,10 +241,10 @@ def runs_slack(words: list[Word]) -> list[Word]:
 
 def transmitted(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     """The greatest torque that can be transmitted, where nothing is named: by the only thing that slips beyond one."""
-    carry, greatest = Word("verb", "carry"), Word("degree", "greatest")
+    greatest = Word("degree", "greatest")
     asked = [k for k, word in enumerate(words) if word.kind == "quantity"]
     known = all(word.kind in ("ask", "degree", "quantity", "verb", *SILENT) for word in words)
-    is_limit = carry in words and known and (greatest in words or modal == {"may"})
+    is_limit = any(word in _TRANSMITS for word in words) and known and (greatest in words or modal == {"may"})
     if not is_limit or len(asked) != 1 or words[asked[0]].what not in _TRANSMITTED:
         return words
     slipping = [*of_forces.having(names, "greatest belt force"), *losing.clutches(names)]
@@ -423,11 +447,12 @@ def on_what_may_open(names: Names, words: list[Word]) -> list[Word]:
 
 
 def lifting_off(names: Names, words: list[Word]) -> list[Word]:
-    """At what speed a wheel lifts: it leaves the road on which it stands."""
+    """At what speed a wheel lifts, and whether it does: it leaves the road on which it stands."""
     rise = Word("verb", "rise")
     of = [word.what for word in words if word.kind == "name"]
     stands = [name for name in (*of, *(joining.joined_at(names, name) for name in of)) if name in names.connections]
-    is_asked = words[:1] == [Word("ask", "with")] and joining.is_still(names) and rise in words
+    is_whether = bool(of) and all(word.kind == "name" or word == rise for word in words)  # does the rear wheel lift
+    is_asked = (words[:1] == [Word("ask", "with")] and joining.is_still(names) and rise in words) or is_whether
     if not is_asked or not any(joining.may_open(names, name) for name in stands):
         return words
     return [Word("verb", "leave") if word == rise else word for word in words]

@@ -13,6 +13,7 @@ from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken import strings
+from freebody.questions.spoken.accounting import loses_quantity
 from freebody.questions.spoken.assumed import what_does_not_hold, without_what_holds
 from freebody.questions.spoken.bounces import as_third, at_nth
 from freebody.questions.spoken.braking import limits_of_braking
@@ -166,7 +167,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(slips, "find")
     elif (
         instead
-        or (_is_specific(told) and not (_is_of_kinds(names, told) or _is_strange_condition(names, told, text)))
+        or (_is_specific(told) and not (_is_of_kinds(names, told) or _condition_in_words(told)))
         or _is_misspelt(told, text)
     ):
         names.problems += (
@@ -186,7 +187,15 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         )
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
-        if thing := absent(elements_of(names), text):
+        condition = _condition_in_words(told)
+        is_strange = absent(elements_of(names), text) or not_understood(names.parameters, elements_of(names), text)
+        if condition and not is_strange:
+            none = Message(
+                "cannot read the condition '{condition}'. One can ask for\n    {askable}",
+                condition=condition,
+                askable=askable,
+            )
+        elif thing := absent(elements_of(names), text):
             none = Message(
                 "cannot read '{text}': there is no {thing} in this model. One can ask for\n    {askable}",
                 text=text,
@@ -386,7 +395,9 @@ def _nearest(
     distance: int | None = None
     instead: list[Problem] = []
     tried_at = 0
+    plain: tuple[Word, ...] | None = None  # the words of the nearest meaning: no name is taken for a quantity in it
     for meaning in _meanings(names, text):
+        plain = meaning.words if plain is None else plain
         if distance is not None and meaning.distance > distance:
             break
         if distance is None and meaning.distance > tried_at and _leave_open(instead):
@@ -400,6 +411,7 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if _have_instants(words, asked)}
             here = {words: asked for words, asked in here.items() if is_kept(names, meaning.words, words)}
             here = {words: asked for words, asked in here.items() if not loses_joint(names, text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_quantity(plain, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
                 distance = meaning.distance
@@ -462,13 +474,11 @@ def _is_of_words(names: Names, problems: list[Problem]) -> bool:
     return any(m.startswith("cannot read the condition") for m in messages) or _is_of_kinds(names, problems)
 
 
-def _is_strange_condition(names: Names, problems: list[Problem], text: str) -> bool:
-    """Whether they say that a condition is not read which has words that nothing is known of: the drum turns, where
-    there is no drum."""
+def _condition_in_words(problems: list[Problem]) -> str:
+    """The condition that is not read, where it is one in words: the drum turns. Of an equation it is told as it is."""
     messages = [p.message for p in problems if isinstance(p.message, Message)]
-    elements = elements_of(names)
-    is_strange = absent(elements, text) or not_understood(names.parameters, elements, text)
-    return bool(is_strange) and any(m.startswith("cannot read the condition") for m in messages)
+    read = [str(m.arguments["text"]) for m in messages if m.startswith("cannot read the condition")]
+    return next((text for text in read if not re.search("[=<>]", text)), "")
 
 
 def _is_of_kinds(names: Names, problems: list[Problem]) -> bool:
@@ -511,15 +521,19 @@ def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
             except Unknown:
                 continue
             if not _hangs_on_another(text, words, language):
-                told_by = (*_passed_over(names, way.text, language), *words)
+                told_by = (*_passed_over(names, way.text, words, language), *words)
                 found.append(Meaning(meanings(names, words), way.distance, told_by))
     return sorted(found, key=lambda meaning: meaning.distance)
 
 
-def _passed_over(names: Names, text: str, language: str) -> list[Word]:
-    """Bodies that a text names, which means nothing else in the language, and that are not marked in it as such."""
+def _passed_over(names: Names, text: str, words: list[Word], language: str) -> list[Word]:
+    """Bodies that a text names without a mark, by a word that is read as nothing else: the small piston."""
     plain = set(re.findall(r"[\w.]+", re.sub(MARKED, " ", text)))
-    return [Word("name", body) for body in names.bodies if body in plain and not phrases_at(body, 0, language)]
+    return [
+        Word("name", body)
+        for body in names.bodies
+        if body in plain and not any(meant in words for meant, _ in phrases_at(body, 0, language))
+    ]
 
 
 def _hangs_on_another(text: str, words: list[Word], language: str) -> bool:

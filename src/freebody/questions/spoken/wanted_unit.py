@@ -24,6 +24,11 @@ _BEHIND_IN = re.compile(
 _HOW_MANY = re.compile(
     r"(?:(?:by|in|for|after|um|nach) )?(?:how many|wie ?viele?n?) (?P<unit>[^\W\d_]+)", re.IGNORECASE
 )
+_EACH_MINUTE = re.compile(
+    r"\b(?P<often>(?:how|wie) (?:often|many|oft|viele)\b.*\b(?:swing|oscillat|vibrat|bob|schwing|pendel)\w*\b.*?"
+    r"\b(?:(?P<english>per|a|each|every)|pro|je|in der)) minute\b",
+    re.IGNORECASE,
+)
 _STOP = ".:"  # behind a unit, and no part of it
 _WORD = re.compile(r"[^\W\d_]+")
 _POWER = re.compile(r"(?<=[a-z])(?P<power>[23])(?!\w)")  # m/s2
@@ -41,7 +46,11 @@ def without_units(text: str, named: Container[str]) -> tuple[str, tuple[str, ...
         units.extend([unit] if unit else [])
         return "" if unit else found[0]
 
-    text, at = _IN_BRACKETS.sub(bracketed, text), 0
+    def of_a_minute(found: re.Match[str]) -> str:
+        units.append("1/min")
+        return f"{found['often']} {'second' if found['english'] else 'Sekunde'}"
+
+    text, at = _EACH_MINUTE.sub(of_a_minute, _IN_BRACKETS.sub(bracketed, text)), 0
     while found := _BEHIND_IN.search(text, at):
         at = found.start("unit")
         words = found["unit"].split()
