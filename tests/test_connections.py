@@ -393,6 +393,55 @@ loads: {gravity: {gravity: g}}
             "tension of it between moving and fixed_pulley": "3*m1*m2*g/(4*m1 + m2)",
         },
     ),
+    # n falls carry the load, hauled over a fixed block: n F - m g = m a (MK sec. 4/6)
+    "tackle of n falls": (
+        "string",
+        """
+parameters: {m: 100 kg, n: 4, r: 0.1 m, F: 300 N, g: 9.81 m/s^2}
+bodies: {upper: {disk: {radius: r}}, load: {particle: {mass: m}}, hand: {particle: {mass: 0}}}
+connections:
+  axle: {pin: [ground.top, upper]}
+  it: {string: {from: hand, over: [upper], to: load, falls: n}}
+loads: {gravity: {gravity: g}, pull: {force: {at: hand, along: down, magnitude: F}}}
+""",
+        {
+            "acceleration of load along up": "n*F/m - g",
+            "reaction of axle along up": "(n + 1)*F",
+            "tension of it at load": "F",
+        },
+    ),
+    # the hauling part leaves the moving block and carries as well: 4 F - m g = m a
+    "tackle hauled from the moving block": (
+        "string",
+        """
+parameters: {m: 100 kg, r: 0.1 m, F: 300 N, g: 9.81 m/s^2}
+bodies: {block: {disk: {radius: r}}, load: {particle: {mass: m}}, hand: {particle: {mass: 0}}}
+connections:
+  it: {string: {path: [hand, under block, ground.top], falls: 3}}
+  hook: {string: [block, load]}
+loads: {gravity: {gravity: g}, pull: {force: {at: hand, along: up, magnitude: F}}}
+""",
+        {"acceleration of load along up": "4*F/m - g"},
+    ),
+    # n S d/dphi |A B| of a boom of the length L below a mast of the height b: n S = (m + M/2) g |A B|/b
+    "topping lift of a derrick": (
+        "string",
+        """
+parameters: {L: 8 m, b: 5 m, m: 1000 kg, M: 200 kg, phi_0: 40 deg, R: 0.2 m, g: 9.81 m/s^2}
+ground: {points: {foot: [0, 0], top: [0, b], W: [-3 m, 0]}}
+bodies: {boom: {rod: {length: L, mass: M}}, drum: {disk: {radius: R}}, load: {particle: {mass: m}}}
+connections:
+  foot: {pin: [ground.foot, boom.start]}
+  winch: {pin: [ground.W, drum]}
+  it: {string: {path: [wound on drum at left, over ground.top, boom.end], falls: 5}}
+  hook: {string: [boom.end, load]}
+  turning: {driver: {measure: psi, follows: 0}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of boom, psi: angle of drum}
+start: {phi: phi_0}
+""",
+        {"tension of it at boom": "g*(2*m + M)*sqrt(L**2 - 2*L*b*sin(phi_0) + b**2)/(10*b)"},
+    ),
     # a sled that the model puts on its ramp, where the string leaves the pulley along it, is pulled along it as one is
     # that has no place: (m1 + m2 + M/2) a = (m2 - m1 sin alpha) g
     "string along the ramp to a sled with a place": (

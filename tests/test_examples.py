@@ -985,6 +985,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "ratio": "(R - r)/2",
         "acceleration": "(T - m*g*(R - r)/2)/(I + m*((R - r)/2)**2 + m*((R + r)/2)**2/2)",
     },
+    # the falls carry eta F, eta^2 F, ..., hauled; paid out they carry F/eta, F/eta^2, ...
+    "tackle": {
+        "ratio": "4",
+        "holds": ["m*g/(1/eta + 1/eta**2 + 1/eta**3 + 1/eta**4)", "m*g/(eta + eta**2 + eta**3 + eta**4)"],
+        "lift": "F*(eta + eta**2 + eta**3 + eta**4)/m - g",
+        "falls": "F*(eta + eta**2 + eta**3 + eta**4)/4",
+        "beam": "F*(1 + eta + eta**2 + eta**3 + eta**4)",
+    },
     # F (L - b) + T_1 b = T_2 (2 R - b), T_1 = T_2 e^(mu pi), M = R (T_1 - T_2)
     "differential_band_brake": {
         "force": "M*(2*R - b*(1 + exp(mu*pi)))/(R*(L - b)*(exp(mu*pi) - 1))",

@@ -1276,7 +1276,11 @@ class String(_String):
     or `counterclockwise` as seen against its axis, and `left` is where x is negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
-    `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
+    `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places.
+    `falls: n`: of a tackle, whose blocks are the last two places on the way and whose sheaves stand side by side on two
+    axles: the string runs n times between them, and all falls are parallel, `{from: hand, over: [upper], to: load,
+    falls: 4}`. `efficiency`: by how much each of the n sheaves lets the tension fall; that of the falls is their
+    mean."""
 
     def __init__(
         self,
@@ -1290,6 +1294,8 @@ class String(_String):
         swings: bool = ...,
         friction: _Formula | _Mapping = ...,
         wrap: _Formula | _Mapping | None = ...,
+        falls: _Formula = ...,
+        efficiency: _Formula | None = ...,
     ) -> None: ...
 
 class TensionedString(_TensionedString):
