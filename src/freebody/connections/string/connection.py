@@ -357,7 +357,7 @@ connections:
         turned = {name for push in names.applied_loads for name in turned_in(push.measure)}
         for node in (*way[1:-1], *(n for n in way[-1:] if n.falls != ONE)):
             body, unit = names.known(node.body), one_with(names, node.body)
-            is_round = node.radius != ZERO or (node is way[-1] and node.point.offset == body.mass_center.offset)
+            is_round = node.radius != ZERO or (node is way[-1] and set(node.point.offset) == {ZERO})
             if node.body in grips or not is_round or not node.turned or not body.turns:
                 continue
             welded = [names.known(name) for name in unit - {node.body}]
