@@ -993,6 +993,12 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "falls": "F*(eta + eta**2 + eta**3 + eta**4)/4",
         "beam": "F*(1 + eta + eta**2 + eta**3 + eta**4)",
     },
+    # S = M (g sin phi - s w^2), and the rate of the moment of momentum M s^2 w
+    "trolley_on_a_jib": {
+        "rate": "-u*r",
+        "rope": "M*(g*sin(phi_0 + w*t) - (s_0 - u*r*t)*w**2)",
+        "raising": "(m*L/2 + M*(s_0 - u*r*t))*g*cos(phi_0 + w*t) - 2*M*(s_0 - u*r*t)*u*r*w",
+    },
     # F (L - b) + T_1 b = T_2 (2 R - b), T_1 = T_2 e^(mu pi), M = R (T_1 - T_2)
     "differential_band_brake": {
         "force": "M*(2*R - b*(1 + exp(mu*pi)))/(R*(L - b)*(exp(mu*pi) - 1))",

@@ -1268,8 +1268,9 @@ class String(_String):
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
     guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
     directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies). In space it runs from point to point, through
-    rings and over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
+    also for hanging bodies); along a guide on a body that turns, as of a trolley on a jib, it keeps the direction of
+    that. In space it runs from point to point, through rings and
+    over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
     has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
     wheels whose axes are not parallel it runs along the line in which their planes meet, and from the ground to wheels
     on a jib that turns along the axis of that turn; a drum is wound `clockwise`

@@ -19,6 +19,7 @@ from freebody.connections.standing import (
     starts_at,
 )
 from freebody.connections.string.capstan import DrumPassage, drum_name, frictions, rough_drums, rub
+from freebody.connections.string.carried import askew_on_carriers, with_carried_leads
 from freebody.connections.string.gripping import is_kept_from_turning, named_grips, wheels_that_turn
 from freebody.connections.string.hanging import Hook, askew
 from freebody.connections.string.in_space import SpatialRun, lie_in_space
@@ -63,8 +64,9 @@ class String(Connection, kind="string"):
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
     guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
     directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies). In space it runs from point to point, through
-    rings and over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
+    also for hanging bodies); along a guide on a body that turns, as of a trolley on a jib, it keeps the direction of
+    that. In space it runs from point to point, through rings and
+    over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
     has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
     wheels whose axes are not parallel it runs along the line in which their planes meet, and from the ground to wheels
     on a jib that turns along the axis of that turn; a drum is wound `clockwise`
@@ -239,7 +241,7 @@ connections:
         goes_round = is_sure(names, run, "path" if self.path else "over" if self.over else "under")
         names.standing = before
         names.laying.pop()
-        return run if goes_round else None
+        return with_carried_leads(names, run) if goes_round else None
 
     def _run_in_space(self, names: Names, way: list[StringNode]) -> StringRun | None:
         """How it lies over wheels whose planes need not be that of x and y; None with a problem noted."""
@@ -303,6 +305,16 @@ connections:
                 first=first,
                 second=second,
                 direction=lead.name,
+            )
+            names.assumptions.append(told)
+        for first, second, carrier in askew_on_carriers(names, run):
+            told = Message(
+                "{connection}: from {first} to {second} it is taken to run along {carrier}, although it would be at an "
+                "angle to that where these are put",
+                connection=me,
+                first=first,
+                second=second,
+                carrier=carrier,
             )
             names.assumptions.append(told)
         return rows

@@ -22,6 +22,7 @@ from freebody.connections.string.hanging import Hook, hooks_of
 from freebody.connections.string.node import StringNode, aside
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import DOWN, GROUND, RIGHT, UP, ZERO, Direction, Point
@@ -44,8 +45,11 @@ class StringRun:
     arms: list[Expr]  # at which it pulls on the circles: s R
 
     def held_turn(self, k: int) -> tuple[tuple[Expr, Measure], ...]:
-        """What belongs to the length of a lead and is zero: see `swivel`."""
-        return ()
+        """- rho a of a lead that keeps its direction on a body that turns; what is zero: see `swivel`."""
+        along, rho = self.leads[k], self.aside(k)
+        if along is None or along.body == GROUND or rho == ZERO:
+            return ()
+        return ((negate(rho), Angle(along.body)),)
 
     def aside(self, k: int) -> Expr:
         """rho of lead k."""
