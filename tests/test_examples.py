@@ -999,6 +999,22 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "rope": "M*(g*sin(phi_0 + w*t) - (s_0 - u*r*t)*w**2)",
         "raising": "(m*L/2 + M*(s_0 - u*r*t))*g*cos(phi_0 + w*t) - 2*M*(s_0 - u*r*t)*u*r*w",
     },
+    # y = a cosh(x/a), a = H/w
+    "chain_between_two_masts": {
+        "sag": "H/w*(cosh(l*w/(2*H)) - 1)",
+        "length": "2*H/w*sinh(l*w/(2*H))",
+        "tension": "H*cosh(l*w/(2*H))",
+        "foot": "H*sinh(l*w/(2*H)) + M*g",
+        "moment": "H*h",
+    },
+    # y = q x^2/(2 H), H = q l^2/(8 f)
+    "suspension_bridge": {
+        "pull": "q*l**2/(8*f)",
+        "greatest": "q*l/2*sqrt(1 + l**2/(16*f**2))",
+        "length": "l/2*sqrt(1 + 16*f**2/l**2) + l**2/(8*f)*log(4*f/l + sqrt(1 + 16*f**2/l**2))",
+        "stay": "q*l**2/(8*f)*sqrt(b**2 + c**2)/c",
+        "tower": "q*l/2 + q*l**2/(8*f)*b/c",
+    },
     # F (L - b) + T_1 b = T_2 (2 R - b), T_1 = T_2 e^(mu pi), M = R (T_1 - T_2)
     "differential_band_brake": {
         "force": "M*(2*R - b*(1 + exp(mu*pi)))/(R*(L - b)*(exp(mu*pi) - 1))",
