@@ -1000,12 +1000,12 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "raising": "(m*L/2 + M*(s_0 - u*r*t))*g*cos(phi_0 + w*t) - 2*M*(s_0 - u*r*t)*u*r*w",
     },
     # y = a cosh(x/a), a = H/w
-    "chain_between_two_masts": {
+    "chain_to_a_guyed_pole": {
         "sag": "H/w*(cosh(l*w/(2*H)) - 1)",
         "length": "2*H/w*sinh(l*w/(2*H))",
         "tension": "H*cosh(l*w/(2*H))",
-        "foot": "H*sinh(l*w/(2*H)) + M*g",
-        "moment": "H*h",
+        "guy": "H*sqrt(h**2 + b**2)/b",
+        "foot": "H*sinh(l*w/(2*H)) + M*g + H*h/b",
     },
     # y = q x^2/(2 H), H = q l^2/(8 f)
     "suspension_bridge": {

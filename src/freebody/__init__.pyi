@@ -26,6 +26,7 @@ from freebody.connections.disc_clutch import DiscClutch as _DiscClutch
 from freebody.connections.driver import Driver as _Driver
 from freebody.connections.gear_mesh import GearMesh as _GearMesh
 from freebody.connections.gear_pair import GearPair as _GearPair
+from freebody.connections.hanging_cable import HangingCable as _HangingCable
 from freebody.connections.heavy_rope import HeavyRope as _HeavyRope
 from freebody.connections.helical_gears import HelicalGears as _HelicalGears
 from freebody.connections.link import Link as _Link
@@ -741,6 +742,23 @@ class HalfRing(_HalfRing):
         self,
         mass: _Formula = ...,
         radius: _Formula = ...,
+    ) -> None: ...
+
+class HangingCable(_HangingCable):
+    """`hanging_cable: {between: [ground.A, ground.B], weight: w, pull: H}`: a flexible cable, or a chain, that hangs
+    between two points that stand still. `weight` is its own weight per length (a catenary), `load` in its place what
+    hangs on it per length of the level, as the deck of a suspension bridge (a parabola). `pull` is the horizontal part
+    of its tension; of a parabola the `sag` says it as well. Its supports are pulled by it. Ask for the `tension of
+    cable at ground.A`, its `sag`, its `length`, its `horizontal pull` or its `greatest tension`, and for the pull that
+    a length or a sag asks for: `value of H for which length of cable = s`."""
+
+    def __init__(
+        self,
+        between: Any,
+        weight: _Formula | None = ...,
+        load: _Formula | None = ...,
+        pull: _Formula | None = ...,
+        sag: _Formula | None = ...,
     ) -> None: ...
 
 class HeavyRope(_HeavyRope):

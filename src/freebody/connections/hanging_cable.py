@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.standing import arm_on_ground, number_of, stands_at, vanishes
+from freebody.connections.standing_in_space import axes_at_start
 from freebody.language.expression import Call, Expr, add, divide, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH, STIFFNESS
@@ -28,6 +29,7 @@ from freebody.measures.geometry import DOWN, GROUND, LEFT, ONE, RIGHT, UP, ZERO,
 from freebody.model import glyphs
 from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.model.glyphs import Glyph
+from freebody.model.rotations import applied
 from freebody.model.spec import Formula
 from freebody.model.transmitted import CutTension, Transmitted
 
@@ -107,6 +109,9 @@ connections:
     def _cable(self, names: Names) -> _Cable | None:
         """Its shape; None with a problem noted."""
         n_before = len(names.problems)
+        if names.space and tuple(names.up[:2]) != (ZERO, ONE):
+            names.problem(Message("a cable hangs in the plane of x and y: let up be y"))
+            return None
         points = [names.point(text, "between", k) for k, text in enumerate(self.between)]
         if (self.weight is None) == (self.load is None):
             told = Message("give either weight, its own per length, or load, what hangs on it per length of the level")
@@ -286,7 +291,18 @@ def _place(names: Names, point: Point) -> Components | None:
     if not known:
         return None
     own, place = known[0]
-    return tuple(add(p, q) for p, q in zip(place, arm_on_ground(body, own, point.offset), strict=False))
+    arm = _arm(names, body, own, point.offset)
+    return None if arm is None else tuple(add(p, q) for p, q in zip(place, arm, strict=False))
+
+
+def _arm(names: Names, body: RigidBody, start: Components, end: Components) -> Components | None:
+    """From one point of a body to another one as it starts; None where the axes about which it is turned have angles
+    of their own."""
+    if not names.space:
+        return arm_on_ground(body, start, end)
+    if any(turn.name for turn in body.start.turned or ()):
+        return None
+    return applied(axes_at_start(body), tuple(add(q, negate(p)) for p, q in zip(start, end, strict=True)))
 
 
 def _held(names: Names, point: Point) -> Components | None:
