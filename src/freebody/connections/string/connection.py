@@ -34,7 +34,7 @@ from freebody.connections.string.laying import (
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
 from freebody.connections.string.tackle import drawn_falls, lossy_sheaves, with_falls
-from freebody.connections.string.way import is_held, is_way_given, named_on, one_with, places_given, read_way
+from freebody.connections.string.way import is_held, is_way_given, named_on, places_given, read_way
 from freebody.language.expression import Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
@@ -368,7 +368,7 @@ connections:
         rows: list[ConstraintRow] = []
         turned = {name for push in names.applied_loads for name in turned_in(push.measure)}
         for node in (*way[1:-1], *(n for n in way[-1:] if n.falls != ONE)):
-            body, unit = names.known(node.body), one_with(names, node.body)
+            body, unit = names.known(node.body), _welded_to(names, node.body)
             is_round = node.radius != ZERO or (node is way[-1] and set(node.point.offset) == {ZERO})
             if node.body in grips or not is_round or not node.turned or not body.turns:
                 continue
@@ -378,7 +378,7 @@ connections:
             if body.fixed or unit & {GROUND, *turned} or drum_name(node) in rough:
                 continue
             others = [c for c in names.connections.values() if c is not self and unit & c.mentions(names)]
-            if all(c.lets_turn or c.keeps_flat(names) or c.keeps_as_one(names) for c in others):
+            if all(c.lets_turn or c.keeps_flat(names) or c.is_rigid for c in others):
                 held = Combination(node.turned, DIMENSIONLESS)
                 rows.append(
                     ConstraintRow(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True)
@@ -431,6 +431,12 @@ connections:
         yield glyphs.Rope(nodes, leads, tuple(body for body, _hook in self._own_hooks(names, run)))
         for arm in falls[1:] if falls else ():
             yield glyphs.Rope(tuple(node.drawn(arm) for node in run.way[-2:]), leads[-1:], is_fall=True)
+
+
+def _welded_to(names: Names, body: str) -> set[str]:
+    """A body and what is welded to it."""
+    welds = [c.mentions(names) for c in names.connections.values() if c.is_rigid]
+    return {body}.union(*(bodies for bodies in welds if body in bodies))
 
 
 def _is_placed(names: Names, lead: StringLead) -> bool:

@@ -241,7 +241,7 @@ def _point(
 def is_held(names: Names, body: str) -> bool:
     """Whether anything but strings, and a floor on which it may land, holds a body, or one that it is welded to: what
     is welded to it, or a particle in its middle, and free otherwise hangs on the string with it."""
-    unit = one_with(names, body)
+    unit = _one_with(names, body)
     for other in names.connections.values():
         if other.is_floor_below(names, body):
             continue
@@ -252,7 +252,7 @@ def is_held(names: Names, body: str) -> bool:
     return any(b.fixed or b.name == GROUND or b.start.at is not None for b in others)
 
 
-def one_with(names: Names, body: str) -> set[str]:
+def _one_with(names: Names, body: str) -> set[str]:
     """A body and all that is welded to it."""
     unit, joints = {body}, [c.mentions(names) for c in names.connections.values() if c.keeps_as_one(names)]
     while any(joined & unit and joined - unit for joined in joints):
@@ -263,7 +263,7 @@ def one_with(names: Names, body: str) -> set[str]:
 def _is_pushed_aside(names: Names, body: str) -> bool:
     """Whether a load pushes a body, or one that it is welded to, in a direction which is not straight up or down. No
     string holds it against that, so it swings."""
-    unit = one_with(names, body)
+    unit = _one_with(names, body)
     return any(set(load.measure.bodies()) & unit and _is_askew(names, load.measure) for load in names.applied_loads)
 
 
