@@ -289,3 +289,41 @@ measures: {x: x of block}
     answer = system.solve("acceleration of x").answers[0]
     e = math.exp(0.25 * math.pi / 2)
     assert answer.value == pytest.approx(9.81 * (6 - 0.4 * 10 * e) / (6 + 10 * e))
+
+
+TACKLE = """
+parameters: {m: 100 kg, r: 0.1 m, F: 300 N, eta: 0.9, g: 9.81 m/s^2}
+bodies: {upper: {disk: {radius: r}}, load: {particle: {mass: m}}, hand: {particle: {mass: 0}}}
+connections:
+  axle: {pin: [ground.top, upper]}
+  rope: {string: {from: hand, over: [upper], to: load, falls: 3, efficiency: eta}}
+loads: {gravity: {gravity: g}, pull: {force: {at: hand, along: down, magnitude: F}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("falls: 3", "falls: 2.5", "falls is how many times"),
+        ("falls: 3", "falls: eta", "falls is how many times"),
+        ("efficiency: eta", "efficiency: 1.2", "lies above 0 and is 1 at most"),
+        ("over: [upper], ", "", "it runs over none"),
+        ("disk: {radius: r}", "disk: {mass: 2 kg, radius: r}", "leave the mass of upper out"),
+        ("efficiency: eta", "efficiency: eta, friction: 0.2", "not both"),
+        ("from: hand, over: [upper], to: load", "path: [hand, wound on upper]", "falls run to a block"),
+    ],
+)
+def test_what_no_tackle_can_have_is_refused(old: str, new: str, says: str) -> None:
+    with pytest.raises(fb.ModelError, match=says):
+        fb.System.from_text(TACKLE.replace(old, new))
+
+
+def test_a_tackle_of_one_fall_is_a_sheave_with_its_efficiency(agrees: Agree) -> None:
+    one = TACKLE.replace("falls: 3, ", "")
+    agrees(asked(one, "range of F that keeps it at rest"), "q1", ["m*g*eta", "m*g/eta"])
+
+
+def test_the_solution_of_a_tackle_speaks_of_its_sheaves() -> None:
+    text = str(fb.System.from_text(TACKLE).explain("range of F that keeps it at rest"))
+    assert "lets the tension fall by its efficiency" in text
+    assert "Eytelwein" not in text

@@ -26,6 +26,10 @@ def test_connection_passes_the_conformance_suite(kind: str, check: str) -> None:
     CONNECTION_CHECKS[check](kind)
 
 
+_RISE = "h*w/(2*H*sinh(l*w/(2*H)))"
+_MIDDLE = f"log({_RISE} + sqrt(1 + ({_RISE})**2))"  # x_m/a of a chain between unequal supports
+
+
 # -- one closed form of each ------------------------------------------------------------------
 # Per model: the YAML, and by question the formula; the derivation stands above.
 CLOSED: dict[str, tuple[str, str, dict[str, str | list[str]]]] = {
@@ -391,6 +395,91 @@ loads: {gravity: {gravity: g}}
             "acceleration of weight along down": "g*(4*m1 - 2*m2)/(4*m1 + m2)",
             "acceleration of moving along up": "g*(2*m1 - m2)/(4*m1 + m2)",
             "tension of it between moving and fixed_pulley": "3*m1*m2*g/(4*m1 + m2)",
+        },
+    ),
+    # n falls carry the load, hauled over a fixed block: n F - m g = m a (MK sec. 4/6)
+    "tackle of n falls": (
+        "string",
+        """
+parameters: {m: 100 kg, n: 4, r: 0.1 m, F: 300 N, g: 9.81 m/s^2}
+bodies: {upper: {disk: {radius: r}}, load: {particle: {mass: m}}, hand: {particle: {mass: 0}}}
+connections:
+  axle: {pin: [ground.top, upper]}
+  it: {string: {from: hand, over: [upper], to: load, falls: n}}
+loads: {gravity: {gravity: g}, pull: {force: {at: hand, along: down, magnitude: F}}}
+""",
+        {
+            "acceleration of load along up": "n*F/m - g",
+            "reaction of axle along up": "(n + 1)*F",
+            "tension of it at load": "F",
+        },
+    ),
+    # the hauling part leaves the moving block and carries as well: 4 F - m g = m a
+    "tackle hauled from the moving block": (
+        "string",
+        """
+parameters: {m: 100 kg, r: 0.1 m, F: 300 N, g: 9.81 m/s^2}
+bodies: {block: {disk: {radius: r}}, load: {particle: {mass: m}}, hand: {particle: {mass: 0}}}
+connections:
+  it: {string: {path: [hand, under block, ground.top], falls: 3}}
+  hook: {string: [block, load]}
+loads: {gravity: {gravity: g}, pull: {force: {at: hand, along: up, magnitude: F}}}
+""",
+        {"acceleration of load along up": "4*F/m - g"},
+    ),
+    # n S d/dphi |A B| of a boom of the length L below a mast of the height b: n S = (m + M/2) g |A B|/b
+    "topping lift of a derrick": (
+        "string",
+        """
+parameters: {L: 8 m, b: 5 m, m: 1000 kg, M: 200 kg, phi_0: 40 deg, R: 0.2 m, g: 9.81 m/s^2}
+ground: {points: {foot: [0, 0], top: [0, b], W: [-3 m, 0]}}
+bodies: {boom: {rod: {length: L, mass: M}}, drum: {disk: {radius: R}}, load: {particle: {mass: m}}}
+connections:
+  foot: {pin: [ground.foot, boom.start]}
+  winch: {pin: [ground.W, drum]}
+  it: {string: {path: [wound on drum at left, over ground.top, boom.end], falls: 5}}
+  hook: {string: [boom.end, load]}
+  turning: {driver: {measure: psi, follows: 0}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of boom, psi: angle of drum}
+start: {phi: phi_0}
+""",
+        {"tension of it at boom": "g*(2*m + M)*sqrt(L**2 - 2*L*b*sin(phi_0) + b**2)/(10*b)"},
+    ),
+    # supports at different heights: H = q l^2/(8 f), V = q l/2 -+ H h/l (BJ sec. 7.4)
+    "cable with an even load": (
+        "hanging_cable",
+        """
+parameters: {l: 90 m, h: 12 m, q: 400 N/m, f: 8 m, M: 50 kg, b: 6 m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], B: [l, b + h]}}
+bodies: {mast: {rod: {length: b, mass: M}, angle: 90 deg}}
+connections:
+  foot: {weld: [ground.A, mast.start]}
+  it: {hanging_cable: {between: [mast.end, ground.B], load: q, sag: f}}
+loads: {weight: {gravity: g}}
+""",
+        {
+            "moment of foot": "b*q*l**2/(8*f)",
+            "reaction of foot along up": "M*g + q*l/2 - q*l*h/(8*f)",
+            "tension of it at mast": "q*l/(8*f)*sqrt(l**2 + (4*f - h)**2)",
+            "greatest tension of it": "q*l/(8*f)*sqrt(l**2 + (4*f + h)**2)",
+        },
+    ),
+    # the same from the right to the left; y = a cosh(x/a) with sinh(x_m/a) = h/(2 a sinh(l/(2 a))) (BJ sec. 7.5)
+    "chain between unequal supports": (
+        "hanging_cable",
+        """
+parameters: {l: 90 m, h: 12 m, w: 400 N/m, H: 60 kN}
+ground: {points: {A: [0, 0], B: [l, h]}}
+bodies: {mast: {rod: {length: 1 m, mass: 0}, angle: 90 deg}}
+connections:
+  foot: {weld: [ground.A, mast.end]}
+  it: {hanging_cable: {between: [ground.B, mast.end], weight: w, pull: H}}
+""",
+        {
+            "length of it": "sqrt(h**2 + (2*H/w*sinh(l*w/(2*H)))**2)",
+            "tension of it at mast": f"H*cosh({_MIDDLE} - l*w/(2*H))",
+            "reaction of foot along up": f"H*sinh(l*w/(2*H) - {_MIDDLE})",
         },
     ),
     # a sled that the model puts on its ramp, where the string leaves the pulley along it, is pulled along it as one is
@@ -995,3 +1084,41 @@ def test_the_place_of_a_body_written_into_its_shape_is_led_beside_it() -> None:
     assert "write angle and points beside rod, not inside it: {rod: {mass: 1 kg, length: 1 m}, angle: 30 deg" in str(
         found.value
     )
+
+
+CABLE = """
+parameters: {l: 90 m, h: 12 m, w: 400 N/m, H: 60 kN, s: 95 m}
+ground: {points: {A: [0, 0], B: [l, h]}}
+bodies: {mast: {rod: {length: 1 m, mass: 0}, angle: 90 deg}}
+connections:
+  foot: {weld: [ground.A, mast.end]}
+  it: {hanging_cable: {between: [ground.A, ground.B], weight: w, pull: H}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("weight: w, pull: H", "weight: w, sag: 2 m", "by no formula"),
+        ("weight: w, pull: H", "weight: w", "give its pull"),
+        ("weight: w, pull: H", "weight: w, load: w, pull: H", "give either weight"),
+        ("B: [l, h]", "B: [0, h]", "above each other"),
+        ("between: [ground.A, ", "between: [bob, ", "put its body there"),
+    ],
+)
+def test_a_cable_that_does_not_hang_says_why(old: str, new: str, says: str) -> None:
+    model = CABLE.replace("bodies: {", "bodies: {bob: {particle: {mass: 1 kg}}, ")
+    with pytest.raises(fb.ModelError, match=says):
+        fb.System.from_text(model.replace(old, new))
+
+
+def test_the_pull_of_a_chain_by_its_length_is_the_only_one() -> None:
+    # s^2 = h^2 + (2 a sinh(l/(2 a)))^2; the sag is the greatest distance below the chord
+    answers = fb.System.from_text(CABLE).solve(["value of H for which length of it = s", "sag of it"]).answers
+    a = answers[0].value / 400.0
+    assert math.hypot(12.0, 2 * a * math.sinh(45.0 / a)) == pytest.approx(95.0)
+    assert "exactly one solution" in str(answers[0].reason)
+    a, chord = 150.0, [(0.09 * k, 0.012 * k) for k in range(1001)]
+    low = a * math.asinh(12.0 / (2 * a * math.sinh(45.0 / a))) - 45.0
+    depths = [y + a * math.cosh(low / a) - a * math.cosh((low + x) / a) for x, y in chord]
+    assert answers[1].value == pytest.approx(max(depths), rel=1e-6)

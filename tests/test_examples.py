@@ -987,6 +987,36 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "ratio": "(R - r)/2",
         "acceleration": "(T - m*g*(R - r)/2)/(I + m*((R - r)/2)**2 + m*((R + r)/2)**2/2)",
     },
+    # the falls carry eta F, eta^2 F, ..., hauled; paid out they carry F/eta, F/eta^2, ...
+    "tackle": {
+        "ratio": "4",
+        "holds": ["m*g/(1/eta + 1/eta**2 + 1/eta**3 + 1/eta**4)", "m*g/(eta + eta**2 + eta**3 + eta**4)"],
+        "lift": "F*(eta + eta**2 + eta**3 + eta**4)/m - g",
+        "falls": "F*(eta + eta**2 + eta**3 + eta**4)/4",
+        "beam": "F*(1 + eta + eta**2 + eta**3 + eta**4)",
+    },
+    # S = M (g sin phi - s w^2), and the rate of the moment of momentum M s^2 w
+    "trolley_on_a_jib": {
+        "rate": "-u*r",
+        "rope": "M*(g*sin(phi_0 + w*t) - (s_0 - u*r*t)*w**2)",
+        "raising": "(m*L/2 + M*(s_0 - u*r*t))*g*cos(phi_0 + w*t) - 2*M*(s_0 - u*r*t)*u*r*w",
+    },
+    # y = a cosh(x/a), a = H/w
+    "chain_to_a_guyed_pole": {
+        "sag": "H/w*(cosh(l*w/(2*H)) - 1)",
+        "length": "2*H/w*sinh(l*w/(2*H))",
+        "tension": "H*cosh(l*w/(2*H))",
+        "guy": "H*sqrt(h**2 + b**2)/b",
+        "foot": "H*sinh(l*w/(2*H)) + M*g + H*h/b",
+    },
+    # y = q x^2/(2 H), H = q l^2/(8 f)
+    "suspension_bridge": {
+        "pull": "q*l**2/(8*f)",
+        "greatest": "q*l/2*sqrt(1 + l**2/(16*f**2))",
+        "length": "l/2*sqrt(1 + 16*f**2/l**2) + l**2/(8*f)*log(4*f/l + sqrt(1 + 16*f**2/l**2))",
+        "stay": "q*l**2/(8*f)*sqrt(b**2 + c**2)/c",
+        "tower": "q*l/2 + q*l**2/(8*f)*b/c",
+    },
     # F (L - b) + T_1 b = T_2 (2 R - b), T_1 = T_2 e^(mu pi), M = R (T_1 - T_2)
     "differential_band_brake": {
         "force": "M*(2*R - b*(1 + exp(mu*pi)))/(R*(L - b)*(exp(mu*pi) - 1))",

@@ -111,3 +111,84 @@ def test_how_a_load_is_lifted_over_a_trolley_is_derived() -> None:
     told = is_derived(CRANE.replace("PATH", FORTH), "tension of rope at drum")
     assert "Rope" not in told["de"]
     assert posed(LEFT, "tension of rope at drum").value is not None
+
+
+ON_A_JIB = """
+parameters: {m: 50 kg, M: 100 kg, L: 6 m, r: 0.1 m, alpha: 20 deg, g: 9.81 m/s^2}
+bodies:
+  jib: {rod: {length: L, mass: 800 kg}, points: {axle: [L/2, AXLE]}}
+  trolley: {particle: {mass: M}}
+  sheave: {disk: {radius: r}}
+  weight: {particle: {mass: m}}
+connections:
+  pivot: {pin: [ground.O, jib.start]}
+  rail: {slider: {body: trolley, on: jib, along: jib.x}}
+  axle: {pin: [jib.axle, sheave]}
+  rope: {string: [trolley, over sheave, weight]}
+  turning: {driver: {measure: phi, follows: alpha}}
+loads: {gravity: {gravity: g}}
+measures: {phi: angle of jib, s: {travel of trolley along jib.x from jib.start}}
+start: {s: 2 m}
+"""
+
+
+@pytest.mark.parametrize(("axle", "is_askew"), [("-r", False), ("0", True)])
+def test_a_rope_runs_along_a_jib_that_turns(axle: str, is_askew: bool) -> None:
+    # m g - S = m a, S - M g sin alpha = M a
+    model = ON_A_JIB.replace("AXLE", axle)
+    is_formula(model, "acceleration of s", "g*(m - M*sin(alpha))/(m + M)")
+    is_formula(model, "tension of rope", "m*M*g*(1 + sin(alpha))/(m + M)")
+    told = fb.System.from_text(model).assumptions
+    assert any("taken to run along jib" in str(text) for text in told) == is_askew
+
+
+def test_a_trolley_whose_way_is_not_said_has_the_common_tangent() -> None:
+    # nobody says on which side of the sheave it starts, or it is put somewhere
+    for change in ("start: {s: 2 m}", "trolley: {particle: {mass: M}"):
+        model = ON_A_JIB.replace("AXLE", "0")
+        new = {"start: {s: 2 m}": ""}.get(change, "trolley: {particle: {mass: M}, at: [2 m, 1 m]")
+        system = fb.System.from_text(model.replace(change, new).replace("start: {s: 2 m}", ""))
+        assert not any("taken to run along jib" in str(text) for text in system.assumptions)
+
+
+LUFFING = """
+parameters: {m: 500 kg, M: 100 kg, L: 12 m, w: 0.1 rad/s, a: 0.4 rad, s0: 4 m, v: 0.5 m/s, r: 0.2 m, g: 9.81 m/s^2}
+bodies:
+  jib: {rod: {length: L, mass: 0}, points: {drum: [-L/2, 0]}}
+  trolley: {particle: {mass: M}}
+  sheave: {disk: {radius: r}}
+  drum: {disk: {radius: r}}
+  load: {particle: {mass: m}}
+connections:
+  pivot: {pin: [ground.O, jib.start]}
+  winch: {pin: [jib.drum, drum]}
+  rail: {slider: {body: trolley, on: jib, along: jib.x}}
+  axle: {pin: [trolley, sheave]}
+  rope: {string: {path: [wound on drum clockwise, over sheave, load]}}
+  turning: {driver: {measure: phi, follows: a + w*t}}
+  running: {driver: {measure: s, follows: s0 + v*t}}
+  holding: {driver: {measure: psi, follows: 0}}
+loads: {weight: {gravity: g}}
+measures:
+  {phi: angle of jib, psi: angle of drum from jib, s: {travel of trolley along jib.x from jib.start}, y: y of load}
+start: {y: -5 m}
+"""
+
+
+def test_a_load_on_a_luffing_jib_rises_by_the_jib_and_by_what_its_rope_comes_in() -> None:
+    # s + r (phi + pi/2) + h = constant on a drum that turns with the jib; y = s sin phi - h
+    is_formula(LUFFING, "rate of y at start", "v*sin(a) + s0*w*cos(a) + v + r*w")
+    is_formula(LUFFING, "tension of rope at load at start", "m*(g + 2*v*w*cos(a) - s0*w^2*sin(a))")
+
+
+def test_the_derivation_puts_in_the_length_that_the_start_gives() -> None:
+    # S = M (g sin(alpha + w t) - s_0 w^2) of a trolley that a rope over the tip of the jib holds
+    model = ON_A_JIB.replace("AXLE", "0").replace("[trolley, over sheave, weight]", "[trolley, over jib.end, ground.O]")
+    model = model.replace("follows: alpha", "follows: alpha + w*t").replace("g: 9.81", "w: 0.2 rad/s, g: 9.81")
+    for line in (
+        "  sheave: {disk: {radius: r}}\n",
+        "  weight: {particle: {mass: m}}\n",
+        "  axle: {pin: [jib.axle, sheave]}\n",
+    ):
+        model = model.replace(line, "")
+    assert "erhalten bleibt" in is_derived(model, "tension of rope")["de"]

@@ -26,6 +26,7 @@ from freebody.connections.disc_clutch import DiscClutch as _DiscClutch
 from freebody.connections.driver import Driver as _Driver
 from freebody.connections.gear_mesh import GearMesh as _GearMesh
 from freebody.connections.gear_pair import GearPair as _GearPair
+from freebody.connections.hanging_cable import HangingCable as _HangingCable
 from freebody.connections.heavy_rope import HeavyRope as _HeavyRope
 from freebody.connections.helical_gears import HelicalGears as _HelicalGears
 from freebody.connections.link import Link as _Link
@@ -743,6 +744,23 @@ class HalfRing(_HalfRing):
         radius: _Formula = ...,
     ) -> None: ...
 
+class HangingCable(_HangingCable):
+    """`hanging_cable: {between: [ground.A, ground.B], weight: w, pull: H}`: a flexible cable, or a chain, that hangs
+    between two points that stand still. `weight` is its own weight per length (a catenary), `load` in its place what
+    hangs on it per length of the level, as the deck of a suspension bridge (a parabola). `pull` is the horizontal part
+    of its tension; of a parabola the `sag` says it as well. Its supports are pulled by it. Ask for the `tension of
+    cable at ground.A`, its `sag`, its `length`, its `horizontal pull` or its `greatest tension`, and for the pull that
+    a length or a sag asks for: `value of H for which length of cable = s`."""
+
+    def __init__(
+        self,
+        between: Any,
+        weight: _Formula | None = ...,
+        load: _Formula | None = ...,
+        pull: _Formula | None = ...,
+        sag: _Formula | None = ...,
+    ) -> None: ...
+
 class HeavyRope(_HeavyRope):
     """`heavy_rope: {rope: chain, over: [ground.edge], leads: [right, down]}`: a body `rope: {mass: m, length: L}` runs
     over points of the ground, and over wheels that are pinned to the ground, which it grips and turns. `leads` are the
@@ -1268,15 +1286,20 @@ class String(_String):
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
     guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
     directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies). In space it runs from point to point, through
-    rings and over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
+    also for hanging bodies); along a guide on a body that turns, as of a trolley on a jib, it keeps the direction of
+    that. In space it runs from point to point, through rings and
+    over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
     has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
     wheels whose axes are not parallel it runs along the line in which their planes meet, and from the ground to wheels
     on a jib that turns along the axis of that turn; a drum is wound `clockwise`
     or `counterclockwise` as seen against its axis, and `left` is where x is negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
-    `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
+    `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places.
+    `falls: n`: of a tackle, whose blocks are the last two places on the way and whose sheaves stand side by side on two
+    axles: the string runs n times between them, and all falls are parallel, `{from: hand, over: [upper], to: load,
+    falls: 4}`. `efficiency`: by how much each of the n sheaves lets the tension fall; that of the falls is their
+    mean."""
 
     def __init__(
         self,
@@ -1290,6 +1313,8 @@ class String(_String):
         swings: bool = ...,
         friction: _Formula | _Mapping = ...,
         wrap: _Formula | _Mapping | None = ...,
+        falls: _Formula = ...,
+        efficiency: _Formula | None = ...,
     ) -> None: ...
 
 class TensionedString(_TensionedString):

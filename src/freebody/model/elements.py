@@ -415,7 +415,8 @@ class DryFriction:
     The load is the size of the resultant of the multipliers named in `load` (one or two); without any, `static` and
     `kinetic` are the limits themselves, laws of time and of `measures`. `of` is the bound without which there is no
     friction. Where the friction that resists a growing measure differs from the one that resists a falling one, the
-    second is given by `static_back` and `kinetic_back` (a belt round a drum).
+    second is given by `static_back` and `kinetic_back`, and `between_tensions` is the law of the tensions before and
+    after it: `euler` round a drum, `sheaves` over those of a tackle.
 
     In space it acts in a plane, with a second row `across` the first, at right angles to it: while it does not run both
     are held, as long as the resultant of their multipliers stays within static * load (a circular cone); while it runs,
@@ -428,6 +429,7 @@ class DryFriction:
     of: str = ""
     static_back: Expr | None = None
     kinetic_back: Expr | None = None
+    between_tensions: str = ""
     measures: tuple[tuple[str, Measure], ...] = ()
     across: ConstraintRow | None = None
 

@@ -184,7 +184,7 @@ class Lead(Generic[D]):
 class Rope(Generic[P, D, N]):
     """A string on its way, with one lead less than nodes. hanging: bodies that hang on it, whose place aside nothing
     else states. With a free first end it comes to the first node along `comes`, as long as is left of the `whole`. An
-    elastic one is slack where it is shorter than `relaxed`."""
+    elastic one is slack where it is shorter than `relaxed`. One more fall of a tackle has its place, and no circle."""
 
     nodes: tuple[Node[P, D, N], ...]
     leads: tuple[Lead[D], ...]
@@ -193,6 +193,7 @@ class Rope(Generic[P, D, N]):
     comes: D | None = None
     whole: N | None = None
     relaxed: N | None = None
+    is_fall: bool = False
 
 
 # -- contact ------------------------------------------------------------------------------------

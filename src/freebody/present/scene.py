@@ -349,7 +349,7 @@ class _Reader:
         """Radii of the circles about a centre that strings, gears and surfaces touch."""
         for sign in self.signs:
             match sign:
-                case Rope(nodes):
+                case Rope(nodes, is_fall=False):
                     yield from (node.arm for node in nodes if _is_near(node.place, center))
                 case Wheels(first, second, radii) | Belt(first, second, radii):
                     ends = zip((first, second), radii, strict=True)

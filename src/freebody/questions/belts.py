@@ -1,4 +1,4 @@
-"""Questions about belts and chains: the tensions of both runs, what can be carried before it slips, how long it is."""
+"""Questions about belts, chains and cables that hang: tensions, what is carried before it slips, how long it is."""
 
 from __future__ import annotations
 
@@ -20,14 +20,17 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _WRAP = "angle of wrap"
-_WORDS = f"tight tension|slack tension|greatest belt force|greatest power|speed of greatest power|length|links|{_WRAP}"
+_OF_BELTS = (
+    f"tight tension|slack tension|greatest belt force|greatest power|speed of greatest power|length|links|{_WRAP}"
+)
+_WORDS = f"{_OF_BELTS}|sag|horizontal pull|greatest tension"
 _KEYS = {word: word.replace(" ", "_") for word in _WORDS.split("|")}
 
 
 @dataclass(frozen=True)
 class OfBelt(Joined, kind="of a belt"):
-    """A tension of a belt, the greatest force or power that it carries without slip, its length, or the angle of wrap
-    on the pulley on which it slips first."""
+    """A tension of a belt, the greatest force or power that it carries without slip, its length, the angle of wrap on
+    the pulley on which it slips first; of a cable that hangs its sag, its length, its pull and its greatest tension."""
 
     is_by_law: ClassVar[bool] = True
 
@@ -90,7 +93,7 @@ questions: {it: tight tension of drive}
 
 @asked(
     "tight tension | slack tension | greatest belt force | greatest power | speed of greatest power | length | "
-    "angle of wrap of CONNECTION",
+    "angle of wrap | sag | horizontal pull | greatest tension of CONNECTION",
     rf"(?P<what>{_WORDS}) (?:of|in) (?:the )?(?P<of>{NAME})",
     rank=60,
 )
@@ -107,7 +110,7 @@ def _of_belt(names: Names, found: Found, path: Path) -> Quantity | None:
         told = (
             Message("{of} has no {what}; ask for: {known}", of=of, what=what, known=listed(able))
             if known
-            else Message("{of} is no belt and no chain", of=of)
+            else Message("{of} is no belt, no chain and no cable that hangs", of=of)
         )
         names.problem(told, *path)
         return None

@@ -15,6 +15,7 @@ from freebody.symbolic.decimals_shown import in_decimals
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.gathered import Gathers, collected
 from freebody.symbolic.half_angles_shown import by_conjugates
+from freebody.symbolic.hyperbolic_shown import in_hyperbolic_functions
 from freebody.symbolic.numbers_with_roots import in_roots
 from freebody.symbolic.polynomials import Poly
 from freebody.symbolic.products_shown import Products, place
@@ -67,7 +68,7 @@ def _as_it_is(x: Ratio) -> Expr:
         x = Ratio(x.field, -x.num, -x.den)
     shorter = _root_of_a_quotient(x) or _over_a_root(x)
     others = [_quotient(other) for other in by_conjugates(x)] if shorter is None else []
-    others += _sum_of_roots(x)
+    others += [*_sum_of_roots(x), *in_hyperbolic_functions(x, tidy)]
     return min([_quotient(x) if shorter is None else shorter, *others], key=n_operations)
 
 

@@ -36,6 +36,7 @@ from freebody.study.pictures.picture import picture
 from freebody.study.setup import Setup
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.modes import ContactMode, in_mode
+from freebody.system.reading.loads import BroughtLoad
 from freebody.system.schema import json_schema
 from freebody.system.system import System as Description
 
@@ -152,10 +153,11 @@ def is_described_and_in_the_schema(kind: str) -> None:
 
 @_of_connections
 def example_is_a_valid_model_that_holds_something(kind: str) -> None:
-    """Its example can be read, agrees with the schema, and holds, bounds or resists something."""
+    """Its example can be read, agrees with the schema, and holds, bounds, resists or pulls something."""
     system = closed(kind)
     assert isinstance(system.connections["it"], Connection.kinds[kind.partition(": ")[0]])  # pyrefly: ignore[bad-argument-type]
-    assert own_rows(system), f"{kind} holds nothing in its example"
+    pulls = [load for load in system.loads.values() if isinstance(load, BroughtLoad) and load.brought_by == "it"]
+    assert own_rows(system) or pulls, f"{kind} holds nothing in its example"
     _validate(system)
 
 

@@ -89,13 +89,6 @@ def rub(names: Names, passage: DrumPassage, friction: Friction, wrap: Any, conne
     beta = _wrap(names, passage, wrap, label)
     if beta is None:
         return None
-    terms = passage.before
-    body = names.known(passage.node.body)
-    if body.turns and not body.fixed and body.name != GROUND and passage.arm != ZERO:
-        terms = (*terms, *((multiply(passage.arm, share), angle) for share, angle in passage.node.turned))
-    row = ConstraintRow(
-        slip_of(passage.node), "friction force", Combination(terms, LENGTH), ends=(body.name,), connection=connection
-    )
 
     def forward(mu: Expr) -> Expr:
         return Call("exp", multiply(mu, beta)) - ONE
@@ -104,13 +97,23 @@ def rub(names: Names, passage: DrumPassage, friction: Friction, wrap: Any, conne
         return ONE - Call("exp", negate(multiply(mu, beta)))
 
     return DryFriction(
-        row,
+        slip_row(names, passage, connection),
         forward(friction.static),
         forward(friction.kinetic),
         (f"{connection}.{passage.row}",),
         static_back=backward(friction.static),
         kinetic_back=backward(friction.kinetic),
+        between_tensions="euler",
     )
+
+
+def slip_row(names: Names, passage: DrumPassage, connection: str) -> ConstraintRow:
+    """How far a string slips over a drum: the length before it, and what the drum turns."""
+    terms, body = passage.before, names.known(passage.node.body)
+    if body.turns and not body.fixed and body.name != GROUND and passage.arm != ZERO:
+        terms = (*terms, *((multiply(passage.arm, share), angle) for share, angle in passage.node.turned))
+    slip = Combination(terms, LENGTH)
+    return ConstraintRow(slip_of(passage.node), "friction force", slip, ends=(body.name,), connection=connection)
 
 
 def rough_drums(given: Any, passed: list[str]) -> set[str]:

@@ -18,7 +18,8 @@ from freebody.connections.standing import (
     number_of,
     starts_at,
 )
-from freebody.connections.string.capstan import drum_name, frictions, rough_drums, rub
+from freebody.connections.string.capstan import DrumPassage, drum_name, frictions, rough_drums, rub
+from freebody.connections.string.carried import askew_on_carriers, with_carried_leads
 from freebody.connections.string.gripping import is_kept_from_turning, named_grips, wheels_that_turn
 from freebody.connections.string.hanging import Hook, askew
 from freebody.connections.string.in_space import SpatialRun, lie_in_space
@@ -32,6 +33,7 @@ from freebody.connections.string.laying import (
 )
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
+from freebody.connections.string.tackle import drawn_falls, lossy_sheaves, with_falls
 from freebody.connections.string.way import is_held, is_way_given, named_on, places_given, read_way
 from freebody.language.expression import Expr, add, negate
 from freebody.language.sentences import Message
@@ -39,10 +41,11 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, RIGHT, ZERO, Direction, Point
+from freebody.measures.geometry import GROUND, ONE, RIGHT, ZERO, Direction, Point
 from freebody.measures.turned import turned_in
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint, Validity
+from freebody.model.friction import Friction
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 from freebody.tolerances import ROUND_OFF
@@ -61,15 +64,20 @@ class String(Connection, kind="string"):
     leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
     guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
     directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies). In space it runs from point to point, through
-    rings and over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
+    also for hanging bodies); along a guide on a body that turns, as of a trolley on a jib, it keeps the direction of
+    that. In space it runs from point to point, through rings and
+    over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
     has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
     wheels whose axes are not parallel it runs along the line in which their planes meet, and from the ground to wheels
     on a jib that turns along the axis of that turn; a drum is wound `clockwise`
     or `counterclockwise` as seen against its axis, and `left` is where x is negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
-    `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
+    `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places.
+    `falls: n`: of a tackle, whose blocks are the last two places on the way and whose sheaves stand side by side on two
+    axles: the string runs n times between them, and all falls are parallel, `{from: hand, over: [upper], to: load,
+    falls: 4}`. `efficiency`: by how much each of the n sheaves lets the tension fall; that of the falls is their
+    mean."""
 
     called: ClassVar[tuple[str, ...]] = (
         "rope",
@@ -101,6 +109,8 @@ class String(Connection, kind="string"):
     swings: bool = False
     friction: Formula | dict[str, Any] = 0
     wrap: Formula | dict[str, Formula] | None = None
+    falls: Formula = 1
+    efficiency: Formula | None = None
 
     model_config = ConfigDict(populate_by_name=True)
 
@@ -179,13 +189,13 @@ connections:
         sections = sections_of(run, grips)
         rough = rough_drums(self.friction, _slid_over(sections))
         return [
-            *(section.row(len(sections), rough) for section in sections),
+            *(section.row(len(sections), rough | self._lossy(run)) for section in sections),
             *self._hanging(names, run),
             *self._idle(names, run.way, grips, rough),
         ]
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
-        if self.friction in (0, None):
+        if self.friction in (0, None) and self.efficiency is None:
             return [], []
         n_before = len(names.problems)
         run = self._run(names)
@@ -196,13 +206,30 @@ connections:
         given = frictions(names, self.friction, _slid_over(sections))
         found: list[DryFriction] = []
         for section in sections:
-            rough = [p for p in section.passages if drum_name(p.node) in given]
+            lossy = set[str]() if run is None else self._lossy(run)
+            rough = [p for p in section.passages if drum_name(p.node) in given.keys() | lossy]
             for passage in rough:
                 alone = replace(passage, row=section.component(len(sections)), is_only=len(rough) == 1)
-                friction = rub(names, alone, given[drum_name(passage.node)], self.wrap, connection)
+                friction = self._rubs(names, alone, given.get(drum_name(passage.node)), connection)
                 if friction is not None:
                     found.append(friction)
         return [], found
+
+    def _rubs(
+        self, names: Names, passage: DrumPassage, friction: Friction | None, connection: str
+    ) -> DryFriction | None:
+        """What takes from the tension where it passes a drum, or the sheaves of a tackle; None with a problem noted."""
+        if self.efficiency is None:
+            return None if friction is None else rub(names, passage, friction, self.wrap, connection)
+        if friction is not None or not passage.is_only:
+            told = Message("the sheaves of a tackle have an efficiency, or a string slides with friction, not both")
+            names.problem(told, "efficiency")
+            return None
+        return lossy_sheaves(names, passage, self.falls, self.efficiency, connection)
+
+    def _lossy(self, run: StringRun) -> set[str]:
+        """Where the sheaves of a tackle take from the tension."""
+        return set() if self.efficiency is None else {drum_name(run.way[-2])}
 
     def _run(self, names: Names) -> StringRun | None:
         """How the string lies; None with problems noted."""
@@ -210,6 +237,7 @@ connections:
             return None
         texts, fields = zip(*self._places(), strict=True)
         way = read_way(names, texts, fields, swings=self.swings)
+        way = None if way is None else with_falls(names, way, self)
         if way is None:
             return None
         if self._is_of_points(names):  # nothing hangs in a direction of its own, and no lead is along a guide
@@ -223,7 +251,7 @@ connections:
         goes_round = is_sure(names, run, "path" if self.path else "over" if self.over else "under")
         names.standing = before
         names.laying.pop()
-        return run if goes_round else None
+        return with_carried_leads(names, run) if goes_round else None
 
     def _run_in_space(self, names: Names, way: list[StringNode]) -> StringRun | None:
         """How it lies over wheels whose planes need not be that of x and y; None with a problem noted."""
@@ -239,7 +267,7 @@ connections:
         """The pulleys on which it does not slip: all that can turn, or those that the model names."""
         if self.grips is not None:
             return named_grips(names, run, self.grips)
-        free = {p for p in wheels_that_turn(names, run) if not is_kept_from_turning(names, p)}
+        free = {p for p in wheels_that_turn(names, run) if not is_kept_from_turning(names, p)} - self._lossy(run)
         if self._rubs_on_each(run, free):
             return set()
         return free - set(self.friction if isinstance(self.friction, dict) else ())
@@ -287,6 +315,16 @@ connections:
                 first=first,
                 second=second,
                 direction=lead.name,
+            )
+            names.assumptions.append(told)
+        for first, second, carrier in askew_on_carriers(names, run):
+            told = Message(
+                "{connection}: from {first} to {second} it is taken to run along {carrier}, although it would be at an "
+                "angle to that where these are put",
+                connection=me,
+                first=first,
+                second=second,
+                carrier=carrier,
             )
             names.assumptions.append(told)
         return rows
@@ -339,14 +377,18 @@ connections:
         turns, is taken not to turn: its rotation is no motion that anything decides, and the row carries no moment."""
         rows: list[ConstraintRow] = []
         turned = {name for push in names.applied_loads for name in turned_in(push.measure)}
-        for node in way[1:-1]:
-            body = names.known(node.body)
-            if node.body in grips or node.radius == ZERO or body.fixed or body.inertia != ZERO or not node.turned:
+        for node in (*way[1:-1], *(n for n in way[-1:] if n.falls != ONE)):
+            body, unit = names.known(node.body), _welded_to(names, node.body)
+            is_round = node.radius != ZERO or (node is way[-1] and set(node.point.offset) == {ZERO})
+            if node.body in grips or not is_round or not node.turned or not body.turns:
                 continue
-            if node.body in turned or drum_name(node) in rough:
+            welded = [names.known(name) for name in unit - {node.body}]
+            if body.inertia != ZERO or any(b.fixed or {b.mass, b.inertia} != {ZERO} for b in welded):
                 continue
-            others = [c for c in names.connections.values() if c is not self and node.body in c.mentions(names)]
-            if all(c.lets_turn or c.keeps_flat(names) for c in others):
+            if body.fixed or unit & {GROUND, *turned} or drum_name(node) in rough:
+                continue
+            others = [c for c in names.connections.values() if c is not self and unit & c.mentions(names)]
+            if all(c.lets_turn or c.keeps_flat(names) or c.is_rigid for c in others):
                 held = Combination(node.turned, DIMENSIONLESS)
                 rows.append(
                     ConstraintRow(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True)
@@ -391,10 +433,20 @@ connections:
         if run is None:
             return
         sections = sections_of(run, self._grips(names, run))
-        nodes = tuple(node.drawn(arm) for node, arm in zip(run.way, run.arms, strict=True))
+        falls = drawn_falls(names, run)
+        arms = run.arms if falls is None else [*run.arms[:-1], falls[0]]
+        nodes = tuple(node.drawn(arm) for node, arm in zip(run.way, arms, strict=True))
         rows = [s.component(len(sections)) for s in sections for _lead in itertools.pairwise(s.nodes)]
         leads = tuple(glyphs.Lead(along, row) for along, row in zip(run.leads, rows, strict=True))
         yield glyphs.Rope(nodes, leads, tuple(body for body, _hook in self._own_hooks(names, run)))
+        for arm in falls[1:] if falls else ():
+            yield glyphs.Rope(tuple(node.drawn(arm) for node in run.way[-2:]), leads[-1:], is_fall=True)
+
+
+def _welded_to(names: Names, body: str) -> set[str]:
+    """A body and what is welded to it."""
+    welds = [c.mentions(names) for c in names.connections.values() if c.is_rigid]
+    return {body}.union(*(bodies for bodies in welds if body in bodies))
 
 
 def _is_placed(names: Names, lead: StringLead) -> bool:

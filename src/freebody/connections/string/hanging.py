@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.connections.standing import apart_at_start, is_parallel, is_zero, same_way, stands_at
-from freebody.connections.string.node import StringNode
+from freebody.connections.string.node import StringNode, aside
 from freebody.language.expression import Expr, add, multiply, negate
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, ZERO, Direction, Point
@@ -76,7 +76,7 @@ def hooks_of(way: Sequence[StringNode], leads: Sequence[Direction | None], arms:
         for j, lead in ((k - 1, leads[k - 1]) if k > 0 else (0, None), (k, leads[k]) if k < len(leads) else (0, None)):
             if lead is None:
                 continue
-            offset = add(arms[j + 1], negate(arms[j]))
+            offset = aside(way, arms, j)
             is_end = j + 1 == k
             sides.append(Aside(way[j if is_end else k + 1].point, lead.normal(), offset if is_end else negate(offset)))
         if sides:
@@ -97,7 +97,7 @@ def askew(
             if _is_beside(names, way, leads, arms, k):
                 yield first, second, lead
             continue
-        if not is_zero(names, add(end, negate(start), arms[k], negate(arms[k + 1]))):
+        if not is_zero(names, add(end, negate(start), negate(aside(way, arms, k)))):
             yield first, second, lead
 
 
@@ -113,5 +113,5 @@ def _is_beside(
     if apart is None:
         return False
     (n, *_), (m, *_) = before.normal().components, after.normal().components
-    rho, other = (add(arms[j + 1], negate(arms[j])) for j in (k - 1, k))
+    rho, other = (aside(way, arms, j) for j in (k - 1, k))
     return not is_zero(names, add(multiply(n, rho), multiply(m, other), negate(apart)))

@@ -35,7 +35,7 @@ from freebody.language.expression import Call, Expr, add, multiply, negate, numb
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ZERO, Direction, Point
+from freebody.measures.geometry import GROUND, ONE, ZERO, Direction, Point
 from freebody.measures.turn import Alignment
 from freebody.model.elements import ConstraintRow
 from freebody.model.rotations import UNIT, dot, perpendiculars, vector_product
@@ -180,7 +180,8 @@ class _Laying(SwivelLeads):
         frame = plane.normal.body
         normal = Direction(frame, vector_product(plane.normal.components, lead.components))
         found: list[tuple[Direction, Point, Expr]] = []
-        for along, offset in ((normal, negate(arms[j])), (plane.normal, ZERO)):
+        aside = negate(arms[j]) if self.way[max(j, k)].falls == ONE else ZERO
+        for along, offset in ((normal, aside), (plane.normal, ZERO)):
             place = self.still.standing(other, along)
             if place.body == frame == GROUND:
                 found.append((along, self.names.ground_origin, add(place.far, offset)))

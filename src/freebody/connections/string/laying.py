@@ -19,9 +19,10 @@ from freebody.connections.standing import (
     vanishes,
 )
 from freebody.connections.string.hanging import Hook, hooks_of
-from freebody.connections.string.node import StringNode
+from freebody.connections.string.node import StringNode, aside
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.sentences import Message
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import DOWN, GROUND, RIGHT, UP, ZERO, Direction, Point
@@ -44,8 +45,15 @@ class StringRun:
     arms: list[Expr]  # at which it pulls on the circles: s R
 
     def held_turn(self, k: int) -> tuple[tuple[Expr, Measure], ...]:
-        """What belongs to the length of a lead and is zero: see `swivel`."""
-        return ()
+        """- rho a of a lead that keeps its direction on a body that turns; what is zero: see `swivel`."""
+        along, rho = self.leads[k], self.aside(k)
+        if along is None or along.body == GROUND or rho == ZERO:
+            return ()
+        return ((negate(rho), Angle(along.body)),)
+
+    def aside(self, k: int) -> Expr:
+        """rho of lead k."""
+        return aside(self.way, self.arms, k)
 
     @property
     def hooks(self) -> dict[str, Hook]:
@@ -73,7 +81,7 @@ def leads_of(run: StringRun) -> Iterator[StringLead]:
         a, b = run.way[k], run.way[k + 1]
         length = None if along is None else Displacement(b.point, a.point, along)
         across = None if along is None else Displacement(b.point, a.point, along.normal())
-        arm = add(run.arms[k + 1], negate(run.arms[k]))
+        arm = run.aside(k)
         for own, other in ((a, b), (b, a)):
             if own.body != GROUND and own.way in ("end", "under") and own.body != other.body:
                 place = other.called[0] if other.body == GROUND else other.body
@@ -146,14 +154,12 @@ def _is_straight_below(names: Names, run: StringRun, k: int) -> bool:
 
 def check_ends(names: Names, run: StringRun) -> None:
     """A lead along the common tangent of two circles needs them apart at the start."""
-    for (first, second), lead, arms in zip(
-        itertools.pairwise(run.way), run.leads, itertools.pairwise(run.arms), strict=True
-    ):
+    for k, ((first, second), lead) in enumerate(zip(itertools.pairwise(run.way), run.leads, strict=True)):
         places = [place_of(names, node.point) for node in (first, second)]
         if lead is not None or places[0] is None or places[1] is None or first.body == second.body:
             continue
         apart = math.dist(places[0], places[1])
-        arm = abs(number_of(names, add(arms[1], negate(arms[0]))))
+        arm = abs(number_of(names, run.aside(k)))
         if apart <= arm + ROUND_OFF:
             wanted = Message("more than {arm:.6g} m apart", arm=arm) if arm else Message("apart")
             names.problem(

@@ -53,7 +53,7 @@ class LeadsAtStart:
         self.names, self.run = names, run
 
     def rho(self, k: int) -> Expr:
-        return add(self.run.arms[k + 1], negate(self.run.arms[k]))
+        return self.run.aside(k)
 
     def quarters(self, k: int) -> Quarters:
         """The axes of the plane in which a lead runs along the tangent."""

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from freebody.language.expression import Expr, negate
+from freebody.language.expression import Expr, add, negate
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
-from freebody.measures.geometry import ONE, Direction, Point
+from freebody.measures.geometry import ONE, ZERO, Direction, Point
 from freebody.model import glyphs
 
 
@@ -44,6 +45,7 @@ class StringNode:
     track: Direction | None  # of a body that is guided where the model puts it
     place: tuple[float, float] | None
     plane: WheelPlane | None = None  # of a wheel in space, where it need not be that of x and y
+    falls: Expr = ONE  # how many times the string runs to it from the place before
 
     @property
     def body(self) -> str:
@@ -65,3 +67,9 @@ class StringNode:
         if plane is None:
             return glyphs.Node(self.point, arm, is_drum)
         return glyphs.Node(self.point, arm, is_drum, plane.normal, plane.carrier)
+
+
+def aside(way: Sequence[StringNode], arms: Sequence[Expr], k: int) -> Expr:
+    """rho of lead k, s_2 R_2 - s_1 R_1 (see `measures.lead`). The falls of a tackle run beside each other from sheaves
+    on one axle to such ones of the same size, each with rho = 0."""
+    return add(arms[k + 1], negate(arms[k])) if way[k + 1].falls == ONE else ZERO

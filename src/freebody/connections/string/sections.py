@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from freebody.connections.string.capstan import DrumPassage, drum_name, slip_of
 from freebody.connections.string.laying import StringRun
 from freebody.connections.string.node import StringNode
-from freebody.language.expression import Expr, add, multiply, negate
+from freebody.language.expression import Expr, multiply, negate
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
@@ -94,13 +94,13 @@ def sections_of(run: StringRun, grips: Container[str]) -> list[StringSection]:
 
 
 def lead_terms(run: StringRun, k: int) -> list[tuple[Expr, Measure]]:
-    """l - rho a of a lead, or its length where that is all."""
+    """l - rho a of a lead, or its length where that is all; of several falls all their lengths."""
     direction, a, b = run.leads[k], run.way[k], run.way[k + 1]
     if direction is not None:
-        return [(ONE, Displacement(b.point, a.point, direction)), *run.held_turn(k)]
-    if len(a.point.offset) > 2 and a.radius == b.radius == ZERO:
-        return [(ONE, Distance(a.point, b.point))]  # in space
-    rho, plane = add(run.arms[k + 1], negate(run.arms[k])), a.plane or b.plane
+        return [(b.falls, Displacement(b.point, a.point, direction)), *run.held_turn(k)]
+    rho, plane = run.aside(k), a.plane or b.plane
+    if b.falls != ONE or (len(a.point.offset) > 2 and a.radius == b.radius == ZERO):
+        return [(b.falls, Distance(a.point, b.point))]
     in_plane = None if plane is None else LeadInPlane(a.point, b.point, rho, plane.along, plane.side)
     return [(ONE, in_plane or Lead(a.point, b.point, rho))]
 

@@ -105,8 +105,9 @@ class _RestTelling:
         for rub in self.touching.dry_friction:
             symbol = Symbol(symbols[rub.name].name)
             place = in_words(self.touching.system, place_of(rub.row))
-            if rub.static_back is not None:
-                found.append(Sentence("rest.string", {"connection": rub.row.connection, "drum": rub.row.ends[0]}))
+            if rub.between_tensions:
+                round_drum = {"connection": rub.row.connection, "drum": rub.row.ends[0]}
+                found.append(Sentence(f"rest.{rub.between_tensions}", round_drum))
             elif len(rub.load) <= 1:
                 limit = tidy(ends.equations.coefficient(rub, 1))
                 limit = limit * Symbol(symbols[rub.load[0]].name) if rub.load else limit

@@ -60,8 +60,8 @@ def _law(
 
 
 def _words(rub: DryFriction, load: str) -> tuple[str, str, str]:
-    """The law that holds at the limit, the place, and the drum where a string rubs round one."""
+    """The law that holds at the limit, the place, and the drum where a string rubs round one, or over its sheaves."""
     if not load:
         return "verge.largest", place_of(rub.row), ""
-    drum = "" if rub.static_back is None else rub.row.ends[0]
-    return "verge.euler" if drum else "verge.coulomb", place_of(rub.row), drum
+    drum = rub.row.ends[0] if rub.between_tensions else ""
+    return f"verge.{rub.between_tensions or 'coulomb'}", place_of(rub.row), drum

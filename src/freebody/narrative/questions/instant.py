@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum
@@ -93,6 +94,9 @@ def finish(
     name = asked_symbol(context, question, len(parts))
     lines = (*(before.lines if before else ()), *(line for _value, line in found.values()))
     is_there = len(parts) == 1 and any((parts[0] - f.variable(u)).is_zero() for u in found)
+    if kept := _kept_from_start(context, script, general):
+        general, is_there = tuple(f.lowest_terms(f.follow(part, kept.values)) for part in general), False
+        lines = (*lines, *kept.lines)
     last = lines[-1] if lines else 0
     if is_there and not script.stages and not question.at_start:  # an earlier derivation has found it
         with script.stage("stage.value"):
@@ -131,6 +135,30 @@ def finish(
     left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
     tell_loops(context, script, wanted, left, last, "start" if question.at_start else "always")
     _ends_in_answer(context, question, wanted)
+
+
+@dataclass(frozen=True)
+class KeptFromStart:
+    """Constants of integration that the start gives, by generator, and the lines that say so."""
+
+    values: dict[int, Ratio]
+    lines: tuple[int, ...]
+
+    def __bool__(self) -> bool:
+        return bool(self.values)
+
+
+def _kept_from_start(context: Context, script: Script, found: Sequence[Ratio]) -> KeptFromStart:
+    """What rows keep, as far as it stands in an answer and the start gives it: the length of a string, say."""
+    model = context.setup.model
+    standing = frozenset[int]().union(*(model.field.ingredients(part) for part in found))
+    values = {index: given for index, given in model.given_constants.items() if index in standing}
+    lines: list[int] = []
+    if values:
+        with script.stage("stage.start", "hint.start"):
+            for index, given in values.items():
+                lines.append(script.line(tidy(model.field.variable(index)), tidy(given), why="value.kept"))
+    return KeptFromStart(values, tuple(lines))
 
 
 def tell_loops(
