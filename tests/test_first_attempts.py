@@ -7,6 +7,7 @@ import math
 import pytest
 
 import freebody as fb
+from freebody.language.expression import evaluate
 from freebody.loads.base import Load
 
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
@@ -238,6 +239,24 @@ SAME = {
     "a point of the ground": ("pin: [A, rod.start]", "pin: [ground.A, rod.start]"),
     "the direction of a rod": ("slot: {pin: ball, along: rod}", "slot: {pin: ball, along: rod.x}"),
     "a support on rollers": ("roller: {at: rod.end, on: floor}", "slot: {pin: rod.end, along: floor}"),
+    "a support on rollers with its free direction": (
+        "roller: {at: rod.end, along: up}", "slot: {pin: rod.end, along: up}"
+    ),
+    "a direction with a minus": (
+        "force: {at: rod.end, along: -rod.y, magnitude: 3 N}",
+        "force: {at: rod.end, along: against rod.y, magnitude: 3 N}"
+    ),
+    "a load along all of a rod": (
+        "distributed: {on: rod, magnitude: 2 N/m}", "distributed: {between: [rod.start, rod.end], intensity: 2 N/m}"
+    ),
+    "a load along a part of a rod": (
+        "distributed: {on: rod, from: start, to: center, value: 2 N/m}",
+        "distributed: {between: [rod.start, rod.center], intensity: 2 N/m}",
+    ),
+    "a load along a rod from a point to another": (
+        "distributed: {from: rod.start, to: rod.center, intensity: 2 N/m}",
+        "distributed: {between: [rod.start, rod.center], intensity: 2 N/m}",
+    ),
     "a spring from a point to another": (
         "spring: {from: A, to: rod.end, k: 5 N/m, rest_length: 1 m}",
         "spring: {first: ground.A, second: rod.end, stiffness: 5 N/m, length: 1 m}",
@@ -410,3 +429,56 @@ questions: {it: time until sledge stops}
 """)
     assert system.solve()["it"].value == pytest.approx(3 / (0.2 * 9.81))
     assert list(system.measures) == ["x_of_sledge"]
+
+
+def _placed(at: str, length: str = "") -> fb.System:
+    length = f"{{length: {length}}}" if length else "{mass: 1 kg}"
+    return fb.System.from_text(
+        "parameters: {a: 2 m, h: 3 m, L: 5 m}\nground: {points: {A: [0, 0], B: [2*a, 0]}}\n"
+        f"bodies: {{bar: {{rod: {length}, at: {at}}}}}"
+    )
+
+
+@pytest.mark.parametrize(
+    ("at", "degrees"),
+    [
+        ("{start: A, end: [a, h]}", math.degrees(math.atan2(3, 2))),
+        ("{start: ground.B, end: [a, h]}", math.degrees(math.atan2(3, -2))),
+        ("{end: A, start: [a, h]}", math.degrees(math.atan2(-3, -2))),
+        ("{start: A, end: [0, -h]}", -90.0),
+        ("{start: B, end: A}", 180.0),
+        ("{start: [L, 0], end: [a, h]}", math.degrees(math.atan2(3, 2 - 5))),
+    ],
+)
+def test_two_points_say_where_a_rod_is_how_it_is_turned_and_how_long(at: str, degrees: float) -> None:
+    """The rod goes from one place to the other, by the tangent of its angle in all quarters."""
+    system = _placed(at)
+    bar, start = system.bodies["bar"], system.bodies["bar"].start
+    assert start.angle is not None
+    numbers = {"a": 2.0, "h": 3.0, "L": 5.0, "pi": math.pi}
+    angle = float(evaluate(start.angle, numbers))
+    assert math.degrees(math.remainder(angle - math.radians(degrees), math.tau)) == pytest.approx(0.0, abs=1e-9)
+    ends = {
+        "{start: A, end: [a, h]}": math.hypot(2, 3),
+        "{start: B, end: A}": 4.0,
+        "{start: [L, 0], end: [a, h]}": math.hypot(3, 3),
+    }
+    assert float(evaluate(bar.sizes[0], numbers)) == pytest.approx(ends.get(at, float(evaluate(bar.sizes[0], numbers))))
+
+
+@pytest.mark.parametrize(
+    ("at", "length", "told"),
+    [
+        ("{start: A, end: B}", "L", "start and end are put 4 m apart, but lie 5 m apart in the body"),
+        ("{start: A, end: [3 m, 4 m]}", "L", "are as far apart as the two points for these numbers only"),
+        ("{start: A, end: A}", "L", "start and end are at one place"),
+        ("{start: A, top: B}", "L", "there is no point top"),
+    ],
+)
+def test_two_places_that_do_not_fit_a_body_are_told(at: str, length: str, told: str) -> None:
+    with pytest.raises(fb.ModelError, match=told):
+        _placed(at, length)
+
+
+def test_a_length_that_is_that_of_the_places_as_a_formula_may_stand() -> None:
+    assert _placed("{start: A, end: [a, h]}", "sqrt(a^2 + h^2)").bodies["bar"].start.angle is not None

@@ -104,6 +104,8 @@ class Contact(Connection, kind="contact"):
             return given
         return {"between": two, **{key: each for key, each in given.items() if key not in _WHAT_TOUCHES}}
 
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(_WHAT_TOUCHES, ("between",))
+
     between: list[str] | None = None
     among: list[str] | str | None = None
     friction: Formula | dict[str, Any] = 0

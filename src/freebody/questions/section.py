@@ -16,7 +16,7 @@ Johnston, Vector Mechanics for Engineers: Dynamics, sec. 16.1 (d'Alembert).
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.errors import CannotAnswer
@@ -143,12 +143,17 @@ questions: {it: bending moment of beam at beam.center}
         """Whether a pull acts between the cut and the end; a section at the start, or the end, is just inside of it."""
         if all(map(_is_zero, (*pull.force, *pull.couple))):
             return False
+        if self.part != "bending" and all(_is_zero(f) for f in pull.force):
+            return False  # a couple alone
         if pull.at is None:
-            if self.part != "bending" and all(_is_zero(f) for f in pull.force):
-                return False
             if pull.has_couple:
                 raise CannotAnswer(
-                    Message("where on {body} the couple of {name} acts is not said", body=rod.name, name=pull.name)
+                    Message(
+                        "where on {body} the couple of {name} acts is not said: a torque may name its point, on: "
+                        "{body}.C",
+                        body=rod.name,
+                        name=pull.name,
+                    )
                 )
             told = Message("at which point of {body} {name} acts does not stay the same", body=rod.name, name=pull.name)
             raise CannotAnswer(told)
@@ -267,7 +272,9 @@ def _pulls(system: Described, state: State[Any], rod: RigidBody) -> Iterator[Pul
                 "{name} acts on all of {body}, and how it is spread is not known", name=push.load, body=rod.name
             )
             raise CannotAnswer(told)
-        yield _pull(system, state, rod, push.load, [(push.measure, state.law(push))])
+        pull = _pull(system, state, rod, push.load, [(push.measure, state.law(push))])
+        is_said = push.couple_at is not None and push.couple_at.body == rod.name
+        yield replace(pull, at=push.couple_at) if is_said else pull
 
 
 def _pull(system: Described, state: State[Any], rod: RigidBody, name: str, pushes: Sequence[tuple[Any, Any]]) -> Pull:
