@@ -344,6 +344,6 @@ connections: {foot: {weld: [ground.A, bar.start]}}
 loads: {couple: {torque: {on: bar.C, magnitude: M}}}
 """)
     free = FreeBody(start_of(system).snapshot, ["bar"])
-    (couple,) = (force for force in free.forces if force.name == "couple")
+    (couple,) = (force for force in free.forces() if force.name == "couple")
     assert np.hypot(*couple.at) == pytest.approx(1.0)  # from the middle of the bar
     assert texts(picture(system))

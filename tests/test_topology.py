@@ -184,6 +184,6 @@ def test_the_json_schema_knows_places_by_two_points_and_words_of_a_kind_of_its_o
     assert is_known("bodies: {bar: {rod: , at: {start: A, end: [a, h]}}, other: {rod: , at: ground.A}}")
     assert not is_known("bodies: {bar: {rod: , at: {start: A, end: [a, h], center: B}}}")
     assert is_known('loads: {q: {distributed: {"on": beam, from: start, to: B, magnitude: q}}}')
-    assert is_known('connections: {c: {contact: {body: crate, "on": floor, friction: 0.3}}}"')
+    assert is_known('connections: {c: {contact: {body: crate, "on": floor, friction: 0.3}}}')
     assert is_known("connections: {c: {roller: {at: beam.end, along: up}}}")
     assert not is_known("loads: {q: {distributed: {magnitude: q}}}")
