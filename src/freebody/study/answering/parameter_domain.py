@@ -75,10 +75,13 @@ def after(a: Ratio, b: Ratio) -> Ratio:
 def for_every(system: System, parameter: Parameter) -> str:
     """That something is so wherever a parameter may be, or that the model has no such parameter but by name."""
     name = parameter.name
-    model = {key: value for key, value in system.document.data.items() if key not in ("parameters", "questions", "title")}
+    model = {
+        key: value for key, value in system.document.data.items() if key not in ("parameters", "questions", "title")
+    }
     if not re.search(rf"\b{re.escape(name)}\b", str(model)):
         return Message(
-            "nothing in the model depends on {name}: write it where it belongs, as a coefficient of friction in a contact",
+            "nothing in the model depends on {name}: write it where it belongs, as a coefficient of friction in a "
+            "contact",
             name=name,
         )
     if parameter.acute:
