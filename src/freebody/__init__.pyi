@@ -1309,9 +1309,9 @@ class TensionedString(_TensionedString):
     ) -> None: ...
 
 class Torque(_Torque):
-    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; a couple turns a rigid body alike wherever it acts,
-    but sections of a rod need its place: `on: beam.C`. `reacts_on: arm` where the motor sits on a
-    body, which feels the opposite torque. In space `about` says the axis: a direction fixed in the ground, or in a body
+    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
+    body, which feels the opposite torque. A couple turns a rigid body alike wherever it acts, but the bending moment of
+    a rod needs its place: `on: beam.C`. In space `about` says the axis: a direction fixed in the ground, or in a body
     (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
 
     def __init__(
