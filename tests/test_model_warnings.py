@@ -405,8 +405,10 @@ measures: {phi: angle of crank, x: x of piston}
 DRIVEN = "  motor: {driver: {measure: phi, follows: 90 deg + w*t}}"
 
 
-@pytest.mark.parametrize("piston", ["particle: {mass: 1 kg}", "rectangle: {mass: 1 kg, width: 9 cm, height: 5 cm}"])
-@pytest.mark.parametrize("start", [DRIVEN, "start: {phi: 90 deg, rate(phi): w}"])
+@pytest.mark.parametrize(
+    "piston", ["particle: {mass: 1 kg}", "rectangle: {mass: 1 kg, width: 9 cm, height: 5 cm}"], ids=["point", "block"]
+)
+@pytest.mark.parametrize("start", [DRIVEN, "start: {phi: 90 deg, rate(phi): w}"], ids=["driven", "started"])
 def test_a_piston_stands_on_either_side_of_its_crank_unless_that_is_said(piston: str, start: str) -> None:
     """At 90 deg the piston is sqrt(l^2 - r^2) from the shaft, and the rod falls by asin(r/l) on either side."""
     text = SLIDER_CRANK.replace("PISTON", piston).replace("START", start)
