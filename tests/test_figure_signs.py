@@ -332,3 +332,18 @@ def test_forces_at_the_corners_of_a_body_are_named_by_their_corners() -> None:
 @pytest.mark.parametrize(("name", "radius"), [("hoist", "R"), ("ball_off_a_dome", "R"), ("ball_off_a_dome", "r")])
 def test_narrow_circles_and_spheres_have_their_radii(name: str, radius: str) -> None:
     assert radius in [word.label.text for word in example(name).picture().words]
+
+
+def test_a_couple_is_drawn_at_the_point_at_which_it_acts_and_an_angle_of_lengths_has_no_arc() -> None:
+    """The angle atan(h/(1 m)) is of one parameter, but no plain one; it was calculated for h = 0 and could not be for
+    its inverse."""
+    system = fb.System.from_text("""
+parameters: {h: 2 m, M: 3 N m}
+bodies: {bar: {rod: {length: 4 m}, at: {start: [0, 0]}, angle: atan((1 m)/h), points: {C: [1 m, 0]}}}
+connections: {foot: {weld: [ground.A, bar.start]}}
+loads: {couple: {torque: {on: bar.C, magnitude: M}}}
+""")
+    free = FreeBody(start_of(system).snapshot, ["bar"])
+    (couple,) = (force for force in free.forces() if force.name == "couple")
+    assert np.hypot(*couple.at) == pytest.approx(1.0)  # from the middle of the bar
+    assert texts(picture(system))

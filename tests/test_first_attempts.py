@@ -7,11 +7,19 @@ import math
 import pytest
 
 import freebody as fb
+from freebody.language.expression import evaluate
 from freebody.loads.base import Load
 
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
 BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
 MISTAKES = {
+    "a contact of two particles": (
+        "bodies: {A: {particle: {mass: 1 kg}}, B: {particle: {mass: 1 kg}}}\n"
+        "connections: {hit: {contact: {between: [A, B], restitution: 0.5}}}",
+        "A and B are points, and two points do not touch: give one of them a size (a disk, a rectangle), or bound "
+        "their distance on one line, measures: {gap: travel of B along right from A}, by stop: {measure: gap, min: 0} "
+        "with its restitution",
+    ),
     "a string on a part of a drum": (
         "ground: {points: {O: [0, 0]}}\n"
         "bodies: {drum: {body: {inertia: 1 kg m^2, radius: 1 m}}, A: {particle: {mass: 1 kg}}}\n"
@@ -238,6 +246,27 @@ SAME = {
     "a point of the ground": ("pin: [A, rod.start]", "pin: [ground.A, rod.start]"),
     "the direction of a rod": ("slot: {pin: ball, along: rod}", "slot: {pin: ball, along: rod.x}"),
     "a support on rollers": ("roller: {at: rod.end, on: floor}", "slot: {pin: rod.end, along: floor}"),
+    "a support on rollers with its free direction": (
+        "roller: {at: rod.end, along: up}", "slot: {pin: rod.end, along: up}"
+    ),
+    "a direction with a minus": (
+        "force: {at: rod.end, along: -rod.y, magnitude: 3 N}",
+        "force: {at: rod.end, along: against rod.y, magnitude: 3 N}"
+    ),
+    "a clutch by its torque": (
+        "clutch: {between: [rod, ball], torque: 3 N m}", "brake: {between: [rod, ball], torque: 3 N m}"
+    ),
+    "a load along all of a rod": (
+        "distributed: {on: rod, magnitude: 2 N/m}", "distributed: {between: [rod.start, rod.end], intensity: 2 N/m}"
+    ),
+    "a load along a part of a rod": (
+        "distributed: {on: rod, from: start, to: center, value: 2 N/m}",
+        "distributed: {between: [rod.start, rod.center], intensity: 2 N/m}",
+    ),
+    "a load along a rod from a point to another": (
+        "distributed: {from: rod.start, to: rod.center, intensity: 2 N/m}",
+        "distributed: {between: [rod.start, rod.center], intensity: 2 N/m}",
+    ),
     "a spring from a point to another": (
         "spring: {from: A, to: rod.end, k: 5 N/m, rest_length: 1 m}",
         "spring: {first: ground.A, second: rod.end, stiffness: 5 N/m, length: 1 m}",
@@ -268,7 +297,8 @@ def _read(entry: str) -> list[str]:
     """What holds and what pushes in a model with one connection, or one load."""
     section = "loads" if entry.partition(":")[0] in Load.kinds else "connections"
     system = fb.System.from_text(f"{ON_A_FLOOR}{section}: {{it: {{{entry}}}}}")
-    return [*map(str, system.constraint_rows), *map(str, system.applied_loads), *map(str, system.contacts)]
+    held = [*system.constraint_rows, *system.applied_loads, *system.contacts, *system.dry_friction]
+    return [*map(str, held)]
 
 
 def test_a_body_goes_before_a_point_of_the_ground_of_its_name() -> None:
@@ -410,3 +440,95 @@ questions: {it: time until sledge stops}
 """)
     assert system.solve()["it"].value == pytest.approx(3 / (0.2 * 9.81))
     assert list(system.measures) == ["x_of_sledge"]
+
+
+def _placed(at: str, length: str = "") -> fb.System:
+    length = f"{{length: {length}}}" if length else "{mass: 1 kg}"
+    return fb.System.from_text(
+        "parameters: {a: 2 m, h: 3 m, L: 5 m}\nground: {points: {A: [0, 0], B: [2*a, 0]}}\n"
+        f"bodies: {{bar: {{rod: {length}, at: {at}}}}}"
+    )
+
+
+@pytest.mark.parametrize(
+    ("at", "degrees"),
+    [
+        ("{start: A, end: [a, h]}", math.degrees(math.atan2(3, 2))),
+        ("{start: ground.B, end: [a, h]}", math.degrees(math.atan2(3, -2))),
+        ("{end: A, start: [a, h]}", math.degrees(math.atan2(-3, -2))),
+        ("{start: A, end: [0, -h]}", -90.0),
+        ("{start: B, end: A}", 180.0),
+        ("{start: [L, 0], end: [a, h]}", math.degrees(math.atan2(3, 2 - 5))),
+    ],
+)
+def test_two_points_say_where_a_rod_is_how_it_is_turned_and_how_long(at: str, degrees: float) -> None:
+    """The rod goes from one place to the other, by the tangent of its angle in all quarters."""
+    system = _placed(at)
+    bar, start = system.bodies["bar"], system.bodies["bar"].start
+    assert start.angle is not None
+    numbers = {"a": 2.0, "h": 3.0, "L": 5.0, "pi": math.pi}
+    angle = float(evaluate(start.angle, numbers))
+    assert math.degrees(math.remainder(angle - math.radians(degrees), math.tau)) == pytest.approx(0.0, abs=1e-9)
+    ends = {
+        "{start: A, end: [a, h]}": math.hypot(2, 3),
+        "{start: B, end: A}": 4.0,
+        "{start: [L, 0], end: [a, h]}": math.hypot(3, 3),
+    }
+    assert float(evaluate(bar.sizes[0], numbers)) == pytest.approx(ends.get(at, float(evaluate(bar.sizes[0], numbers))))
+
+
+@pytest.mark.parametrize(
+    ("at", "length", "told"),
+    [
+        ("{start: A, end: B}", "L", "start and end are put 4 m apart, but lie 5 m apart in the body"),
+        ("{start: A, end: [3 m, 4 m]}", "L", "are as far apart as the two points for these numbers only"),
+        ("{start: A, end: A}", "L", "start and end are at one place"),
+        ("{start: A, top: B}", "L", "there is no point top"),
+    ],
+)
+def test_two_places_that_do_not_fit_a_body_are_told(at: str, length: str, told: str) -> None:
+    with pytest.raises(fb.ModelError, match=told):
+        _placed(at, length)
+
+
+def test_a_length_that_is_that_of_the_places_as_a_formula_may_stand() -> None:
+    assert _placed("{start: A, end: [a, h]}", "sqrt(a^2 + h^2)").bodies["bar"].start.angle is not None
+
+
+def test_an_angle_about_an_axis_of_another_body_is_relative_to_that() -> None:
+    text = """
+space: {up: z}
+bodies: {ship: {body: {inertia: [1, 1, 1]}}, rotor: {body: {mass: 1 kg, inertia: [1, 1, 1]}}}
+connections:
+  turn: {revolute: {first: ground.O, second: ship.origin, axis: z}}
+  shaft: {revolute: {first: ship.origin, second: rotor.origin, about: x}}
+measures: {phi: angle of rotor about ship.x SAID}
+"""
+    plain, said = (fb.System.from_text(text.replace("SAID", of)) for of in ("", "relative to ship"))
+    assert plain.measures["phi"] == said.measures["phi"]
+
+
+ON_A_SLOPE = """
+parameters: {m: 2 kg, r: 0.1 m, beta: 20 deg, h: 1 m, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: -beta}}}
+bodies: {ball: {sphere: {mass: m, radius: r}}}
+connections: {roll: {rolling: {body: ball, on: slope}}}
+loads: {weight: {gravity: g}}
+measures: {s: travel of ball along slope}
+START
+"""
+
+
+def test_how_far_something_has_come_needs_where_it_started() -> None:
+    asked = "speed of ball when height of ball has changed by -h"
+    (answer,) = fb.System.from_text(ON_A_SLOPE.replace("START", "")).solve(asked).answers
+    assert "give the start, e.g. start: {s: 0}" in str(answer.reason)
+    (answer,) = fb.System.from_text(ON_A_SLOPE.replace("START", "start: {s: 0}")).solve(asked).answers
+    assert answer.value == pytest.approx(math.sqrt(10 * 9.81 / 7))
+
+
+def test_a_parameter_of_a_question_that_the_model_has_nowhere_is_told() -> None:
+    """What rolls ideally rolls with every coefficient of friction, which is not what is asked."""
+    system = fb.System.from_text(ON_A_SLOPE.replace("START", "start: {s: 0}"))
+    (answer,) = system.solve("least mu so that ball rolls without slipping").answers
+    assert "nothing in the model depends on mu" in str(answer.reason)

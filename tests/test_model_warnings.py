@@ -391,6 +391,37 @@ def test_the_side_of_an_elbow_is_taken_as_it_is_said_and_decides_between_tension
     assert answer.value == pytest.approx(sign * 400 / (2 * (1 - 0.81) ** 0.5), rel=1e-9)
 
 
+SLIDER_CRANK = """
+parameters: {r: 0.1 m, l: 0.4 m, w: 3 rad/s}
+bodies: {crank: {rod: {length: r}}, rod: {rod: {length: l} NEAR}, piston: {PISTON}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  guide: {slider: {body: piston, along: right, through: ground.O}}
+START
+measures: {phi: angle of crank, x: x of piston}
+"""
+DRIVEN = "  motor: {driver: {measure: phi, follows: 90 deg + w*t}}"
+
+
+@pytest.mark.parametrize(
+    "piston", ["particle: {mass: 1 kg}", "rectangle: {mass: 1 kg, width: 9 cm, height: 5 cm}"], ids=["point", "block"]
+)
+@pytest.mark.parametrize("start", [DRIVEN, "start: {phi: 90 deg, rate(phi): w}"], ids=["driven", "started"])
+def test_a_piston_stands_on_either_side_of_its_crank_unless_that_is_said(piston: str, start: str) -> None:
+    """At 90 deg the piston is sqrt(l^2 - r^2) from the shaft, and the rod falls by asin(r/l) on either side."""
+    text = SLIDER_CRANK.replace("PISTON", piston).replace("START", start)
+    ((kind, told),) = warned(text.replace(" NEAR", ""))
+    assert kind == "elbow open"
+    assert "taken to be at [0.3873, 0] m, not at [-0.3873, 0] m" in told
+    assert "{angle: -14 deg} in rod, or with -166 deg" in told
+    for angle, sign in ((-14, 1), (-166, -1)):
+        system = fb.System.from_text(text.replace(" NEAR", f", near: {{angle: {angle} deg}}"))
+        assert not system.warnings
+        assert system.solve("x at start").answers[0].value == pytest.approx(sign * 0.15**0.5)
+
+
 def test_the_way_on_a_body_counted_from_a_point_of_it_or_about_a_fixed_axle_is_left_alone() -> None:
     turning = """
 parameters: {m: 1 kg, I: 2 kg m^2}

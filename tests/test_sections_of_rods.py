@@ -508,3 +508,22 @@ def test_the_derivation_of_the_greatest_bending_moment_cuts_the_rod_there() -> N
     text = (CHIMNEY.explain("greatest bending moment of chimney")).to_text()
     assert "There is no derivation" not in text
     assert "L/3 from chimney.start" in text
+
+
+def test_a_couple_that_acts_at_a_point_of_a_beam_jumps_in_the_bending_moment_there_alone() -> None:
+    """A couple M0 at the middle of a beam on two supports: V = M0/L, M = +-M0/2 beside the middle."""
+    text = """
+parameters: {L: 4 m, M0: 6 kN m}
+ground: {points: {A: [0, 0]}}
+bodies: {beam: {rod: {length: L}, at: {start: A}, angle: 0, points: {C: [0, 0], D: [L/4, 0]}}}
+connections: {left: {pin: [A, beam.start]}, right: {roller: {at: beam.end, along: right}}}
+loads: {couple: {torque: {on: beam.C, magnitude: M0}}}
+"""
+    system = fb.System.from_text(text)
+    assert value(system, "bending moment of beam just before C") == pytest.approx(3e3)
+    assert value(system, "bending moment of beam just behind C") == pytest.approx(-3e3)
+    assert value(system, "bending moment of beam at D") == pytest.approx(-1.5e3)
+    assert value(system, "shear force of beam at C") == pytest.approx(1.5e3)
+    plain = fb.System.from_text(text.replace("beam.C", "beam"))
+    (answer,) = plain.solve("bending moment of beam at D").answers
+    assert "a torque may name its point, on: beam.C" in str(answer.reason)

@@ -173,3 +173,17 @@ def test_the_json_schema_knows_the_second_words_of_fields() -> None:
     assert not written("{from: ground.B, k: k}", pin)  # one end is missing
     assert not written("{from: ground.B, to: rod.end, kk: k}", pin)
     assert not written(spring, "{between: [ground.O, rod.start, rod.end]}")
+
+
+def test_the_json_schema_knows_places_by_two_points_and_words_of_a_kind_of_its_own() -> None:
+    known = jsonschema.Draft202012Validator(json_schema())
+
+    def is_known(text: str) -> bool:
+        return known.is_valid(yaml.safe_load("bodies: {b: rod}\n" * ("bodies" not in text) + text))
+
+    assert is_known("bodies: {bar: {rod: , at: {start: A, end: [a, h]}}, other: {rod: , at: ground.A}}")
+    assert not is_known("bodies: {bar: {rod: , at: {start: A, end: [a, h], center: B}}}")
+    assert is_known('loads: {q: {distributed: {"on": beam, from: start, to: B, magnitude: q}}}')
+    assert is_known('connections: {c: {contact: {body: crate, "on": floor, friction: 0.3}}}')
+    assert is_known("connections: {c: {roller: {at: beam.end, along: up}}}")
+    assert not is_known("loads: {q: {distributed: {magnitude: q}}}")

@@ -548,7 +548,8 @@ class Disk(_Disk):
 
 class Distributed(_Distributed):
     """`distributed: {between: [beam.start, beam.B], along: down, intensity: q}`: a force per length along the line from
-    one point of a body to another; `intensity: [q0, q1]` rises or falls evenly from the first point to the second."""
+    one point of a body to another; `intensity: [q0, q1]` rises or falls evenly from the first point to the second.
+    `on: beam` is all of a rod, `on: beam, from: start, to: B` a part of it."""
 
     def __init__(
         self,
@@ -1207,7 +1208,7 @@ class Slider(_Slider):
 class Slot(_Slot):
     """`slot: {pin: rod.end, along: up}`; `on` is the slotted body (default the ground), `through` a point of
     the slot's centre line. Holds the displacement across the slot (1 row). `friction`: the force that resists is mu
-    times the normal force."""
+    times the normal force. A support on rollers is `roller: {at: beam.end, on: floor}`, or `along: right`."""
 
     def __init__(
         self,
@@ -1334,7 +1335,8 @@ class TensionedString(_TensionedString):
 
 class Torque(_Torque):
     """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
-    body, which feels the opposite torque. In space `about` says the axis: a direction fixed in the ground, or in a body
+    body, which feels the opposite torque. A couple turns a rigid body alike wherever it acts, but the bending moment of
+    a rod needs its place: `on: beam.C`. In space `about` says the axis: a direction fixed in the ground, or in a body
     (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
 
     def __init__(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.language.expression import free_symbols
@@ -26,6 +26,8 @@ class Brake(Connection, kind="brake"):
     """`brake: {between: [drum, ground], torque: T}`: dry friction against a relative turn; a clutch is one between two
     bodies that turn. torque: the largest torque, a formula in parameters, time `t` and named measures, or
     {static: ..., kinetic: ...}."""
+
+    also: ClassVar[tuple[str, ...]] = ("clutch",)
 
     between: list[str]
     torque: Formula | dict[str, Any]

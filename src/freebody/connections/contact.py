@@ -104,6 +104,8 @@ class Contact(Connection, kind="contact"):
             return given
         return {"between": two, **{key: each for key, each in given.items() if key not in _WHAT_TOUCHES}}
 
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(_WHAT_TOUCHES, ("between",))
+
     between: list[str] | None = None
     among: list[str] | str | None = None
     friction: Formula | dict[str, Any] = 0
@@ -274,7 +276,17 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                     )
                 continue
             if not sites(a, b):
-                if self.between is not None and not _is_misspelt(names, a, b):
+                particles = GROUND not in (a.body, b.body) and not any(names.known(x.body).turns for x in (a, b))
+                if self.between is not None and particles and not names.space:
+                    told = Message(
+                        "{a} and {b} are points, and two points do not touch: give one of them a size (a disk, a "
+                        "rectangle), or bound their distance on one line, measures: {{gap: travel of {b} along right "
+                        "from {a}}}, by stop: {{measure: gap, min: 0}} with its restitution",
+                        a=a.label,
+                        b=b.label,
+                    )
+                    names.problem(told, "between")
+                elif self.between is not None and not _is_misspelt(names, a, b):
                     names.problem(
                         Message(
                             "there is no contact of {a} with {b}: both are points, or straight lines, or hollow, "

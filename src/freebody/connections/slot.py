@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 class Slot(Connection, kind="slot"):
     """`slot: {pin: rod.end, along: up}`; `on` is the slotted body (default the ground), `through` a point of
     the slot's centre line. Holds the displacement across the slot (1 row). `friction`: the force that resists is mu
-    times the normal force."""
+    times the normal force. A support on rollers is `roller: {at: beam.end, on: floor}`, or `along: right`."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
     also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
@@ -50,8 +50,6 @@ connections: {it: {slot: {pin: rod.end, along: up}}}
     def from_plain(cls, value: object) -> dict[str, Any]:
         """A support on rollers is `{at: beam.end, on: floor}`: what it is on is the direction in which it is free."""
         given = super().from_plain(value)
-        if "at" in given and "pin" not in given:
-            given["pin"] = given.pop("at")
         if "on" in given and "along" not in given:
             given["along"] = given.pop("on")
         return given

@@ -11,8 +11,8 @@ sec. 5.3; Meriam & Kraige, Statics, sec. 5/6.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import ZERO, Call, Expr, add, divide, multiply, negate, number
 from freebody.language.sentences import Message
@@ -35,9 +35,12 @@ FORCE_PER_LENGTH = STIFFNESS
 
 class Distributed(Load, kind="distributed"):
     """`distributed: {between: [beam.start, beam.B], along: down, intensity: q}`: a force per length along the line from
-    one point of a body to another; `intensity: [q0, q1]` rises or falls evenly from the first point to the second."""
+    one point of a body to another; `intensity: [q0, q1]` rises or falls evenly from the first point to the second.
+    `on: beam` is all of a rod, `on: beam, from: start, to: B` a part of it."""
 
     called: ClassVar[tuple[str, ...]] = ("distributed_load", "line_load", "uniform_load")
+
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(("on", "from", "to"), ("between",))
 
     between: tuple[str, str]
     intensity: Formula | list[Formula]
@@ -47,6 +50,20 @@ class Distributed(Load, kind="distributed"):
 bodies: {beam: {rod: {mass: 3 kg, length: 2 m}}}
 loads: {it: {distributed: {between: [beam.start, beam.end], along: down, intensity: [0 N/m, 5 N/m]}}}
 """
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`{on: beam}` is all of a rod, `{on: beam, from: start, to: B}` a part of it, `{from: beam.start, to: beam.B}`
+        as well."""
+        given = super().from_plain(value)
+        body, *ends = (given.get(word) for word in ("on", "from", "to"))
+        is_whole = isinstance(body, str) and ends == [None, None]
+        first, second = ("start", "end") if is_whole else ends
+        if "between" in given or not (isinstance(first, str) and isinstance(second, str)):
+            return given
+        owner = f"{body}." if isinstance(body, str) else ""
+        between = [end if "." in end else f"{owner}{end}" for end in (first, second)]
+        return {"between": between, **{key: each for key, each in given.items() if key not in cls.more_words}}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         first, second = self._ends(names)

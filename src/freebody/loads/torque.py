@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 def turned_about(names: Names, on: str, reacts_on: str, about: Heading | None) -> Measure | NonholonomicForm | None:
     """What a torque on a body pushes, against another one; None where it has no axis."""
-    body, other = names.body(on, "on"), names.body(reacts_on, "reacts_on")
+    body, other = names.body(on.partition(".")[0], "on"), names.body(reacts_on, "reacts_on")
     if not body.turns:
         names.problem(Message("{body} is a particle and cannot take a torque", body=body.name), "on")
     if not names.space:
@@ -39,7 +39,8 @@ def turned_about(names: Names, on: str, reacts_on: str, about: Heading | None) -
 
 class Torque(Load, kind="torque"):
     """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
-    body, which feels the opposite torque. In space `about` says the axis: a direction fixed in the ground, or in a body
+    body, which feels the opposite torque. A couple turns a rigid body alike wherever it acts, but the bending moment of
+    a rod needs its place: `on: beam.C`. In space `about` says the axis: a direction fixed in the ground, or in a body
     (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
 
     called: ClassVar[tuple[str, ...]] = ("motor", "couple", "moment")
@@ -60,8 +61,9 @@ loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
         turned = turned_about(names, self.on, self.reacts_on, self.about)
         magnitude, used = law(names, self.magnitude, TORQUE, "magnitude")
         magnitude = limited(names, self, magnitude, TORQUE)
-        return [] if turned is None else [AppliedLoad("", turned, magnitude, used)]
+        at = names.point(self.on, "on") if "." in self.on else None
+        return [] if turned is None else [AppliedLoad("", turned, magnitude, used, couple_at=at)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         axis = names.direction(self.about, "about") if names.space and self.about is not None else None
-        yield glyphs.MomentArrow(names.body(self.on).mass_center, axis)
+        yield glyphs.MomentArrow(names.point(self.on) if "." in self.on else names.body(self.on).mass_center, axis)

@@ -516,6 +516,7 @@ class AppliedLoad:
     general: Expr | None = None  # the law with functions of time as symbols; None: it contains none
     one_sided: OneSided | None = None  # where it acts on one side of a border only; `law` is that of both sides
     spread: Spread | None = None  # where it is the sum of what acts along a line
+    couple_at: Point | None = None  # the point of the body at which a couple acts, where that is said
 
     @property
     def in_symbols(self) -> Expr:

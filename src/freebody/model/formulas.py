@@ -13,6 +13,7 @@ from typing import Any, cast
 from freebody.errors import ExpressionError, InputError, NoQuantity, UnitError
 from freebody.language.expression import (
     FUNCTIONS,
+    Call,
     Expr,
     Number,
     PowerOf,
@@ -111,6 +112,8 @@ class Formulas(Noting):
         extra: Mapping[str, Dimension] | None = None,
     ) -> Expr:
         """An expression in the parameters (and `extra` names), or a quantity with its unit."""
+        if isinstance(value, Expr):  # what the reading itself has found
+            return value
         known = self.dimensions(in_time="t" in (extra or {})) | dict(extra or {})
         if isinstance(value, str) and (mixed := self._with_quantities(value, dimension, known)) is not None:
             self.used |= free_symbols(mixed)
@@ -312,6 +315,8 @@ class Formulas(Noting):
                 return all(map(self.is_never_negative, parts))
             case PowerOf(base):
                 return self.is_never_negative(base)
+            case Call("sqrt" | "abs"):
+                return True
             case _:
                 return False
 

@@ -380,13 +380,16 @@ class Names(Formulas):
                 self.problem_once(told, *path)
             if (named := self.named_direction(text, body)) is not None:
                 return named
+            if text.startswith("-") and (named := self.named_direction(text[1:].strip(), body)) is not None:
+                return named.reversed()
             if text in _LEVEL:
                 told = Message(
                     "{text} leaves two directions open: write {first} or {second}", text=text, **_LEVEL[text]
                 )
                 self.problem(told, *path)
                 return self.compass["right"]
-            if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", text) and text not in self.parameters and text != "pi":
+            word = text.removeprefix("-").strip()
+            if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", word) and word not in self.parameters and word != "pi":
                 known = [*self.compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
                 known += [f"{b.name}.{line}" for b in self.bodies.values() for line in (*b.lines, *b.sides)]
                 self.problem(

@@ -254,12 +254,15 @@ measures: {psi: angle of wheel about x}
 """,
 )
 def _turn(names: Names, found: Found, path: Path) -> Measure:
-    """In space: how far a body has turned about an axis of the ground or of another body, by the right-hand rule."""
+    """In space: how far a body has turned about an axis of the ground or of another body, relative to which it is then
+    meant where nothing else is said, by the right-hand rule."""
     body, base = names.body(cast("str", found["of"]), *path), names.body(found["rel"] or GROUND, *path)
     if not names.space:
         names.problem(Message("an angle about an axis is for models in space: write space: true"), *path)
         return Angle(body.name, base.name)
     axis = names.direction(found["axis"], *path, body=base.name)
+    if found["rel"] is None and axis.body != body.name:
+        base = names.known(axis.body)
     if axis.body not in (body.name, base.name):
         names.problem(
             Message(

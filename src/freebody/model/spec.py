@@ -36,19 +36,20 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "direction": ("along",),
     "axis": ("along", "about"),
     "along": ("about",),
+    "magnitude": ("intensity",),
     "rest_length": ("length",),
     **dict.fromkeys(("natural_length", "free_length", "unstretched_length"), ("length",)),
     **dict.fromkeys(("center", "com", "centre_of_mass"), ("center_of_mass",)),
     "initial_position": ("at",),
     **dict.fromkeys(("k", "constant", "spring_constant", "spring_rate"), ("stiffness",)),
     **dict.fromkeys(("c", "damping_constant", "coefficient"), ("damping",)),
-    "value": ("magnitude", "strength"),
+    "value": ("magnitude", "strength", "intensity"),
     "force": ("magnitude",),
     "torque": ("magnitude",),
     "body": ("on", "at", "pinion"),
     "point": ("pin",),
     "on": ("at",),
-    "at": ("on",),
+    "at": ("pin", "on"),
     "position": ("at",),
     "place": ("at",),
     "location": ("at",),
@@ -65,7 +66,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
-    "from", "to", "on", "at", "direction", "axis", "along", "value", "omega", "mu", "center", "com",
+    "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "center", "com",
     "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
 ))  # fmt: skip
@@ -109,6 +110,8 @@ class Spec(BaseModel, metaclass=_Described):
     is_chosen: ClassVar[bool | None] = None
     # fields that people give it and that are another kind's: what to write there
     elsewhere: ClassVar[Mapping[str, str]] = {}
+    # words of the kind's own under which a file may name what its fields say, by these fields; `from_plain` reads them
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {}
 
     def __init__(self, *args: Any, **named: Any) -> None:
         cls: type = type(self)

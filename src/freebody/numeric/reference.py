@@ -74,7 +74,8 @@ class Reference(NumericSystem):
                     raise CannotAnswer(
                         Message(
                             "at the start {first} and {second} are in one place, and {connection} needs a line between "
-                            "them, which has no direction: put them apart (at)",
+                            "them, which has no direction: put them apart (at); a string leads along a slider without "
+                            "that",
                             first=first,
                             second=second,
                             connection=row.connection,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
@@ -44,7 +44,9 @@ def pulls_on(system: Described, state: State[Any], rod: RigidBody) -> Iterator[P
                 "{name} acts on all of {body}, and how it is spread is not known", name=push.load, body=rod.name
             )
             raise CannotAnswer(told)
-        yield _pull(system, state, rod, push.load, [(push.measure, state.law(push))])
+        pull = _pull(system, state, rod, push.load, [(push.measure, state.law(push))])
+        is_said = push.couple_at is not None and push.couple_at.body == rod.name
+        yield replace(pull, at=push.couple_at) if is_said else pull
 
 
 def _pull(system: Described, state: State[Any], rod: RigidBody, name: str, pushes: Sequence[tuple[Any, Any]]) -> Pull:
@@ -68,6 +70,16 @@ def _pull(system: Described, state: State[Any], rod: RigidBody, name: str, pushe
 def _acts_there(force: Vector, moment: Vector, arm: Vector) -> bool:
     """Whether a force with its moment about the mass centre acts at the end of an arm, or is a couple alone."""
     return all(is_zero(f) for f in force) or all(is_zero(m - c) for m, c in zip(moment, cross(arm, force), strict=True))
+
+
+def couple_not_placed(rod: RigidBody, pull: Pull) -> CannotAnswer:
+    """Why a section cannot be told beside a couple."""
+    told = Message(
+        "where on {body} the couple of {name} acts is not said: a torque may name its point, on: {body}.C",
+        body=rod.name,
+        name=pull.name,
+    )
+    return CannotAnswer(told)
 
 
 def on_axis(rod: RigidBody, offset: Expr) -> Point:

@@ -26,7 +26,7 @@ from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.model.elements import RigidBody
 from freebody.model.solids import ROD
 from freebody.model.state import State
-from freebody.questions.along_a_rod import pulls_on
+from freebody.questions.along_a_rod import couple_not_placed, is_zero, pulls_on
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.section import PARTS, Field, Order, Part, SectionForce, Side, fields_of, rod_named
 from freebody.tolerances import LEAST, ROUNDED
@@ -115,10 +115,8 @@ questions: {it: greatest bending moment of beam}
         for pull in pulls_on(system, state, rod):
             if pull.at is not None:
                 places.append(pull.at.offset[0])
-            elif pull.has_couple:
-                raise CannotAnswer(
-                    Message("where on {body} the couple of {name} acts is not said", body=rod.name, name=pull.name)
-                )
+            elif pull.has_couple and (self.part == "bending" or not all(map(is_zero, pull.force))):
+                raise couple_not_placed(rod, pull)
         for push in system.applied_loads:
             if push.spread is not None and push.spread.first.body == rod.name:
                 places += [push.spread.first.offset[0], push.spread.second.offset[0]]

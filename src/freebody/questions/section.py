@@ -39,7 +39,7 @@ from freebody.measures.geometry import ONE, Direction, Point
 from freebody.model.elements import RigidBody, Spread
 from freebody.model.solids import ROD
 from freebody.model.state import State
-from freebody.questions.along_a_rod import Pull, between, is_zero, on_axis, pulls_on, sign_of_length
+from freebody.questions.along_a_rod import Pull, between, couple_not_placed, is_zero, on_axis, pulls_on, sign_of_length
 from freebody.questions.base import NAME, PLACE, Described, Found, Path, Quantity, asked
 from freebody.questions.vectors import Vector, added, axes_of, components_of, cross, dot, place
 from freebody.tolerances import ROUNDED
@@ -150,13 +150,11 @@ questions: {it: bending moment of beam at beam.center}
         """Whether a pull acts between the cut and the end; a section at the start, or the end, is just inside of it."""
         if all(map(is_zero, (*pull.force, *pull.couple))):
             return False
+        if self.part != "bending" and all(is_zero(f) for f in pull.force):
+            return False  # a couple alone
         if pull.at is None:
-            if self.part != "bending" and all(is_zero(f) for f in pull.force):
-                return False
             if pull.has_couple:
-                raise CannotAnswer(
-                    Message("where on {body} the couple of {name} acts is not said", body=rod.name, name=pull.name)
-                )
+                raise couple_not_placed(rod, pull)
             told = Message("at which point of {body} {name} acts does not stay the same", body=rod.name, name=pull.name)
             raise CannotAnswer(told)
         is_at_an_end = pull.at.offset[0] in (rod.points["start"][0], rod.points["end"][0])

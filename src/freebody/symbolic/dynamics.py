@@ -261,6 +261,6 @@ class SymbolicDynamics:
         named = zip(self._speeds.coordinates, self._speeds.accelerations, strict=True)
         return Message(
             "nothing with mass moves with {x}, so its acceleration is not determined. Give the body "
-            "a mass or an inertia, or connect it",
+            "a mass or an inertia, or connect it, or prescribe how it moves by a driver",
             x=", ".join(c.name for c, a in named if a in free),
         )

@@ -16,6 +16,9 @@ _FORMULA = {"type": ["string", "number"], "description": "an expression, or a qu
 _PAIR = {"type": "array", "items": _FORMULA, "minItems": 2, "maxItems": 3}
 _OPEN_PAIR = {"type": ["array", "null"], "items": {"type": ["string", "number", "null"]}, "minItems": 2, "maxItems": 3}
 _HEADING = {"anyOf": [_FORMULA, _PAIR]}
+# a place of the reference point, or of one or two points by their names; a point of the ground is a place by its name
+_PLACE = {"anyOf": [_PAIR, {"type": "string"}]}
+_AT = {"anyOf": [_PLACE, {"type": "object", "additionalProperties": _PLACE, "minProperties": 1, "maxProperties": 2}]}
 _CHAIN = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
 
 
@@ -31,11 +34,14 @@ def _fields(kind: type[Spec]) -> dict[str, Any]:
 def _with_second_words(kind: type[Spec], schema: dict[str, Any]) -> None:
     """Also takes the fields under further words; a list under one word gives several of them."""
     own, more = schema["properties"], kind.second_words()
+    for word in kind.more_words:
+        own[word] = {"type": "string"}
     for word, fields in more.items():
         lists = {"type": "array", "minItems": len(fields), "maxItems": len(fields)}
         own[word] = own[fields[0]] if len(fields) == 1 else lists
     needed = schema.pop("required", [])
-    ways = {field: [field, *(word for word, fields in more.items() if field in fields)] for field in needed}
+    words = {**kind.more_words, **more}
+    ways = {field: [field, *(word for word, fields in words.items() if field in fields)] for field in needed}
     if any(len(words) > 1 for words in ways.values()):
         schema["allOf"] = [{"anyOf": [{"required": [word]} for word in words]} for words in ways.values()]
     elif needed:
@@ -102,12 +108,12 @@ def json_schema() -> dict[str, Any]:
         "additionalProperties": False,
         "properties": _by_word(Shape.kinds)
         | {
-            "at": {"anyOf": [_PAIR, _named(_PAIR)]},
+            "at": _AT,
             "angle": _FORMULA,
             "near": {
                 "type": "object",
                 "additionalProperties": False,
-                "properties": {"at": {"anyOf": [_PAIR, _named(_PAIR)]}, "angle": _FORMULA, "turned": _CHAIN},
+                "properties": {"at": _AT, "angle": _FORMULA, "turned": _CHAIN},
             },
             "velocity": _PAIR,
             "angular_velocity": {"anyOf": [_FORMULA, _PAIR, _named(_PAIR)]},

@@ -217,7 +217,10 @@ class Dimensions(Dimensioned):
         if len(names) == 1:
             (name,) = names
             parameter = self.system.parameters.get(name)
-            at = [float(evaluate(angle, {name: x})) for x in (0.0, 0.3)]
+            try:
+                at = [float(evaluate(angle, {name: x})) for x in (0.0, 0.3)]
+            except (ZeroDivisionError, ValueError):  # atan(h/a) is no plain angle
+                return
             is_plain = abs(abs(at[1] - at[0]) - 0.3) < 1e-9 and abs(math.remainder(at[0], math.pi / 2)) < 1e-9
             if parameter is not None and parameter.dimension == DIMENSIONLESS and is_plain:
                 yield name, round(at[0] / (math.pi / 2)) % 2

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from fractions import Fraction
 
 from freebody.language.sentences import Message
@@ -10,6 +11,7 @@ from freebody.model.elements import Parameter
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
+from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
 _ARCS = {  # the ranges of their values, in half turns
@@ -70,9 +72,18 @@ def after(a: Ratio, b: Ratio) -> Ratio:
     return above(f.lowest_terms(b - a))
 
 
-def for_every(parameter: Parameter) -> str:
-    """That something is so wherever a parameter may be."""
+def for_every(system: System, parameter: Parameter) -> str:
+    """That something is so wherever a parameter may be, or that the model has no such parameter but by name."""
     name = parameter.name
+    model = {
+        key: value for key, value in system.document.data.items() if key not in ("parameters", "questions", "title")
+    }
+    if not re.search(rf"\b{re.escape(name)}\b", str(model)):
+        return Message(
+            "nothing in the model depends on {name}: write it where it belongs, as a coefficient of friction in a "
+            "contact",
+            name=name,
+        )
     if parameter.acute:
         return Message("that is so for every acute angle {name}", name=name)
     if parameter.is_share:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError
-from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate, multiply
+from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate, free_symbols, multiply
 from freebody.language.notation import Stated, compared, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
@@ -109,6 +109,15 @@ def _since_start(system: System, event: ChangeEvent, solve: Solver) -> QuestionE
     if answer.expression is None or isinstance(answer.expression, tuple):
         raise CannotAnswer(answer.reason or Message("where {x} starts has no formula", x=event.phrase))
     begin = answer.expression
+    if unsaid := sorted(free_symbols(begin) - {*system.parameters, "pi", "t"}):
+        told = Message(
+            "where {x} starts the model does not say ({names}), and so not where it has changed: give the start, e.g. "
+            "start: {{{measure}: 0}}",
+            x=event.phrase,
+            names=", ".join(unsaid),
+            measure=unsaid[0].removesuffix("_0"),
+        )
+        raise CannotAnswer(told)
     value = event.change if begin == ZERO else add(begin, event.change)
     text = event.value_text if begin == ZERO else to_text(value)
     return QuestionEvent(event.measure, 0, value, f"{event.phrase} = {text}")

@@ -126,7 +126,7 @@ def coordinate_of(setup: Setup, measure: Measure | None) -> Coordinate:
     found = [c for c in (*model.coordinates, *model.dependent) if c.index in inside]
     if len(found) != 1 or not f.partial(value, found[0].index).is_constant() or found[0] not in model.coordinates:
         names = ", ".join(c.name for c in model.coordinates)
-        raise CannotAnswer(Message("ask for the period of one of the coordinates: {names}", names=names))
+        raise CannotAnswer(Message("that is told of the coordinates alone: {names}", names=names))
     return found[0]
 
 

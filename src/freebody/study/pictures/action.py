@@ -106,7 +106,9 @@ class Action:
         yield from (at for at in others if float(np.linalg.norm(at - middle)) < reach)
 
     def couple_point(self, of: ConstraintRow | AppliedLoad, siblings: Sequence[ConstraintRow], body: str) -> Array:
-        """Where to draw a couple: at its joint, else in the middle of its body."""
+        """Where to draw a couple: where it is said to act, at its joint, else in the middle of its body."""
+        if isinstance(of, AppliedLoad) and of.couple_at is not None and of.couple_at.body == body:
+            return self.place(of.couple_at)
         for row in siblings:
             for point in points_of(row.measure):
                 if point.body == body:

@@ -23,6 +23,7 @@ from freebody.system.reading.copies import copied_names
 from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane
 from freebody.system.reading.source import Source, kind_meant, known_keys
+from freebody.system.reading.two_places import distance_of_ends
 
 _ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "copies")
 PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
@@ -126,6 +127,9 @@ class BodySections:
             names.broken |= {turn.name for turn in chain if turn.name}
             return None
         names.called[name] = shape.words()
+        if "length" in shape.lengths_left_open() and getattr(shape, "length", None) is None:
+            length = distance_of_ends(names, entry.get("at"))
+            shape = shape if length is None else shape.model_copy(update={"length": length})
         with names.at(word):
             build = self.source.open.completed(shape, name, word).build(names)
         offsets = self._offsets(name, entry, build)

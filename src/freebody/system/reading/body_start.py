@@ -7,13 +7,14 @@ from dataclasses import replace
 from typing import Any, cast
 
 from freebody.language.sentences import Message
-from freebody.language.units import ANGULAR_VELOCITY, LENGTH, VELOCITY
+from freebody.language.units import ANGULAR_VELOCITY, VELOCITY
 from freebody.measures.geometry import Components
 from freebody.model.chains import read_chain
 from freebody.model.elements import Start
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.system.reading.source import known_keys
+from freebody.system.reading.two_places import angle_by_two, place_of_point, two_points
 
 POSE_KEYS = {False: ("at", "angle"), True: ("at", "turned")}  # what says where a body is: in the plane, in space
 
@@ -21,6 +22,11 @@ POSE_KEYS = {False: ("at", "angle"), True: ("at", "turned")}  # what says where 
 def start_of_body(names: Names, entry: dict[str, Any], default: str, points: Mapping[str, Any]) -> Start:
     """Place, guess and speeds of a body with some points, of which one is meant where none is named."""
     angle = names.angle(entry["angle"], "angle") if "angle" in entry else None
+    if (two := two_points(names, entry.get("at"))) and set(two) <= set(points):
+        if angle is not None:
+            told = Message("at gives two points of the body, which say how it is turned: leave out its angle")
+            names.problem(told, "angle")
+        angle = angle_by_two(names, entry["at"], points)
     velocity = entry.get("velocity")
     start = Start(
         _place(names, entry.get("at"), default, points),
@@ -38,20 +44,22 @@ def start_of_body(names: Names, entry: dict[str, Any], default: str, points: Map
 
 
 def _place(names: Names, at: Any, default: str, points: Mapping[str, Any]) -> tuple[str, Components] | None:
-    """`at: [x, y]` of the default point, or `at: {P: [x, y]}` of another."""
-    if isinstance(at, dict) and len(cast("dict[str, Any]", at)) == 1:
-        ((point, pair),) = cast("dict[str, Any]", at).items()
-        if point in points:
-            return point, names.components(pair, LENGTH, "at", point)
-        names.problem(
-            Message("there is no point {name}.{hint}", name=point, hint=did_you_mean(point, points)),
-            "at",
-            point,
+    """`at: [x, y]` of the default point, `at: {P: [x, y]}` of another, or in the plane `{P: [x, y], Q: [x, y]}` of two;
+    a point of the ground may stand for its coordinates."""
+    if isinstance(at, dict) and (len(cast("dict[str, Any]", at)) == 1 or two_points(names, at)):
+        given = cast("dict[str, Any]", at)
+        for point in given.keys() - set(points):
+            told = Message("there is no point {name}.{hint}", name=point, hint=did_you_mean(point, points))
+            names.problem(told, "at", point)
+        point = next(iter(given))
+        return (point, place_of_point(names, given[point], "at", point)) if set(given) <= set(points) else None
+    if isinstance(at, list) or (isinstance(at, str) and at.strip()):
+        return default, place_of_point(names, at, "at")
+    if at is not None:
+        told = Message(
+            "at is a position [x, y], {{point: [x, y]}} of one point, or in the plane of two, as {{start: [0, 0], end: "
+            "[a, h]}}"
         )
-    elif isinstance(at, list):
-        return default, names.components(cast("list[Any]", at), LENGTH, "at")
-    elif at is not None:
-        told = Message("at is a position [x, y], or {{point: [x, y]}} of one point; what turns the body is its angle")
         names.problem(told, "at")
     return None
 
