@@ -532,3 +532,9 @@ def test_a_parameter_of_a_question_that_the_model_has_nowhere_is_told() -> None:
     system = fb.System.from_text(ON_A_SLOPE.replace("START", "start: {s: 0}"))
     (answer,) = system.solve("least mu so that ball rolls without slipping").answers
     assert "nothing in the model depends on mu" in str(answer.reason)
+
+
+def test_a_disc_clutch_by_its_torque_is_told_to_be_a_brake() -> None:
+    clutch = "connections: {it: {disc_clutch: {between: [rod, ground], torque: 3 N m}}}"
+    with pytest.raises(fb.ModelError, match=r"is brake: {between: \[drum, shaft\], torque: T}"):
+        fb.System.from_text(f"{ROD}{clutch}")

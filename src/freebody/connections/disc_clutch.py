@@ -11,7 +11,7 @@ Shigley, Mechanical Engineering Design, sec. 16-5 and 16-7; Meriam & Kraige, Sta
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
@@ -38,6 +38,9 @@ class DiscClutch(Connection, kind="disc_clutch"):
 
     called: ClassVar[tuple[str, ...]] = ("clutch", "brake", "disc brake", "cone clutch")
     also: ClassVar[tuple[str, ...]] = ("clutch",)
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "torque": Message("a clutch by the torque that it can transmit is brake: {{between: [drum, shaft], torque: T}}")
+    }
 
     between: list[str]
     force: Formula
