@@ -139,7 +139,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
-    if len(nearest) != 1 and (parted := _several(names, text, read)):
+    if (len(nearest) != 1 or _is_of_all(names, text)) and (parted := _several(names, text, read)):
         return parted
     if not nearest and not instead:
         instead = _lacking(names, text, read)
@@ -357,6 +357,12 @@ def _then(
     """What is asked beside a time, at that time: how long does it take, and how far does it get?"""
     each = (_there(names, text, first, read) for text in texts)
     return next((found for found in each if found and all(_fits_event(asked) for asked, _ in found)), [])
+
+
+def _is_of_all(names: Names, text: str) -> bool:
+    """Whether a text asks for quantities of all things of a kind, of which there are several: speeds of all gears."""
+    said = any(several(language, "quantities").search(text) for language in languages())
+    return said and len(each_of(names, elements_of(names), text)) > 1
 
 
 def _is_of_each(text: str, ways: dict[str, tuple[AskedT, ...]]) -> bool:
