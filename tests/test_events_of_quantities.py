@@ -15,7 +15,7 @@ from freebody.api import System
 from freebody.errors import ModelError
 from freebody.narrative.sheets.asking import asking
 from freebody.narrative.telling.catalogue import Catalogue
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 ROD = """
 parameters: {m: 3 kg, L: 1.2 m, a: 20 deg, g: 9.81 m/s^2}
@@ -195,3 +195,19 @@ def test_the_greatest_size_of_a_force_that_pushes_either_way_is_where_its_square
     """F = 9 m g sin(2 a)/8 of a rod from the horizontal, to either side."""
     is_formula(LEVEL, "greatest size of horizontal reaction of hinge", "9*m*g/8")
     is_formula(LEVEL, "greatest |horizontal reaction of hinge|", "9*m*g/8")
+
+
+BOAT = """
+parameters: {m: 900 kg, c: 60 kg/s, v0: 6 m/s, F: 500 N}
+bodies: {boat: {particle: {mass: m}, at: [0, 0], velocity: [v0, 0]}}
+connections: {rail: {guide: {body: boat, along: right}}}
+loads: {drag: {law: {measure: x, force: -c*rate(x)}}, thrust: {force: {on: boat, along: right, value: F}}}
+measures: {x: x of boat}
+"""
+
+
+def test_a_speed_is_reached_where_the_rate_is_so_whatever_the_place() -> None:
+    """v = F/c + (v0 - F/c) exp(-c t/m); half way between v0 and F/c after m log(2)/c, and x = (m (v0 - v) + F t)/c."""
+    is_formula(BOAT, "time when speed of boat = (v0 + F/c)/2", "m*log(2)/c")
+    is_formula(BOAT, "x when speed of boat = (v0 + F/c)/2", "(m*(v0 - F/c)/2 + F*m*log(2)/c)/c")
+    is_derived(BOAT, "time when speed of boat = (v0 + F/c)/2")

@@ -118,7 +118,7 @@ def place_line(way: EventWay) -> int:
     uses = tuple(event_means(way)) if is_of_loops else ()
     args: dict[str, Argument] = {"event": f"@{event.text}"}
     why = "course.event"
-    if isinstance(event, OfQuantity) and (of := event.quantity.sentence(way.context.system)) is not None:
+    if isinstance(event, OfQuantity) and not event.order and (of := event.quantity.sentence(way.context.system)):
         args, why = args | {"what": of, "value": event.target}, "course.place_of_quantity"
     return way.script.line(symbol, tidy(value), why=why, args=args, uses=uses, when="event")
 

@@ -14,7 +14,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError
-from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, add, evaluate, free_symbols, multiply
+from freebody.language.expression import (
+    FLOAT_FUNCTIONS,
+    ZERO,
+    Expr,
+    Symbol,
+    add,
+    evaluate,
+    free_symbols,
+    multiply,
+    negate,
+)
 from freebody.language.notation import Stated, compared, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
@@ -153,10 +163,33 @@ def _place(system: System, part: System, event: QuantityEvent, solve: Solver) ->
             told = reworded(Message("'{event}' is so at {place}", event=event.text, place=equation), equation)
             at = PlacedEvent(measure, 0, e, event.text, event.quantity, event.target)
             return at, FoundAt(tuple(c for c in asked.conditions if not is_scope(c)), told)
+    if (rate := _by_its_rate(system, setup, event, name, measure, solve)) is not None:
+        return rate
     number = Message(
         "'{event}' has no formula; in numbers it is first at {x} = {p:.6g}", event=event.text, x=name, p=own
     )
     raise CannotAnswer(Message("{what}: {why}", what=number, why=asked.reason) if asked.reason else number)
+
+
+def _by_its_rate(
+    system: System, setup: Setup, event: QuantityEvent, name: str, measure: Measure, solve: Solver
+) -> tuple[PlacedEvent, FoundAt] | None:
+    """A speed that is the size of a rate is reached where the rate is so, in the one sense or in the other."""
+    f, c = setup.model.field, setup.model.coordinates[0]
+    value = event.quantity.value(setup.system, setup.state)
+    if isinstance(value, tuple) or len(setup.model.coordinates) != 1:
+        return None
+    speed, rate = f.element(value), f.variable(c.speed)
+    if not f.lowest_terms(speed * speed - rate * rate).is_zero():
+        return None
+    for target in (event.target, negate(event.target)):
+        asked = QuestionEvent(measure, 1, target, event.text)
+        question = replace(system.question(f"{name} when rate({name}) = 0"), event=asked)
+        answer = solve(replace(system, questions=(question,))).answers[0]
+        if isinstance(answer.expression, Expr) and _is_first(setup, event, measure, answer.expression):
+            at = PlacedEvent(measure, 1, target, event.text, event.quantity, event.target)
+            return at, FoundAt(tuple(x for x in answer.conditions if not is_scope(x)), "")
+    return None
 
 
 def _coordinate(setup: Setup) -> tuple[str, Measure]:

@@ -168,7 +168,7 @@ class Sets:
         for g in f.ingredients(x) & f.arguments.keys():
             name, argument = f.arguments[g]
             if name in LAMBERT:
-                with np.errstate(invalid="ignore"):
+                with np.errstate(invalid="ignore", over="ignore"):
                     found |= np.abs(1.0 + math.e * self.evaluate(model, argument)) < _NEXT_TO_BRANCH_POINT
         return found
 

@@ -37,10 +37,12 @@ def until_change(tree: PhaseTree, question: Question, turns: FirstTurns) -> tupl
     ends = pieces(tree, question)
     found = Found()
     for asked, turn in turns.found:
+        if question.event is not None:
+            found += [(asked, one) for end in ends for one in _before_event(tree, question, asked, turn, end)]
+            continue
         first = np.concatenate([_before(question, asked, turn, end) for end in ends])
         if len(first):
             found.append((asked, replace(turn, sets=np.sort(first))))
-        found += [(asked, within) for end in ends for within in _within(tree, question, asked, turn, end)]
     turned = {int(k) for _asked, turn in found for k in turn.sets}
     grows = side * tree.numbers(turns.rate) > 0
     for end in ends:
@@ -109,15 +111,20 @@ def _before(question: Question, asked: Question, turn: AnswerBranch, end: Answer
     return np.intersect1d(turn.sets, end.sets) if is_before else turn.sets[:0]
 
 
-def _within(
+def _before_event(
     tree: PhaseTree, question: Question, asked: Question, turn: AnswerBranch, end: AnswerBranch
 ) -> Iterator[AnswerBranch]:
-    """Where a turn comes before an event in the same phase, by their times. Raises CannotAnswer where one has none."""
-    if question.event is None or asked.event is None or end.first is None or len(turn.nodes) != len(end.nodes):
-        return
-    if not len(sets := np.intersect1d(turn.sets, end.sets)):
-        return
-    if turn.time is None or end.time is None:
-        raise CannotAnswer(Message("whether it turns before '{event}' was not decided", event=question.event.text))
+    """Where a turn comes before an event, which has to come: in the same phase by their times. Raises CannotAnswer
+    where one of these is not told."""
+    sets = np.intersect1d(turn.sets, end.sets)
     both = replace(turn, sets=sets, conditions=[*turn.conditions, *end.conditions])
-    yield from where(tree, both, [(end.time - turn.time, ">=")])
+    n, last = len(turn.nodes), len(end.nodes)
+    if end.first is None or not len(sets) or n > last or (n == last and asked.event is None):
+        return
+    if n < last:
+        yield both
+    elif turn.time is None or end.time is None:
+        text = str(getattr(question.event, "text", ""))
+        raise CannotAnswer(Message("whether it turns before '{event}' was not decided", event=text))
+    else:
+        yield from where(tree, both, [(end.time - turn.time, ">=")])
