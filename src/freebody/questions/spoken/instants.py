@@ -249,7 +249,7 @@ def _may_settle(names: Names, sentence: Sentence) -> bool:
     """Whether it is asked where something comes to rest that is let go and that nothing stops: where it turns back for
     an instant may be meant, or where it settles."""
     main, others = sentence.main, sentence.others
-    is_where = main.has("ask", "where", "with") or main.all("quantity") in (["angle"], ["position"])
+    is_where = main.has("ask", "where") or main.all("quantity") in (["angle"], ["position"], ["height"])
     doing = [own for mark, own in others if mark == "when"] or [main]
     stops = len(doing) == 1 and doing[0].all("verb") == ["stop"] and len(others) <= 1
     stops = stops and not any(own.has("instant") for own in (main, *doing))

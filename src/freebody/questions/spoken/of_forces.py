@@ -39,6 +39,14 @@ _GIVEN_BY_JOINTS = {
 }
 
 
+@said_of("net force")
+def _net(names: Names, quantity: str, rest: Clause) -> Groups:
+    """All that acts at a joint; all that acts on a body is no force that anything exerts."""
+    joints = [name for _, name in rest.names if name in names.connections and name not in names.bodies]
+    if rest.only("name", *SILENT) and len(joints) == 1:
+        yield [f"reaction of {joints[0]}"]
+
+
 @said_of(*_TRANSMITTED)
 def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     """A force that a connection transmits: of the connection, or of that between things."""

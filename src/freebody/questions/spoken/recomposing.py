@@ -147,6 +147,9 @@ def _changed(names: Names, sentence: Sentence) -> Groups:
     is_change |= len(asked) == 1 and main.has("ask", *_BY) and bool(verbs) and verbs <= _CHANGES
     if not is_change or {*asked[-1:]} & {*_NO_CHANGE} or main.has("degree"):
         return
+    goes = asked[:1] in (["velocity"], ["speed"], ["acceleration"]) and bool(verbs & {"rise", "fall"})
+    if goes and main.has("ask", "with"):  # with what velocity does the load rise
+        return
     values = [word for word in main.words if word.kind == "value"]
     kept = main.without("ask").without("verb").without("quantity", "change").without("value")
     while kept.words and kept.words[-1].kind == "preposition":
