@@ -1017,6 +1017,11 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "stay": "q*l**2/(8*f)*sqrt(b**2 + c**2)/c",
         "tower": "q*l/2 + q*l**2/(8*f)*b/c",
     },
+    # both at their limits: sin(phi_0) = 3 pi/4 mu (1 + mu)/(1 + mu^2)
+    "half_disk_between_wall_and_floor": {
+        "tilt": "asin(3*pi/4*mu*(1 + mu)/(1 + mu**2))",
+        "friction": "(sqrt(1 + 4*(4*sin(phi_0)/(3*pi))*(1 - 4*sin(phi_0)/(3*pi))) - 1)/(2*(1 - 4*sin(phi_0)/(3*pi)))",
+    },
     # F (L - b) + T_1 b = T_2 (2 R - b), T_1 = T_2 e^(mu pi), M = R (T_1 - T_2)
     "differential_band_brake": {
         "force": "M*(2*R - b*(1 + exp(mu*pi)))/(R*(L - b)*(exp(mu*pi) - 1))",

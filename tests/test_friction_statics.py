@@ -919,3 +919,54 @@ questions: [least F so that nothing moves]
     told = system.explain().to_text()
     assert "Equilibrium alone decides F." in told
     assert "F ≥" not in told
+
+
+HALF_DISK = """
+parameters: {m: 2 kg, R: 0.3 m, mu: 0.4, phi_0: 20 deg, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: down}}}
+bodies: {half: {half_disk: {mass: m, radius: R}, at: [R, R]}}
+connections: {below: {contact: {between: [half, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of half from down}
+start: {phi: phi_0, rate(phi): 0}
+"""
+
+
+def test_a_half_disk_rocks_without_slip_where_friction_is_enough() -> None:
+    # I_P a = -m g e sin(phi), I_P = m (3 R^2/2 - 2 R e cos(phi)); F = m a (R - e cos(phi)), N = m (g - e sin(phi) a)
+    R, g, phi, e = 0.3, 9.81, math.radians(20.0), 0.4 / math.pi
+    a = g * e * math.sin(phi) / (1.5 * R * R - 2 * R * e * math.cos(phi))
+    asked = ["acceleration of phi at start", "least mu so that it does not slip at start"]
+    answers = fb.System.from_text(HALF_DISK).solve(asked).answers
+    least = a * (R - e * math.cos(phi)) / (g - e * math.sin(phi) * a)
+    assert [answer.value for answer in answers] == pytest.approx([-a, least])
+    assert all(answer.expression is not None for answer in answers)
+
+
+def test_a_half_disk_that_faces_a_wall_with_its_flat_side_does_not_touch_it() -> None:
+    beside = HALF_DISK.replace(
+        "connections: {", "connections: {beside: {contact: {between: [half, wall], friction: mu}}, "
+    )
+    (answer,) = fb.System.from_text(beside).solve("least mu so that it stays at rest").answers
+    assert "half touches with its round side" in str(answer.reason)
+    (answer,) = (
+        fb.System.from_text(beside.replace("phi: phi_0", "phi: -phi_0"))
+        .solve("least mu so that it stays at rest")
+        .answers
+    )
+    # mu (1 + mu)/(1 + mu^2) = 4 sin(phi_0)/(3 pi)
+    mu = answer.value
+    assert mu * (1 + mu) / (1 + mu * mu) == pytest.approx(4 * math.sin(math.radians(20.0)) / (3 * math.pi))
+
+
+def test_a_motion_says_where_the_round_side_ends() -> None:
+    fast = HALF_DISK.replace("rate(phi): 0", "rate(phi): 14 rad/s").replace("mu: 0.4", "mu: 2")
+    assert "limit of validity: half touches with its round side" in str(fb.System.from_text(fast).simulate(0.4))
+
+
+def test_an_arc_touches_lines_only() -> None:
+    model = HALF_DISK.replace("bodies: {", "bodies: {ball: {disk: {mass: m, radius: R}}, ").replace(
+        "[half, floor]", "[half, ball]"
+    )
+    with pytest.raises(fb.ModelError, match="a contact of it is one with lines"):
+        fb.System.from_text(model)

@@ -236,11 +236,11 @@ def test_impossible_shapes_are_refused_with_what_would_do(shape: str, told: str)
         body(shape, space=False)
 
 
-def test_a_contact_with_half_a_circle_is_refused() -> None:
+def test_a_contact_of_half_a_circle_with_another_circle_is_refused() -> None:
     with pytest.raises(fb.ModelError, match="let it roll with its rim"):
         fb.System.from_text(
-            "ground: {lines: {floor: {along: right}}}\nbodies: {b: {half_disk: {mass: 1 kg, radius: 1 m}}}\n"
-            "connections: {c: {contact: {between: [b, floor]}}}"
+            "bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {half_disk: {mass: 1 kg, radius: 1 m}}}\n"
+            "connections: {c: {contact: {between: [b, a]}}}"
         )
 
 

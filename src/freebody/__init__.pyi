@@ -408,7 +408,8 @@ class Contact(_Contact):
     """`contact: {between: [ball, ground.floor], friction: mu, restitution: e}`; `among: [a, b, floor]` for every pair
     of several, `among: all` for all bodies and lines of the ground.
 
-    What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the
+    What touches is named by a body (its circle, its straight edges and corners, or, on lines, the round side of a half
+    disk, a sector or an arc, while this faces the line), a point, a line (solid on the
     right of its direction, so below one that points to the right; `below: true` for the other side), or
     `inside bowl` for the inside of a ring. In space: a body on a plane of another one (see `planes`), a sphere on a
     sphere, inside one, on a box, a convex body, a cylinder, a disk, a ring, a rod or a point, a point on a sphere, a

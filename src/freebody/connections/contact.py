@@ -16,13 +16,14 @@ from freebody.connections.places_on_bodies import INSIDE
 from freebody.connections.polyhedra import is_polyhedron
 from freebody.connections.sites import sites
 from freebody.connections.standing import along_of, is_parallel, moves_out_of_plane, number_of, place_of, same_way
-from freebody.language.expression import Expr, add, negate
+from freebody.language.expression import Expr, add, divide, negate
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
-from freebody.measures.geometry import GROUND, RIGHT, Direction, Point
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, ONE, RIGHT, Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import DryFriction, UnilateralConstraint
+from freebody.model.elements import DryFriction, RigidBody, UnilateralConstraint, Validity
 from freebody.model.friction import read_friction, read_restitution
 from freebody.model.glyphs import Glyph
 from freebody.model.noting import did_you_mean
@@ -69,7 +70,8 @@ class Contact(Connection, kind="contact"):
     """`contact: {between: [ball, ground.floor], friction: mu, restitution: e}`; `among: [a, b, floor]` for every pair
     of several, `among: all` for all bodies and lines of the ground.
 
-    What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the
+    What touches is named by a body (its circle, its straight edges and corners, or, on lines, the round side of a half
+    disk, a sector or an arc, while this faces the line), a point, a line (solid on the
     right of its direction, so below one that points to the right; `below: true` for the other side), or
     `inside bowl` for the inside of a ring. In space: a body on a plane of another one (see `planes`), a sphere on a
     sphere, inside one, on a box, a convex body, a cylinder, a disk, a ring, a rod or a point, a point on a sphere, a
@@ -275,6 +277,14 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                         "between",
                     )
                 continue
+            if (arc := _arc_beside(names, a, b)) is not None:
+                told = Message(
+                    "the edge of {body} is part of a circle, and a contact of it is one with lines: let it roll with "
+                    "its rim (rolling), or name a point of it, such as {body}.start",
+                    body=arc,
+                )
+                names.problem(told, "between" if self.among is None else "among")
+                continue
             if not sites(a, b):
                 particles = GROUND not in (a.body, b.body) and not any(names.known(x.body).turns for x in (a, b))
                 if self.between is not None and particles and not names.space:
@@ -302,6 +312,23 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             _look_at_hollows(names, a, b)
             starts = self._start_closed(names, a.body, b.body)
             found.append(OutlinePair(connection, a, b, surface, starts, len(joined) == 1))
+        return found
+
+    def valid_where(self, names: Names) -> list[Validity]:
+        """A part of a circle touches a line with its round side: where the one that faces it is between its ends."""
+        with names.quietly():
+            pairs = self.pairs(names, self.own_name(names))
+        found: list[Validity] = []
+        for pair in pairs:
+            for round_, line in ((pair.first, pair.second), (pair.second, pair.first)):
+                body = names.bodies.get(round_.label)
+                if body is None or not body.is_part_of_a_circle or not line.is_line:
+                    continue
+                normal = line.straights[0].line.direction.normal()
+                turned = Displacement(body.point("middle"), body.center, normal)
+                touches = Message("{body} touches with its round side", body=body.name)
+                end = Message("{body} gets to the end of its round side", body=body.name)
+                found.append(Validity(turned, negate(_reach(body)), -1, touches, end))
         return found
 
     def _outlines(self, names: Names) -> list[Outline]:
@@ -417,6 +444,21 @@ def _is_misspelt(names: Names, *outlines: Outline) -> bool:
             names.problem(told, "between")
             return True
     return False
+
+
+def _arc_beside(names: Names, first: Outline, second: Outline) -> str | None:
+    """The body of which a part of a circle is to touch what is no line."""
+    for own, other in ((first, second), (second, first)):
+        body = names.bodies.get(own.label)
+        if body is not None and body.is_part_of_a_circle and not other.is_line:
+            return body.name
+    return None
+
+
+def _reach(body: RigidBody) -> Expr:
+    """How far the ends of its round side are from the centre, along the middle."""
+    (cx, cy), (mx, my), (sx, sy) = (body.point(name).offset[:2] for name in ("center", "middle", "start"))
+    return divide((mx - cx) * (sx - cx) + (my - cy) * (sy - cy), body.radius or ONE)
 
 
 def _look_at_hollows(names: Names, a: Outline, b: Outline) -> None:

@@ -93,6 +93,11 @@ class Outline:
     hollows: tuple[Hollow, ...] = ()
 
     @property
+    def is_line(self) -> bool:
+        """Whether it is a line that has no ends."""
+        return bool(self.straights) and not (self.rounds or self.hollows)
+
+    @property
     def is_polygon(self) -> bool:
         return bool(self.rounds and self.straights)
 
@@ -139,16 +144,6 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
 
 
 def _of_body(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
-    if body.is_part_of_a_circle:
-        names.problem(
-            Message(
-                "the edge of {body} is part of a circle, and a contact knows whole ones: let it roll with its rim "
-                "(rolling), or name a point of it, such as {body}.start",
-                body=body.name,
-            ),
-            *path,
-        )
-        return None
     if body.radius is not None:
         return Outline(body.name, body.name, (RoundPart(body.center, body.radius, body.name),))
     if body.corners:

@@ -101,10 +101,13 @@ def _of_belt(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what = str(found["of"]), str(found["what"])
     if what == "greatest power" and of in names.loads:  # over the motion
         return extreme(names, {"end": "greatest", "of": f"power of {of}"}, path)
+    connection = names.connections.get(of)
+    with names.quietly():
+        known = {} if connection is None else connection.transmitted(names)
+    if what == "greatest tension" and what not in known:
+        return extreme(names, {"end": "greatest", "of": f"tension of {of}"}, path)
     if of in names.broken or not has_connection(names, of, path):
         return None
-    with names.quietly():
-        known = names.connections[of].transmitted(names)
     if what not in known:
         able = [f"{word} of {of}" for word in known]
         told = (

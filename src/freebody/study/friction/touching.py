@@ -26,6 +26,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest_problem import velocities_along
 from freebody.study.answering.draws import SEED, draw_parameters
+from freebody.study.where_true import left_at
 from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, TOUCHES
@@ -115,11 +116,20 @@ def touching(system: System) -> TouchingAtRest:
     q = reference.assemble(guess=q)
     bounds = tuple(bound for bound in system.bounds if bound.name in closed)
     dry_friction = tuple(rub for rub in system.dry_friction if not rub.of or rub.of in closed)
+    _insist_on_truth(system, reference, q)
     _insist_on_rest(reference, q, dry_friction)
     found = TouchingAtRest(system, held, bounds, dry_friction)
     if found.is_driven:
         _insist_on_steadiness(found, values, q)
     return found
+
+
+def _insist_on_truth(system: System, reference: Reference, q: Array) -> None:
+    """Raises CannotAnswer where the start pose is one in which the model is not true."""
+    there = reference.snapshot(q, np.zeros_like(q), 0.0)
+    if (left := left_at(system, reference, there)) is not None:
+        told = Message("at the start it is not so that {purpose}: the model is not true there", purpose=left.purpose)
+        raise CannotAnswer(told)
 
 
 def _insist_on_rest(reference: Reference, q: Array, dry_friction: Sequence[DryFriction]) -> None:
