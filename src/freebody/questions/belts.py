@@ -101,12 +101,14 @@ def _of_belt(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what = str(found["of"]), str(found["what"])
     if what == "greatest power" and of in names.loads:  # over the motion
         return extreme(names, {"end": "greatest", "of": f"power of {of}"}, path)
+    if of in names.broken:
+        return None
     connection = names.connections.get(of)
     with names.quietly():
         known = {} if connection is None else connection.transmitted(names)
     if what == "greatest tension" and what not in known:
         return extreme(names, {"end": "greatest", "of": f"tension of {of}"}, path)
-    if of in names.broken or not has_connection(names, of, path):
+    if not has_connection(names, of, path):
         return None
     if what not in known:
         able = [f"{word} of {of}" for word in known]
@@ -126,7 +128,8 @@ def _has_one_belt(names: Names, found: Found) -> bool:
 
 def _belts(names: Names) -> list[str]:
     with names.quietly():
-        return [name for name, connection in names.connections.items() if connection.transmitted(names)]
+        sound = {name: c for name, c in names.connections.items() if name not in names.broken}
+        return [name for name, connection in sound.items() if _WRAP in connection.transmitted(names)]
 
 
 @asked(

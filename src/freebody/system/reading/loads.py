@@ -37,7 +37,8 @@ class BroughtLoad(Law):
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         connection = names.connections.get(self.brought_by)
-        found = {} if connection is None else connection.brings(names)
+        with names.quietly():  # what is wrong with it is told where it stands
+            found = {} if connection is None else connection.brings(names)
         return [found[self.called_here]] if self.called_here in found else []
 
 
