@@ -58,10 +58,11 @@ class HangingCable(Connection, kind="hanging_cable"):
 
     in_plane = True
     example = """
-ground: {points: {A: [0, 0], B: [10 m, 1 m]}}
-bodies: {mast: {rod: {mass: 1 kg, length: 1 m}}}
+ground: {points: {A: [0, 0], B: [10 m, 1 m], G: [-1 m, 0]}}
+bodies: {mast: {rod: {mass: 1 kg, length: 1 m}, angle: 90 deg}}
 connections:
-  foot: {weld: [ground.A, mast.start]}
+  foot: {pin: [ground.A, mast.start]}
+  guy: {link: [ground.G, mast.end]}
   it: {hanging_cable: {between: [mast.end, ground.B], weight: 2 N/m, pull: 30 N}}
 """
 
@@ -241,7 +242,11 @@ class _Catenary(_Cable):
         return add(_arsinh(divide(self.rise, multiply(number(2), a, Call("sinh", self.reach)))), own)
 
     def slope(self, end: int) -> Expr:
-        return Call("sinh", self._at(end))
+        return multiply(number(2 * end - 1), Call("sinh", self._outwards(end)))
+
+    def _outwards(self, end: int) -> Expr:
+        """x/a at an end, counted positive away from the other one, so that no sinh(-x) is left."""
+        return self._at(end) if end else negate(self._at(end))
 
     def tension(self, end: int) -> Expr:
         return multiply(self.pull, Call("cosh", self._at(end)))

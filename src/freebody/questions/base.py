@@ -389,6 +389,11 @@ class Quantity:
         return None
 
     @property
+    def has_finder(self) -> bool:
+        """Whether its formula is more than its value over a state: which of several it is, numbers tell."""
+        return False
+
+    @property
     def is_of_answers(self) -> bool:
         """Whether it is calculated from the answers to questions for its inner quantities, each with an instant of its
         own or none."""

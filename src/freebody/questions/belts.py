@@ -120,24 +120,3 @@ def _of_belt(names: Names, found: Found, path: Path) -> Quantity | None:
         names.problem(told, *path)
         return None
     return OfBelt(of, what, known[what])
-
-
-def _has_one_belt(names: Names, found: Found) -> bool:
-    return len(_belts(names)) == 1
-
-
-def _belts(names: Names) -> list[str]:
-    with names.quietly():
-        sound = {name: c for name, c in names.connections.items() if name not in names.broken}
-        return [name for name, connection in sound.items() if _WRAP in connection.transmitted(names)]
-
-
-@asked(
-    _WRAP,
-    _WRAP,
-    rank=60,
-    example=OfBelt.example.replace("pretension", "friction: 0.3, pretension").replace("tight tension of drive", _WRAP),
-    fits=_has_one_belt,
-)
-def _of_the_belt(names: Names, found: Found, path: Path) -> Quantity | None:
-    return _of_belt(names, {**found, "what": _WRAP, "of": _belts(names)[0]}, path)

@@ -108,6 +108,10 @@ questions: {it: greatest bending moment of beam}
     def may_jump(self) -> bool:
         return True
 
+    @property
+    def has_finder(self) -> bool:
+        return True
+
     def places(self, system: Described, state: State[Any]) -> Order:
         """The places along the rod at which something acts, in turn, with both ends; the state tells their order."""
         rod = system.bodies[self.body]

@@ -123,10 +123,11 @@ class MotionLaws:
 
     # -- first integral -----------------------------------------------------------------------
     def integrals_of(self, c: Coordinate) -> FirstIntegrals:
-        """Those that give the speed of a coordinate: of all of the model, or where these do not suffice of what it
-        moves together with."""
+        """Those that give the speed of a coordinate: of all of the model, or where these do not suffice, and it has no
+        law of its own, of what it moves together with."""
         if c.index not in self._integrals:
-            apart = () if self.integrals.suffice_for(c) else apart_from(self.model, c)
+            is_told = self.integrals.suffice_for(c) or self.law_of(c) is not None
+            apart = () if is_told else apart_from(self.model, c)
             self._integrals[c.index] = FirstIntegrals(self.model, self.start, apart) if apart else self.integrals
         return self._integrals[c.index]
 
