@@ -75,9 +75,9 @@ class String(Connection, kind="string"):
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places.
     `falls: n`: of a tackle, whose blocks are the last two places on the way and whose sheaves stand side by side on two
-    axles: the string runs n times between them, and all falls are parallel, `{from: hand, over: [upper], to: load,
-    falls: 4}`. `efficiency`: by how much each of the n sheaves lets the tension fall; that of the falls is their
-    mean."""
+    axles: the string runs n times between them, and all falls are parallel:
+    `{from: hand, over: [upper], to: load, falls: 4}`. `efficiency`: by how much each of the n sheaves lets the tension
+    fall; that of the falls is their mean."""
 
     called: ClassVar[tuple[str, ...]] = (
         "rope",
