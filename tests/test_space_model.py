@@ -273,7 +273,7 @@ connections: {c1: {planar: {body: p, normal: x}}, c0: {pin: [ground.origin, p]}}
         ("slider: {body: collar, along: [1, 2, -2]}", "of a particle or of one point of a body point_on_line"),
         ("slot: {pin: collar, along: x}", "the guide of a point is point_on_line"),
         ("pin: [ground.A, collar]", "a hinge is revolute"),
-        ("rolling: {body: collar, on: drum, crossed: true}", "for a rim on another body there is no connection"),
+        ("rolling: {body: collar, on: drum, crossed: true}", "the rim of a disk or a ring on planes and spheres"),
     ],
 )
 def test_a_guide_of_the_plane_is_told_what_it_is_called_in_space(kind: str, instead: str) -> None:

@@ -1099,10 +1099,11 @@ class Rolling(_Rolling):
 
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
-    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. A cylinder on
-    or inside another one touches it along a line and stays parallel to it (5 rows); `crossed: true` where it lies
-    across the other one and touches it in a point (3 rows), on the side on which both are put. On a curve see
+    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a
+    sphere `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. The
+    rim of a disk or a ring rolls on a sphere or `inside` a hollow one as well (3 rows). A cylinder on or inside
+    another one touches it along a line and stays parallel to it (5 rows); `crossed: true` where it lies across the
+    other one and touches it in a point (3 rows), on the side on which both are put. On a curve see
     rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
 
     def __init__(

@@ -44,9 +44,10 @@ if TYPE_CHECKING:
 
 ON_PLANE = Message("a sphere, an ellipsoid, a disk, a ring, a cylinder, a box, a convex body, or a point")
 ON_BODY = Message(
-    "a sphere touches a sphere (also inside it, as in [ball, inside bowl]), a box, a convex body, a cylinder, a disk, "
-    "a ring, a rod or a point, a point a sphere, a box or a convex body, a cylinder or a disk a box or a convex body, "
-    "a cylinder a cylinder, and boxes and convex bodies touch each other"
+    "a sphere touches a sphere, a box, a convex body, a cylinder, a disk, a ring, a rod or a point, a point a sphere, "
+    "a box or a convex body, a cylinder or a disk a box or a convex body, a cylinder a cylinder, and boxes and convex "
+    "bodies touch each other; in a hollow sphere, as in [ball, inside bowl], lie spheres, points, disks, rings, "
+    "cylinders, boxes and convex bodies"
 )
 
 

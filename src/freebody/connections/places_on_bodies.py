@@ -10,9 +10,12 @@ place of its core to the centre, clamp(x, h) = (|x + h| - |x - h|)/2 being x kep
     a rod                             v_k = d_k across, v_3 as of a cylinder,       gap |v| - r
     a ring                            v_k = d_k (1 - R/rho) across, v_3 = d_3,      gap |v| - r
     the inside of a sphere            v = d,                                        gap R - r - |v|
+    a rim in a hollow sphere          v_k = d_k (1 + R/rho) across, v_3 = d_3 (-+ L/2 of a cylinder),  gap R_s - |v|
+    a corner in a hollow sphere       v = d - corner,                               gap R_s - |v|
     a cylinder that is rolled on      v_k = d_k across its axis, v_3 = 0,           gap |v| - R - r, inside R - r - |v|
 
-so that faces, edges and corners of a box are one place whose normal turns as the ball goes from one to the other.
+so that faces, edges and corners of a box are one place whose normal turns as the ball goes from one to the other. What
+lies in a hollow sphere touches it with what is farthest from its middle: d counts to that middle.
 While they touch, |v| is the known sum of radii s, and the normal is n = v/s. Two directions across it are those into
 which the rotation that takes a fixed q to n takes two across q,
 
@@ -26,8 +29,8 @@ Real-Time Collision Detection, 2005, sec. 5.1; Duff et al., J. Computer Graphics
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -43,7 +46,7 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import Components, Direction, Point
 from freebody.model.elements import NonholonomicForm, RigidBody, Span, at_least
 from freebody.model.rotations import UNIT, dot, perpendiculars
-from freebody.model.solids import BOX, CYLINDER, DISK, RING, ROD, SolidKind
+from freebody.model.solids import BOX, CYLINDER, DISK, ELLIPSOID, RING, ROD, SPHERE, SolidKind
 from freebody.model.spins import body_axes
 
 if TYPE_CHECKING:
@@ -68,6 +71,7 @@ class Ball:
     center: Point
     radius: Expr
     turns: bool
+    holds: bool = False  # a hollow sphere, in which something lies
 
 
 @dataclass(frozen=True)
@@ -86,6 +90,8 @@ class Core:
     within: tuple[Span, ...] = ()
     is_face: bool = False
     across: tuple[Components, Components] | None = None  # directions b_1, b_2 = n x b_1 of its own
+    called: tuple[str, str] = ("1", "2")  # these
+    pitfall: Message | None = None  # of its own
 
     @property
     def middle(self) -> Point:
@@ -94,7 +100,11 @@ class Core:
 
 
 def ball_of(names: Names, text: str) -> Ball | None:
-    """`ball`, `rod.end`; None for what is neither a sphere nor a point."""
+    """`ball`, `rod.end`, `inside bowl`; None for what is neither a sphere nor a point."""
+    if text.startswith(INSIDE):
+        bowl = names.known(text.removeprefix(INSIDE))
+        is_hollow = bowl.round == "sphere" and bowl.inside_radius is not None
+        return Ball(text, bowl.center, bowl.inside_radius or ZERO, bowl.turns, holds=True) if is_hollow else None
     owner, dot_, _point = text.partition(".")
     body = names.known(owner)
     if dot_ or not body.turns:
@@ -106,6 +116,8 @@ def ball_of(names: Names, text: str) -> Ball | None:
 
 def cores_of(names: Names, text: str, ball: Ball) -> list[Core]:
     """What of a body the ball stays away from; none where nothing is known of its form."""
+    if ball.holds:
+        return list(_cores_held(names, text, ball))
     other = ball_of(names, text.removeprefix(INSIDE))
     if other is not None and (other.radius != ZERO or not text.startswith(INSIDE)):
         body, inside = names.known(other.center.body), text.startswith(INSIDE)
@@ -138,6 +150,18 @@ def place_on_side(names: Names, ball: RigidBody, other: RigidBody, *, inside: bo
     size = _size(v[:2])
     core = Core(other, other.name, _about(other, other.axis), v, size, reach, inside, across=(along, around))
     return _Touching(Ball(ball.name, ball.center, radius, ball.turns), core, (Q, F)).place()
+
+
+def place_of_rim(names: Names, round_body: RigidBody, sphere: RigidBody, *, inside: bool) -> ContactPlace:
+    """The place at which the rim of a disk or a ring touches a sphere, or a hollow one from inside. Both have radii."""
+    ball = ball_of(names, f"{INSIDE}{sphere.name}" if inside else sphere.name)
+    assert ball is not None
+    radius = round_body.radius or ZERO
+    touching = _Touching(ball, _rim(round_body, radius, ball, ZERO), (Q, F))
+    if inside or round_body.solid != DISK:
+        return touching.place()
+    beside = touching.frame.composed(_size(D[:2]), LENGTH)  # nearer to the axis its flat side is what touches
+    return replace(touching.place(), within=(Span(beside, low=radius),))
 
 
 # -- cores ---------------------------------------------------------------------------------------
@@ -184,6 +208,46 @@ def _ring(body: RigidBody) -> Made:
 def _rod(body: RigidBody) -> Made:
     v = (D[0], D[1], D[2] - _clamped(D[2], divide(body.sizes[0], number(2))))
     return _about(body, UNIT[0]), v, _size(v)
+
+
+def _rim(body: RigidBody, radius: Expr, ball: Ball, height: Expr) -> Core:
+    """A circle about the axis of a body, at a height: its nearest point to the ball, or the farthest in a hollow one.
+    Slip 1 is along the rim, slip 2 across it."""
+    rho = _size(D[:2])
+    beyond = ONE + radius / rho if ball.holds else ONE - radius / rho
+    v = (D[0] * beyond, D[1] * beyond, D[2] - height)
+    along = (-D[1] / rho, D[0] / rho, ZERO)
+    n = tuple(c / ball.radius for c in v)
+    across = (-n[2] * D[0] / rho, -n[2] * D[1] / rho, rho * beyond / ball.radius)
+    return Core(
+        body,
+        body.name,
+        _about(body, body.axis),
+        v,
+        _size((rho * beyond, v[2])),
+        ball.radius,
+        across=(along, across),
+        called=("along", "across"),
+        pitfall=Message("the middle of {ball} is on the axis of {rim}", ball=ball.center.body, rim=body.name),
+    )
+
+
+def _cores_held(names: Names, text: str, ball: Ball) -> Iterator[Core]:
+    """What of a body can touch the hollow sphere in which it lies: rims, corners, ends."""
+    body = names.bodies.get(text)
+    if body is None or body.solid in (SPHERE, ELLIPSOID):
+        return
+    if body.solid in (DISK, RING):
+        yield _rim(body, body.sizes[0], ball, ZERO)
+    elif body.solid == CYLINDER:
+        for end, sign in (("start", -1), ("end", 1)):
+            height = divide(body.sizes[1], number(2 * sign))
+            yield replace(_rim(body, body.sizes[0], ball, height), label=f"{text}.{end}")
+    else:
+        solid = polyhedron_of(names, text)
+        for corner in () if solid is None else solid.corners:
+            v = tuple(d - c for d, c in zip(D, corner.point.offset, strict=True))
+            yield Core(body, corner.point.name, body_axes(text), v, _size(v), ball.radius, of_polyhedron=True)
 
 
 _CORES: dict[SolidKind, Callable[[RigidBody], Made]] = {
@@ -245,16 +309,19 @@ class _Touching:
         if not sphere:
             gap = self.frame.composed(core.size, LENGTH)
         one, other = self.across
+        label, facing = self.ball.label, core.label
+        if self.ball.holds:
+            label, facing = facing, label
         return ContactPlace(
-            self.ball.label,
-            core.label,
+            label,
+            facing,
             gap,
             core.reach,
             (self._slip(one, other, -1), self._slip(other, one, 1)),
-            ("1", "2"),
+            core.called,
             lambda: (self.frame.turning(one), self.frame.turning(other)),
             lambda: self.frame.turning(self.n),
-            -1 if core.inside else 1,
+            -1 if core.inside or self.ball.holds else 1,
             within=core.within,
             obstacle=f"{self.ball.label} in {core.body.name}" if core.is_face else "",
             bodies=(self.ball.center.body, core.body.name) if core.of_polyhedron else (),
@@ -263,6 +330,8 @@ class _Touching:
 
     def _pitfall(self) -> Message:
         """Where |v| is zero, or its nearest place is not a single one."""
+        if self.core.pitfall is not None:
+            return self.core.pitfall
         ball, other = self.ball.label, self.core.body.name
         if self.core.v == D:
             return Message("the middle of {ball} is the middle of {other}", ball=ball, other=other)

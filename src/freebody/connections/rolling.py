@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import look_at_fit, touching
+from freebody.connections.places_on_bodies import place_of_rim
 from freebody.connections.rolling_in_space import (
     parallel_cylinders,
     place_of_crossed,
     rolling_rows,
     rows_of_crossed,
     rows_of_cylinders,
+    rows_of_rim,
     rows_on_cylinder,
     rows_on_sphere,
 )
@@ -37,11 +39,13 @@ from freebody.model import glyphs
 from freebody.model.elements import Attitude, ConstraintRow, Line, RigidBody, Validity
 from freebody.model.glyphs import Glyph
 from freebody.model.noting import did_you_mean
-from freebody.model.solids import CYLINDER
+from freebody.model.solids import CYLINDER, DISK, RING
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+_RIMS = (DISK, RING)
 
 
 class Rolling(Connection, kind="rolling"):
@@ -52,10 +56,11 @@ class Rolling(Connection, kind="rolling"):
 
     On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
 
-    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a sphere
-    `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. A cylinder on
-    or inside another one touches it along a line and stays parallel to it (5 rows); `crossed: true` where it lies
-    across the other one and touches it in a point (3 rows), on the side on which both are put. On a curve see
+    In space: `on` a plane, of the rim of a disk, a sphere, an ellipsoid or a cone (3 rows; a cone 5); and of a
+    sphere `on` or `inside` another one or a cylinder, fixed or moving (3 rows); on a cylinder between its ends. The
+    rim of a disk or a ring rolls on a sphere or `inside` a hollow one as well (3 rows). A cylinder on or inside
+    another one touches it along a line and stays parallel to it (5 rows); `crossed: true` where it lies across the
+    other one and touches it in a point (3 rows), on the side on which both are put. On a curve see
     rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
 
     body: str
@@ -67,8 +72,8 @@ class Rolling(Connection, kind="rolling"):
 
     has_contact_point = True
     in_space_take: ClassVar[Message | None] = Message(
-        "a sphere rolls on planes, spheres and cylinders, a cylinder on planes and along or across a cylinder, a disk, "
-        "a ring or a cone on planes only: for a rim on another body there is no connection"
+        "a sphere rolls on planes, spheres and cylinders, a cylinder on planes and along or across a cylinder, the rim "
+        "of a disk or a ring on planes and spheres, a cone on planes only"
     )
     elsewhere: ClassVar[Mapping[str, str]] = {
         "friction": Message(
@@ -116,12 +121,15 @@ connections:
         return names.edge(self.on) is not None
 
     def _round_in_space(self, names: Names) -> RigidBody | None:
-        """The sphere or cylinder on or in which a sphere rolls, or the cylinder on or in which another one does, unless
-        all that moves stays in the plane of x and y."""
+        """The sphere or cylinder on or in which a sphere rolls, the cylinder on or in which another one does, or the
+        sphere on or in which a rim does, unless all that moves stays in the plane of x and y."""
         body, other = (names.bodies.get(name) for name in (self.body, str(self.on or self.inside)))
-        if body is None or other is None or not names.space or (body.round != "sphere" and body.solid != CYLINDER):
+        if body is None or other is None or not names.space:
             return None
-        is_known = other.solid == CYLINDER or (body.round == other.round == "sphere")
+        if body.round == "sphere" or body.solid == CYLINDER:
+            is_known = other.solid == CYLINDER or (body.round == other.round == "sphere")
+        else:
+            is_known = body.solid in _RIMS and other.round == "sphere"
         return other if is_known and moves_out_of_plane(names, (body.name, other.name)) else None
 
     def rows(self, names: Names) -> list[ConstraintRow]:
@@ -177,6 +185,8 @@ connections:
             look_at_fit(names, body.name, radii[0], other.name, radii[1], "inside")
         if self._is_crossed(body, other):
             return rows_of_crossed(names, body, other)
+        if body.solid in _RIMS:
+            return rows_of_rim(names, body, other, inside=inside)
         if body.solid == CYLINDER:
             return rows_of_cylinders(names, body, other, inside=inside)
         rows = rows_on_sphere if other.round == "sphere" else rows_on_cylinder
@@ -195,16 +205,25 @@ connections:
         return parallel_cylinders(body, other)
 
     def valid_where(self, names: Names) -> list[Validity]:
-        """On a cylinder it rolls between the ends."""
+        """On a cylinder it rolls between the ends, on a sphere a disk with its rim."""
         other = self._round_in_space(names)
-        if other is None or other.solid != CYLINDER:
+        if other is None:
             return []
+        if other.solid != CYLINDER:
+            return self._touches_with_rim(names, names.known(self.body), other)
         if self._is_crossed(names.known(self.body), other):
             return self._lies_across(names, other)
         far = Displacement(names.known(self.body).center, other.center, Direction(other.name, other.axis))
         half = divide(other.sizes[1], number(2))
         purpose = Message("{body} is between the ends of {cylinder}", body=self.body, cylinder=other.name)
         return [Validity(far, negate(half), 1, purpose), Validity(far, half, -1, purpose)]
+
+    def _touches_with_rim(self, names: Names, body: RigidBody, other: RigidBody) -> list[Validity]:
+        if body.solid not in _RIMS or body.radius is None or self.inside is not None or other.radius is None:
+            return []
+        spans = place_of_rim(names, body, other, inside=False).within
+        purpose = Message("{body} touches {other} with its rim", body=body.name, other=other.name)
+        return [Validity(span.measure, span.low, 1, purpose) for span in spans if span.low is not None]
 
     def _lies_across(self, names: Names, other: RigidBody) -> list[Validity]:
         """Both touch between their ends, and their axes cross."""

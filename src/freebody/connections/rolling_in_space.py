@@ -20,7 +20,7 @@ from freebody.connections.contact_places import ContactPlace
 from freebody.connections.joints import across_names
 from freebody.connections.places_of_cylinders import crossed_places
 from freebody.connections.places_of_rims import round_of
-from freebody.connections.places_on_bodies import INSIDE, place_on_side, places_on_body
+from freebody.connections.places_on_bodies import INSIDE, place_of_rim, place_on_side, places_on_body
 from freebody.connections.places_on_planes import Arm, along_plane, ellipsoid_on_plane, sphere_arm
 from freebody.connections.standing import number_of
 from freebody.connections.standing_in_space import axes_at_start, placed_at_start
@@ -73,6 +73,11 @@ def rows_on_sphere(names: Names, body: RigidBody, sphere: RigidBody, *, inside: 
         return []  # a radius that is missing, which is told where it is read
     (place,) = places
     return _held_at(place)
+
+
+def rows_of_rim(names: Names, body: RigidBody, sphere: RigidBody, *, inside: bool) -> list[ConstraintRow]:
+    """The rows of the rim of a disk or a ring that rolls on a sphere or inside it: slip along the rim and across it."""
+    return _held_at(place_of_rim(names, body, sphere, inside=inside))
 
 
 def rows_on_cylinder(names: Names, body: RigidBody, cylinder: RigidBody, *, inside: bool) -> list[ConstraintRow]:
