@@ -120,3 +120,15 @@ def test_ball_and_cone_do_not_lie_in_a_bowl_by_rims_or_corners() -> None:
     text = IN_A_BOWL.replace("SHAPE", "cone: {mass: 0.1 kg, radius: 0.05 m, height: 0.1 m}").replace("AT", "[0, 0, 0]")
     with pytest.raises(fb.FreebodyError, match="there is no contact of thing with inside bowl in space"):
         fb.System.from_text(text)
+
+
+def test_what_has_no_formulas_at_all_has_numbers_of_its_small_motion() -> None:
+    """An upright disk in a bowl falls over about its point of contact, 5/4 m r^2 theta'' = m g r theta; its law as a
+    whole has too many terms for a formula."""
+    text = DISK.replace("AT", f"[0, {r - R}, 0]").replace("CONNECTION", ROLLING.replace("WHERE", "inside"))
+    system = fb.System.from_text(text.replace("AXIS", "z").replace("SHAPE", "disk"))
+    asked = ["is total energy conserved", "is the equilibrium stable", "natural frequencies"]
+    energy, stable, frequencies = system.solve(asked).answers
+    assert "more than 60000 terms" in energy.reason
+    assert stable.verdict == "not stable with the given numbers"
+    assert f"a small motion grows at {math.sqrt(4 * G / (5 * r)):.6g} 1/s" in frequencies.reason

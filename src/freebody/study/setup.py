@@ -64,6 +64,11 @@ class Setup:
             raise self._made
         return self._made
 
+    @property
+    def has_model(self) -> bool:
+        """Whether there are formulas of it at all."""
+        return not isinstance(self._made, CannotAnswer)
+
     @cached_property
     def _made(self) -> SymbolicModel | CannotAnswer:
         """The model, or why there is none: neither is looked for twice."""

@@ -26,7 +26,7 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, as_parts, broken, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
-from freebody.study.small_motion.equilibrium import nearest_equilibrium
+from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.study.where_true import left_at
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import GYROSCOPIC
@@ -136,7 +136,7 @@ def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float
     found = [float(w) for w in _numbers_about(setup, draw)]
     if not found:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
-    is_the_one = len(found) == 1 and setup.model.measure_of(setup.model.coordinates[0]) == quantity.measure
+    is_the_one = len(found) == 1 and setup.has_model and _first_measure(setup) == quantity.measure
     if quantity.measure is not None and not is_the_one:
         raise CannotAnswer(
             Message("a number is told of the whole motion only: ask for the period of small oscillations")
@@ -153,8 +153,16 @@ def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float
     return 2.0 * math.pi / swinging[0] if quantity.what == "period" else swinging[0]
 
 
+def _first_measure(setup: Setup) -> Measure | None:
+    return setup.model.measure_of(setup.model.coordinates[0])
+
+
 def _numbers_about(setup: Setup, draw: Draw) -> Array:
     """Natural frequencies about the equilibrium that formulas give, else the one nearest to the start."""
+    if not setup.has_model:
+        q = nearest_equilibrium(setup.system)[0].q
+        refuse_out_of_bounds(setup.system, draw.reference, q)
+        return draw.reference.frequencies(q)
     try:
         places = places_at(setup, setup.place_of_small_motion().values, draw)
         if (

@@ -56,6 +56,18 @@ from freebody.system.system import System
 _SWOLLEN = 60  # terms from which on a formula at an event is tried with the loops solved first
 
 
+def with_verdict(setup: Setup, q: Quantity, found: Answer) -> Answer:
+    """What numbers say of a question that asks whether, where there is no formula."""
+    if not isinstance(q, OfSmallMotion) or not setup.has_values or found.is_missed:
+        return found
+    from freebody.study.small_motion.numbers import said_of_numbers
+
+    with suppress(CannotAnswer, ArithmeticError, ValueError):
+        verdict, notes = said_of_numbers(q, setup)
+        return replace(found, verdict=verdict, notes=(*found.notes, *notes))
+    return found
+
+
 class QuestionSolver:
     """Answers one question. otherwise: where no closed form is found this way."""
 
@@ -79,19 +91,7 @@ class QuestionSolver:
                 return answered(self.system, self.question, self._conserved)
             case _:
                 found = answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
-                return found if found.is_complete else self._with_verdict(found)
-
-    def _with_verdict(self, found: Answer) -> Answer:
-        """What numbers say of a question that asks whether, where there is no formula."""
-        q = self.question.quantity
-        if not isinstance(q, OfSmallMotion) or not self.setup.has_values or found.is_missed:
-            return found
-        from freebody.study.small_motion.numbers import said_of_numbers
-
-        with suppress(CannotAnswer, ArithmeticError, ValueError):
-            verdict, notes = said_of_numbers(q, self.setup)
-            return replace(found, verdict=verdict, notes=(*found.notes, *notes))
-        return found
+                return found if found.is_complete else with_verdict(self.setup, self.question.quantity, found)
 
     def _smooth(self) -> Answer:
         try:

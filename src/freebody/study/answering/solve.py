@@ -19,9 +19,9 @@ from freebody.questions.rest import RestLimit
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
-from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.closed_form import QuestionSolver, with_verdict
 from freebody.study.answering.finding import NO_FORM, answered
-from freebody.study.answering.numbers import number_of
+from freebody.study.answering.numbers import number_instead
 from freebody.study.answering.other_turns import with_other_turns
 from freebody.study.answering.parts import part_for
 from freebody.study.answering.past_borders import is_of_motion, past_borders
@@ -344,15 +344,17 @@ def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Sol
         value: Value = None
         why_not = reason
         try:
-            if q.quantity.is_of_turn:  # of no state
+            if q.quantity.scope == "every motion":  # of formulas alone
+                pass
+            elif q.quantity.is_of_turn:  # of no state
                 value = number_of_driven_turn(setup, q) if setup.has_values and not dof else None
             else:
-                value = number_of(setup, q.quantity, q.event) if setup.has_values else None
+                value = number_instead(setup, q)
         except CannotAnswer as error:  # what has no number either tells more: a reaction that is not unique
             why_not = str(error)
         except (ArithmeticError, ValueError):
             pass
-        answers.append(refused(q, why_not, value))
+        answers.append(with_verdict(setup, q.quantity, refused(q, why_not, value)))
     return Solution(system, dof, independent_measures(setup, dof), (), (), tuple(answers))
 
 

@@ -99,6 +99,8 @@ def _one_or_more(found: list[float]) -> Numbers:
 
 
 def _small(setup: Setup, draw: Draw) -> SmallMotion:
+    if not setup.has_model:
+        return _small_near(setup, draw)
     try:
         places = places_at(setup, find_equilibrium(setup.model, setup.start).values, draw)
         if unrest(setup, draw, places) > AT_REST:
@@ -107,6 +109,11 @@ def _small(setup: Setup, draw: Draw) -> SmallMotion:
     except CannotAnswer:
         if swing_of(setup.model) is not None:
             raise
+    return _small_near(setup, draw)
+
+
+def _small_near(setup: Setup, draw: Draw) -> SmallMotion:
+    """About the equilibrium that is nearest to the start."""
     rest = nearest_equilibrium(setup.system)[0].pose
     refuse_out_of_bounds(setup.system, draw.reference, rest.q)
     return SmallMotion(draw.reference, LinearisationPoint(rest.q, 0.0 * rest.q, 0.0, rest.branches, frozen=True))
