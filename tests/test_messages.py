@@ -58,6 +58,20 @@ def test_a_line_left_out_is_told_and_nothing_that_follows_from_it(example: str, 
     assert "is 0" not in told
 
 
+@pytest.mark.parametrize(
+    ("example", "right", "wrong"),
+    [
+        ("slewing_crane", "upper: {disk: {mass: 0, radius", "upper: {disk: {mass: 0, ardius"),
+        ("chain_off_a_table", "\nbodies:", "\nmeasures:"),
+        ("hollow_ball_on_a_turntable", "parameters:", "paramters:"),
+    ],
+)
+def test_what_stands_in_for_what_cannot_be_read_breaks_nothing(example: str, right: str, wrong: str) -> None:
+    text = (EXAMPLES / f"{example}.yaml").read_text()
+    assert right in text
+    told_by(text.replace(right, wrong, 1))
+
+
 def test_a_belt_around_two_wheels_in_one_place_is_refused_for_its_length_of_nothing() -> None:
     text = (EXAMPLES / "belt_tightened.yaml").read_text()
     told = told_by(text.replace("B: [d, 0]", "B: [0, 0]"))

@@ -56,6 +56,11 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
             if found.keys() == units.keys():
                 raise
             units = dict(found)
+        except Exception as error:  # a stand-in for what could not be read need not fit: that it could not is told
+            failed = error
+            break
+    source.refuse_problems()
+    raise failed
 
 
 def _read(source: Source, document: Document, file: str | None) -> SystemDescription:
