@@ -10,7 +10,6 @@ from freebody.narrative.context import Derive
 from freebody.narrative.questions.numeric import or_in_numbers
 from freebody.questions.base import Scope
 from freebody.questions.clock import Clock
-from freebody.questions.greatest_section import GreatestInRod
 from freebody.questions.reading import Question, is_of_start
 from freebody.system.system import System
 
@@ -41,8 +40,8 @@ def _place(system: System, question: Question) -> str:
         return "questions.jump"
     if is_of_start(question.quantity) and (system.is_struck or not has_phases(system)):
         return "questions.blow"
-    if isinstance(question.quantity, GreatestInRod):
-        return "questions.greatest_section"
+    if question.quantity.derived_by:
+        return f"questions.{question.quantity.derived_by}"
     if scope == "rest":
         return "contact.rest"
     quantity = question.quantity

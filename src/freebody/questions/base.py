@@ -229,6 +229,8 @@ class Quantity:
     continues_impacts: ClassVar[bool] = False
     # whether it is told by the principles where the equations of motion are too long
     is_told_by_principles: ClassVar[bool] = False
+    # which derivation it has, of those in a file each, where it has one of its own
+    derived_by: ClassVar[str] = ""
     # whether it is where a measure, which it names, comes to rest
     is_place_of_rest: ClassVar[bool] = False
     # whether the equilibrium that is meant is a stable one, where there are several

@@ -87,6 +87,7 @@ class GreatestInRod(Quantity, kind="greatest section force"):
     asks: Literal["size", "place"] = "size"
 
     is_reaction = True
+    derived_by = "greatest_section"
     example = """
 bodies: {beam: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}}}
 connections: {clamp: {weld: [ground.A, beam.start]}}
