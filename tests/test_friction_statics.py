@@ -104,6 +104,21 @@ connections: {p: {pin: {first: ground.A, second: disk, friction: mu, radius: r}}
 loads: {weight: {gravity: g}, push: {force: {at: disk.rim, along: up, magnitude: F}}}
 """
 
+VISE = """
+space: true
+parameters: {Q: 10 kN, F: 100 N, L: 200 mm, p: 4 mm, mu: 0.15, r: 9 mm}
+bodies:
+  jaw: {box: {mass: 2 kg, size: [0.1 m, 0.1 m, 0.1 m]}}
+  spindle: {cylinder: {mass: 1 kg, radius: 10 mm, length: 0.3 m, axis: x}}
+connections:
+  guide: {prismatic: {first: ground.O, second: jaw, along: x}}
+  bearing: {revolute: {first: jaw, second: spindle, about: x}}
+  thread: {screw: {first: ground.O, second: spindle, about: x, pitch: p, friction: mu, radius: r}}
+loads:
+  handle: {torque: {on: spindle, magnitude: F*L, about: x}}
+  work: {force: {at: jaw, along: left, magnitude: Q}}
+"""
+
 BRAKE = """
 parameters: {m: 2 kg, R: 0.1 m, T: 5 N m, M: 3 kg, g: 9.81 m/s^2}
 bodies: {drum: {disk: {mass: m, radius: R}}, load: {particle: {mass: M}}}
@@ -332,6 +347,15 @@ def test_self_locking_force_has_no_upper_limit() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("own", [10e3, 8e3])
+def test_least_load_that_a_self_locking_thread_needs_is_not_that_with_which_it_would_be_pulled(own: float) -> None:
+    """It holds by Q >= F L/(r tan(lambda + phi)), and, pulled the other way, by some Q far below zero, too."""
+    lead, friction = math.atan(4 / (2 * math.pi * 9)), math.atan(0.15)
+    vise = VISE.replace("Q: 10 kN", f"Q: {own} N")
+    least = asked(vise, "least Q so that it stays at rest").answers[0].value
+    assert least == pytest.approx(100 * 0.2 / (0.009 * math.tan(lead + friction)))
+
+
 def test_block_wedged_between_walls_has_reactions_without_limit() -> None:
     found = fb.statics(fb.System.from_text(WEDGED))
     assert found.holds
