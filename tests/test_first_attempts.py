@@ -211,6 +211,25 @@ MISTAKES = {
         f"{ROD}connections: {{j: {{ball_joint: [ground, rod.end]}}}}",
         "ball_joint is no kind of connection. Did you mean pin?",
     ),
+    "the resistance of what rolls as a load": (
+        f"{BLOCK}loads: {{r: {{rolling_resistance: {{body: block, coefficient: 0.01}}}}}}",
+        "rolling_resistance is no kind of load; it is a field of contact: contact: {..., rolling_resistance: ...}",
+    ),
+    "a clutch by its plates": (
+        f"{ROD}connections: {{c: {{disc_clutch: {{between: [rod, ground], force: 1 N, friction: 0.1, "
+        "inner_radius: 1 m, outer_radius: 2 m, plates: 3}}}",
+        "disc_clutch has no plates: faces is the number of pairs of faces that rub: a plate between two disks has 2",
+    ),
+    "a clockwise torque in space": (
+        "space: true\nbodies: {b: {box: {mass: 1 kg, size: [1 m, 1 m, 1 m]}}}\n"
+        "loads: {t: {torque: {on: b, magnitude: 1 N m, about: z, direction: clockwise}}}",
+        "in space the axis says which way round: about: -z turns the other way as about: z",
+    ),
+    "an inertia about one axis alone": (
+        "space: true\nbodies: {b: {body: {mass: 1 kg, inertia: [0, 0, 1 kg m^2]}}}",
+        "no body has this inertia tensor: its principal moments are 0, 0, 1 kg m^2, and the largest cannot be more "
+        "than the sum of the other two. Check the entries, and about which point the tensor is given (about:)",
+    ),
     "an entry that is not indented": (
         f"{ROD}measures:\nphi: {{angle of rod from right}}",
         "phi is not indented, so that measures is empty: begin the line of phi with two spaces",
@@ -281,6 +300,22 @@ SAME = {
     "a motor between two bodies": (
         "torque: {between: [rod, ball], value: 5 N m}", "torque: {on: rod, reacts_on: ball, magnitude: 5 N m}"
     ),
+    "the resistance of the air": (
+        "air_resistance: {body: ball, quadratic: 2 kg/m}", "drag: {body: ball, quadratic: 2 kg/m}"
+    ),
+    "what is drawn to a centre": (
+        "central_gravity: {center: A, strength: 2 m^3/s^2}", "attraction: {center: ground.A, strength: 2 m^3/s^2}"
+    ),
+    "a motor by its current": (
+        "dc_motor: {on: rod, stall_torque: 2 N m, no_load_speed: 9 rad/s}",
+        "motor: {on: rod, stall_torque: 2 N m, no_load_speed: 9 rad/s}",
+    ),
+    "a torque by its direction": (
+        "torque: {on: rod, magnitude: 5 N m, direction: clockwise}", "torque: {on: rod, magnitude: -5 N m}"
+    ),
+    "a torque by its sense": (
+        "torque: {on: rod, magnitude: 5 N m, sense: counter-clockwise}", "torque: {on: rod, magnitude: 5 N m}"
+    ),
     "a force on a point": (
         "force: {on: rod.end, direction: down, value: 3 N}", "force: {at: rod.end, along: down, magnitude: 3 N}"
     ),
@@ -295,7 +330,9 @@ def test_words_that_can_mean_one_thing_only_are_read_as_it(words: str) -> None:
 
 def _read(entry: str) -> list[str]:
     """What holds and what pushes in a model with one connection, or one load."""
-    section = "loads" if entry.partition(":")[0] in Load.kinds else "connections"
+    word = entry.partition(":")[0]
+    is_load = any(word in (name, *kind.also) for name, kind in Load.kinds.items())
+    section = "loads" if is_load else "connections"
     system = fb.System.from_text(f"{ON_A_FLOOR}{section}: {{it: {{{entry}}}}}")
     held = [*system.constraint_rows, *system.applied_loads, *system.contacts, *system.dry_friction]
     return [*map(str, held)]
@@ -440,6 +477,29 @@ questions: {it: time until sledge stops}
 """)
     assert system.solve()["it"].value == pytest.approx(3 / (0.2 * 9.81))
     assert list(system.measures) == ["x_of_sledge"]
+
+
+def test_the_start_may_say_how_fast_a_body_turns() -> None:
+    system = fb.System.from_text("""
+parameters: {J: 2 kg m^2, T: 4 N m, w: 6 rad/s}
+bodies: {rotor: {flywheel: {radius: 1 m, inertia: J}}}
+connections: {axle: {pin: [ground.O, rotor]}, brake: {brake: {between: [rotor, ground], torque: T}}}
+start: {angular velocity of rotor: w}
+""")
+    assert system.solve("time when rotor comes to rest").answers[0].value == pytest.approx(3)
+
+
+@pytest.mark.parametrize(
+    ("section", "entry"),
+    [
+        ("connections", "chain: {rope: {from: rod.end, to: ball}}"),
+        ("connections", "spring: {hinge: [A, rod.start]}"),
+        ("loads", "motor: {dc_motor: {on: rod, stall_torque: 2 N m, no_load_speed: 9 rad/s}}"),
+    ],
+)
+def test_a_thing_may_have_the_name_of_another_kind(section: str, entry: str) -> None:
+    name = entry.partition(":")[0]
+    assert name in getattr(fb.System.from_text(f"{ON_A_FLOOR}{section}: {{{entry}}}"), section)
 
 
 def _placed(at: str, length: str = "") -> fb.System:

@@ -104,6 +104,31 @@ connections: {p: {pin: {first: ground.A, second: disk, friction: mu, radius: r}}
 loads: {weight: {gravity: g}, push: {force: {at: disk.rim, along: up, magnitude: F}}}
 """
 
+VISE = """
+space: true
+parameters: {Q: 10 kN, F: 100 N, L: 200 mm, p: 4 mm, mu: 0.15, r: 9 mm}
+bodies:
+  jaw: {box: {mass: 2 kg, size: [0.1 m, 0.1 m, 0.1 m]}}
+  spindle: {cylinder: {mass: 1 kg, radius: 10 mm, length: 0.3 m, axis: x}}
+connections:
+  guide: {prismatic: {first: ground.O, second: jaw, along: x}}
+  bearing: {revolute: {first: jaw, second: spindle, about: x}}
+  thread: {screw: {first: ground.O, second: spindle, about: x, pitch: p, friction: mu, radius: r}}
+loads:
+  handle: {torque: {on: spindle, magnitude: F*L, about: x}}
+  work: {force: {at: jaw, along: left, magnitude: Q}}
+"""
+
+BOX = """
+parameters: {m: 5 kg, b: 0.2 m, h: 0.5 m, mu: 0.6, alpha: 15 deg, g: 9.81 m/s^2}
+ground: {lines: {incline: {along: -alpha}}, points: {top: [-1 m, 1 m]}}
+bodies:
+  box: {rectangle: {mass: m, width: b, height: h}}
+connections:
+  touch: {contact: {between: [box, incline], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+
 BRAKE = """
 parameters: {m: 2 kg, R: 0.1 m, T: 5 N m, M: 3 kg, g: 9.81 m/s^2}
 bodies: {drum: {disk: {mass: m, radius: R}}, load: {particle: {mass: M}}}
@@ -332,6 +357,42 @@ def test_self_locking_force_has_no_upper_limit() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("own", [10e3, 8e3])
+def test_least_load_that_a_self_locking_thread_needs_is_not_that_with_which_it_would_be_pulled(own: float) -> None:
+    """It holds by Q >= F L/(r tan(lambda + phi)), and, pulled the other way, by some Q far below zero, too."""
+    lead, friction = math.atan(4 / (2 * math.pi * 9)), math.atan(0.15)
+    vise = VISE.replace("Q: 10 kN", f"Q: {own} N")
+    least = asked(vise, "least Q so that it stays at rest").answers[0].value
+    assert least == pytest.approx(100 * 0.2 / (0.009 * math.tan(lead + friction)))
+
+
+def test_a_box_on_an_incline_lies_flat_where_nobody_says_how_it_is_turned() -> None:
+    """It stood on one corner at rest, inside the incline with the other one; in a motion it lay flat."""
+    found = asked(BOX, "largest alpha so that it stays at rest").answers[0]
+    assert found.value == pytest.approx(math.atan(0.2 / 0.5))
+    assert not fb.System.from_text(BOX).warnings
+    rope = "connections: {rope: {string: {from: ground.top, to: box}},"
+    tied = BOX.replace("connections:\n  touch", f"{rope} touch").replace("mu}}\nloads", "mu}}}\nloads")
+    assert fb.System.from_text(tied).statics().holds
+
+
+def test_a_rope_many_times_round_a_drum_is_compared_where_numbers_tell() -> None:
+    """e^(mu 2 pi n) of the draws reaches 1e8: what holds the slack end is round-off of what pulls at the other one."""
+    capstan = """
+parameters: {W: 4 kN, mu: 0.25, n: 3, r: 0.2 m, P: 50 N}
+bodies:
+  drum: {disk: {radius: r}, fixed: true, at: [0, 0]}
+  boat: {particle: {mass: 0}}
+  sailor: {particle: {mass: 0}}
+connections: {line: {rope: {from: sailor, over: [drum], to: boat, friction: mu, wrap: {drum: n*2*pi}}}}
+loads:
+  pull: {force: {at: boat, along: down, magnitude: W}}
+  hold: {force: {at: sailor, along: down, magnitude: P}}
+"""
+    largest = asked(capstan, "largest W so that it stays at rest").answers[0].value
+    assert largest == pytest.approx(50 * math.exp(0.25 * 6 * math.pi))
+
+
 def test_block_wedged_between_walls_has_reactions_without_limit() -> None:
     found = fb.statics(fb.System.from_text(WEDGED))
     assert found.holds

@@ -39,7 +39,13 @@ class DiscClutch(Connection, kind="disc_clutch"):
     called: ClassVar[tuple[str, ...]] = ("clutch", "brake", "disc brake", "cone clutch")
     also: ClassVar[tuple[str, ...]] = ("clutch",)
     elsewhere: ClassVar[Mapping[str, str]] = {
-        "torque": Message("a clutch by the torque that it can transmit is brake: {{between: [drum, shaft], torque: T}}")
+        **dict.fromkeys(
+            ("plates", "discs", "disks"),
+            Message("faces is the number of pairs of faces that rub: a plate between two disks has 2"),
+        ),
+        "torque": Message(
+            "a clutch by the torque that it can transmit is brake: {{between: [drum, shaft], torque: T}}"
+        ),
     }
 
     between: list[str]

@@ -33,6 +33,7 @@ class Attraction(Load, kind="attraction"):
     names the bodies that are pulled."""
 
     called: ClassVar[tuple[str, ...]] = ("gravitation", "central gravity")
+    also: ClassVar[tuple[str, ...]] = ("gravitation", "central_gravity")
 
     center: str
     strength: Formula

@@ -35,6 +35,7 @@ class Drag(Load, kind="drag"):
     as of what slides on a track."""
 
     called: ClassVar[tuple[str, ...]] = ("air resistance", "resistance", "air drag", "air")
+    also: ClassVar[tuple[str, ...]] = ("air_resistance", "air_drag")
 
     spread_over = "whole"
 

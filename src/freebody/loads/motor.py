@@ -9,7 +9,7 @@ It runs up a wheel by omega = omega_0 (1 - exp(-T_0 t/(J omega_0))). Source: Nor
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from freebody.language.expression import ONE, divide, multiply
 from freebody.language.sentences import Message
@@ -30,6 +30,8 @@ class Motor(Load, kind="motor"):
     """`motor: {on: rotor, stall_torque: T_0, no_load_speed: omega_0}`: the torque T_0 (1 - omega/omega_0), omega the
     speed against `reacts_on` (default the ground), counter-clockwise positive; beyond omega_0 it brakes. Negative
     values of both turn it round. In space `about` says the axis, fixed in the body that it reacts on."""
+
+    also: ClassVar[tuple[str, ...]] = ("dc_motor",)
 
     on: str
     stall_torque: Formula

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from freebody.language.expression import Expr, negate
 from freebody.language.sentences import Message
 from freebody.language.units import TORQUE
 from freebody.loads.base import Load
@@ -37,11 +38,36 @@ def turned_about(names: Names, on: str, reacts_on: str, about: Heading | None) -
     return spin(body.name, names.direction(about, "about"), other.name)
 
 
-class Torque(Load, kind="torque"):
-    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
-    body, which feels the opposite torque. A couple turns a rigid body alike wherever it acts, but the bending moment of
-    a rod needs its place: `on: beam.C`. In space `about` says the axis: a direction fixed in the ground, or in a body
-    (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
+class Couple(Load):
+    """What turns a body one way or the other: counter-clockwise, or `clockwise: true`, for which a file may write
+    `direction: clockwise`."""
+
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(("direction", "sense"), ("clockwise",))
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        given = super().from_plain(value)
+        for word in cls.more_words:
+            told = str(given.get(word, "")).replace("-", "").lower()
+            if "clockwise" not in given and told in ("clockwise", "counterclockwise", "anticlockwise"):
+                del given[word]
+                given["clockwise"] = told == "clockwise"
+        return given
+
+    @staticmethod
+    def signed(names: Names, magnitude: Expr, *, clockwise: bool) -> Expr:
+        """The magnitude, positive counter-clockwise."""
+        if clockwise and names.space:
+            told = Message("in space the axis says which way round: about: -z turns the other way as about: z")
+            names.problem(told, "clockwise")
+        return negate(magnitude) if clockwise else magnitude
+
+
+class Torque(Couple, kind="torque"):
+    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `clockwise: true` (or `direction: clockwise`) turns
+    it round. `reacts_on: arm` where the motor sits on a body, which feels the opposite torque. A couple turns a rigid
+    body alike wherever it acts, but the bending moment of a rod needs its place: `on: beam.C`. In space `about` says
+    the axis: a direction fixed in the ground, or in a body (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
 
     called: ClassVar[tuple[str, ...]] = ("motor", "couple", "moment")
 
@@ -50,6 +76,7 @@ class Torque(Load, kind="torque"):
     reacts_on: str = GROUND
     about: Heading | None = None
     at_most: Formula | None = None
+    clockwise: bool = False
 
     is_chosen = True
     example = """
@@ -60,7 +87,7 @@ loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         turned = turned_about(names, self.on, self.reacts_on, self.about)
         magnitude, used = law(names, self.magnitude, TORQUE, "magnitude")
-        magnitude = limited(names, self, magnitude, TORQUE)
+        magnitude = self.signed(names, limited(names, self, magnitude, TORQUE), clockwise=self.clockwise)
         at = names.point(self.on, "on") if "." in self.on else None
         return [] if turned is None else [AppliedLoad("", turned, magnitude, used, couple_at=at)]
 

@@ -148,6 +148,9 @@ def principal_moments(tensor: Sequence[float]) -> tuple[float, float, float]:
     p = math.sqrt(((xx - q) ** 2 + (yy - q) ** 2 + (zz - q) ** 2 + 2.0 * off) / 6.0)
     if p <= LEAST:
         return q, q, q
+    if not off:
+        low, middle, high = sorted((xx, yy, zz))
+        return low, middle, high
     a, b, c, d, e, f = (v / p for v in (xx - q, yy - q, zz - q, xy, xz, yz))
     half = (a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e)) / 2.0
     phi = math.acos(min(1.0, max(-1.0, half))) / 3.0

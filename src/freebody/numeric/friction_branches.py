@@ -25,6 +25,7 @@ from dataclasses import dataclass, replace
 from freebody.numeric import friction_limits as limits
 from freebody.numeric.friction_limits import Optimum, Ray
 from freebody.numeric.rest_problem import FrictionCone, RestProblem
+from freebody.tolerances import ROUND_OFF
 
 N_SECTORS = 8
 _NARROW = 2e-7  # half a sector's width at which its bound is the value
@@ -81,6 +82,26 @@ def extreme(ray: Ray, sign: int, *, unit: float = 1.0) -> Optimum | None:
         return limits.extreme(replace(ray, problem=problem), sign, unit=unit)
 
     return _best(ray.problem, solve, sign)
+
+
+def pieces(ray: Ray, *, unit: float = 1.0) -> list[tuple[Optimum, Optimum]]:
+    """The intervals of the parameter with which the system can be held, as their ends: a force along one line that
+    presses either way with friction (a screw that locks itself) leaves values between two of them that do not hold."""
+    lines = [k for k, cone in enumerate(ray.problem.cones) if len(cone.size) == 1]
+    found: list[tuple[Optimum, Optimum]] = []
+    for sectors in itertools.product(*(_all_sectors(ray.problem.cones[k]) for k in lines)):
+        one = replace(ray, problem=_in_sectors(ray.problem, dict(zip(lines, sectors, strict=True))))
+        low, high = (extreme(one, sign, unit=unit) for sign in (-1, 1))
+        if low is not None and high is not None:
+            found.append((low, high))
+    joined: list[tuple[Optimum, Optimum]] = []
+    for low, high in sorted(found, key=lambda ends: ends[0].value):
+        if joined and low.value <= joined[-1][1].value + ROUND_OFF * unit:
+            start, end = joined.pop()
+            joined.append((start, max(end, high, key=lambda o: o.value)))
+        else:
+            joined.append((low, high))
+    return joined
 
 
 def spread(problem: RestProblem, row: int) -> tuple[Optimum, Optimum] | None:

@@ -66,6 +66,23 @@ def assembled_touching(reference: Reference) -> Array:
     return q
 
 
+def lying_flat(reference: Reference) -> dict[str, set[str]]:
+    """By each body that lies flat at the start, as nobody says how it is turned: the places with which it does. Raises
+    CannotAnswer where there is no start."""
+    bounds = reference.system.bounds
+    closing = {b.family for b in bounds if b.starts_closed and b.family}
+    if is_crowd(reference.system) or not closing:
+        return {}
+    turning = _turning(reference, reference.assemble(), bounds, closing)
+    q = assembled_touching(reference) if turning else reference.assemble()
+    g, size = reference.geometry(q, np.zeros_like(q), 0.0), PENETRATION * reference.sizes.length
+    found: dict[str, set[str]] = {}
+    for lying in turning.values():
+        own = {b.name for b in lying.places if abs(gap_of(reference, g, b)) <= size}
+        found.setdefault(lying.body, set()).update(own)
+    return found
+
+
 def _apart(reference: Reference, q: Array, bound: UnilateralConstraint) -> str:
     """That two bodies cannot touch at the start, as they do where nobody says where they are; and where they are."""
     a, b = bound.row.ends[2:4] if len(bound.row.ends) > 3 else (*bound.row.ends, bound.row.connection)[:2]
@@ -244,8 +261,10 @@ def _is_loose(system: System, own: list[UnilateralConstraint], name: str) -> boo
         return False
     if not (body.start.angle is None and body.start.turned is None):
         return False
-    rows = [row for row in system.constraint_rows if not isinstance(system.connections.get(row.connection), Planar)]
-    return not any(name in row.measure.bodies() for row in rows)
+    # a string is as long as it is where the body lies
+    rows = [row for row in system.constraint_rows if not row.unilateral]
+    held = (row for row in rows if not isinstance(system.connections.get(row.connection), Planar))
+    return not any(name in row.measure.bodies() for row in held)
 
 
 def _is_unplaced(reference: Reference, name: str) -> bool:

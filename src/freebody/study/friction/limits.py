@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.friction_branches import extreme, margin
+from freebody.numeric.friction_branches import margin, pieces
 from freebody.numeric.friction_limits import Optimum, at, ray
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest_problem import RestProblem, rest_problem
@@ -89,10 +89,12 @@ class Parametric:
         if first is None or second is None:
             raise CannotAnswer(Message("the start cannot be assembled with other values of {x}", x=self.name))
         path = ray(first, second, unit)
-        found = extreme(path, sign, unit=unit)
-        top = found if sign > 0 else extreme(path, 1, unit=unit)
-        if found is None or top is None or top.value <= self.low + ROUND_OFF * unit:
+        meant = [ends for ends in pieces(path, unit=unit) if ends[1].value > self.low + ROUND_OFF * unit]
+        if not meant:
             return None  # what holds lies outside of the values that mean something
+        own = draw.values.get(self.name, unit)
+        about = next((ends for ends in meant if ends[0].value <= own <= ends[1].value), meant[0 if sign < 0 else -1])
+        found = about[0 if sign < 0 else 1]
         value = found.value
         return HoldingEnd(value, path.problem if math.isinf(value) else at(path, value), found)
 

@@ -10,6 +10,7 @@ import itertools
 import math
 import random
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,7 +20,7 @@ from freebody.language.sentences import Message, listed
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.contact.overlaps import gap_of, is_within, overlaps, parting
-from freebody.numeric.contact.start import far_sides
+from freebody.numeric.contact.start import far_sides, lying_flat
 from freebody.numeric.instant import dynamics
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array
@@ -100,6 +101,8 @@ def touching(system: System) -> TouchingAtRest:
     assembled, or something moves at the start."""
     values = draw_parameters(system, random.Random(SEED), 0.0)
     closed = {row.name for row in ideal_bounds(system)}
+    with suppress(CannotAnswer):
+        closed |= {name for places in lying_flat(Reference(system, values)).values() for name in places}
     starting = _starting(system)
     while True:
         held = in_mode(system, ContactMode.of(closed, {}))[0]

@@ -14,6 +14,7 @@ from freebody.errors import FreebodyError
 from freebody.language.sentences import Message
 from freebody.measures.geometry import AXES, Direction, unit
 from freebody.model.elements import RigidBody
+from freebody.numeric.contact.start import lying_flat
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
 
 _TURNED = 1e-3  # [rad] less is round-off of a pose that is closed
@@ -23,10 +24,11 @@ class TurnedOpen(WarningKind, name="turned open"):
     """The start turns a body, and fits without turning it too."""
 
     def look(self, model: Opened) -> Iterator[ModelWarning]:
+        flat = lying_flat(model.reference)
         for body in model.system.moving:
             start, near = body.start, body.start.near
             is_said = start.angle is not None or start.turned is not None or near is not None
-            is_open = body.turns and not is_said and _is_only_touched(model, body.name)
+            is_open = body.turns and not is_said and body.name not in flat and _is_only_touched(model, body.name)
             angle = _angle(model, body) if is_open else 0.0
             if angle > _TURNED and _fits_unturned(model, body.name):
                 told = Message(

@@ -283,6 +283,18 @@ class Source:
             return Message(
                 "{kind} is no kind of {what}: it belongs under {section}", kind=kind, what=what, section=other
             )
+        taking = sorted(
+            name
+            for name, each in {**kinds, **others}.items()
+            if kind in each.model_fields and (self.names.space or not each.space_only)
+        )
+        if len(taking) == 1:
+            return Message(
+                "{kind} is no kind of {what}; it is a field of {other}: {other}: {{..., {kind}: ...}}",
+                kind=kind,
+                what=what,
+                other=taking[0],
+            )
         hint = kind_meant(kind, kinds, kinds, space=self.names.space)
         return Message("{kind} is no kind of {what}.{hint}", kind=kind, what=what, hint=hint)
 
@@ -401,15 +413,14 @@ class Source:
                     if len(own := [key for key in value if key in kinds]) == 1 < len(value):
                         self._beside_a_kind(name, kinds[own[0]], own[0], entry, beside)
                         continue
-                if (
-                    not isinstance(value, dict)
-                    or len(cast("dict[str, Any]", value)) != 1
-                    or (not any(key in kinds for key in cast("dict[str, Any]", value)) and name in kinds)
-                ):
+                if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
                     self.names.problem(self._kind_wanted(name, value, kinds))
                     continue
                 ((kind, fields),) = cast("dict[str, Any]", value).items()
                 meant = written_kind(kind, fields, kinds, space=self.names.space)
+                if meant is None and name in kinds:
+                    self.names.problem(self._kind_wanted(name, value, kinds))
+                    continue
                 if meant is None:
                     self.names.problem(self._no_kind(section, kind, fields, kinds), kind)
                     continue

@@ -78,7 +78,11 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
 
 
 def _with_phrase(names: Names, key: str, measures: Mapping[str, Measure]) -> tuple[str, Mapping[str, Measure]]:
-    """A key that says in words what it is a value of, `rate(x of block)`, with a name for that among the measures."""
+    """A key that says in words what it is a value of, `rate(x of block)`, `angular velocity of wheel`, with a name for
+    that among the measures."""
+    turning = key.removeprefix("angular velocity of ")
+    if turning != key and turning in names.bodies and not names.space:
+        key = f"rate(angle of {turning})"
     inner = key.removeprefix("rate(").removesuffix(")") if key.startswith("rate(") else key
     if inner in measures or " " not in inner.strip():
         return key, measures
