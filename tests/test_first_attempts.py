@@ -37,13 +37,22 @@ MISTAKES = {
         "bodies: {block: {particle: {mass: 2 kgs}}}",
         "the unit 'kgs' is not known: write kg, or kg s for kg times seconds",
     ),
-    "a parameter made of others": (
-        "parameters: {r: 0.1 m, R: 2*r}\nbodies: {w: {disk: {mass: 1 kg, radius: R}}}",
-        "R is a formula of r, and a parameter is a number or a symbol: write (2*r) where R stands",
-    ),
     "parameters made of each other": (
-        "parameters: {a: {value: 3*b/2}, b: 1 m}\n" + ROD.replace("1 m", "a"),
-        "a is a formula of b, and a parameter is a number or a symbol: write (3*b/2) where a stands",
+        "parameters: {a: {value: 3*b/2}, b: a/3}\n" + ROD.replace("1 m", "a"),
+        "a, b are formulas of each other; give a number for one",
+    ),
+    "a parameter made of another and of a value with its unit": (
+        "parameters: {r: 0.1 m, R: r + 5 cm}\nbodies: {w: {disk: {mass: 1 kg, radius: R}}}",
+        "in 'r + 5 cm' every value with a unit needs a name: a parameter",
+    ),
+    "a parameter made of others that do not fit": (
+        "parameters: {r: 0.1 m, M: 1 kg, R: r + M}\nbodies: {w: {disk: {mass: M, radius: R}}}",
+        "in 'r + M': r [m] + M [kg]: unlike units cannot be added",
+    ),
+    "the value of what is short for a formula": (
+        "parameters: {r: 0.1 m, R: 2*r}\nbodies: {w: {disk: {mass: 1 kg, radius: R}}}\n"
+        "questions: [value of R for which kinetic energy = 1 J]",
+        "R is short for a formula of r: ask for what stands in it",
     ),
     "no colon behind a name": (
         "bodies:\n  rod {rod: {mass: 2 kg, length: 1 m}}  # the rod",

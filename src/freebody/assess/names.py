@@ -17,6 +17,7 @@ class NameTable:
 
     def __init__(self, model: SymbolicModel, system: System) -> None:
         self._model = model
+        self._system = system
         self._elements = dict(model.parameters)
         self._moving: dict[str, Measure | Ratio] = dict(system.offered)
         self.dimensions = {name: m.dimension for name, m in system.offered} | {"t": TIME}
@@ -60,7 +61,8 @@ class NameTable:
         return self._model.in_independent_speeds(self._model.rate(x))
 
     def with_rates(self, expr: Expr) -> Expr:
-        """x_dot, where nothing is called so, is the rate of x."""
+        """x_dot, where nothing is called so, is the rate of x; shorthands are what they are short for."""
+        expr = self._system.names.in_parameters(expr)
         dotted = {
             name: Call("rate", Symbol(name[:-4]))
             for name in free_symbols(expr)

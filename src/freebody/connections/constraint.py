@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Symbol, differentiate, free_symbols, number, replace_rates, substitute
-from freebody.language.parser import parse
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME, dimension_of
 from freebody.measures.combination import Composed
@@ -55,7 +54,7 @@ connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         try:
-            expr = parse(self.expression)
+            expr = names.parsed(self.expression)
             if free_symbols(expr) & names.broken:
                 return []
             known = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}

@@ -25,8 +25,9 @@ from freebody.language.expression import (
     number,
     substitute,
 )
+from freebody.language.notation import to_python
 from freebody.language.parser import parse
-from freebody.language.sentences import Message, as_found
+from freebody.language.sentences import Message, as_found, in_turn
 from freebody.language.units import (
     ACCELERATION,
     ANGULAR_VELOCITY,
@@ -52,6 +53,10 @@ from freebody.model.noting import Noting, did_you_mean, reads
 from freebody.model.spec import Spec
 
 PI = Symbol("pi")
+_NAME = re.compile(r"(?<!\w)[^\W\d]\w*")
+_OPERATORS = ("+", "-", "*", "/", "^")
+_AFTER_A_VALUE = ("=", "<", ">", *_OPERATORS)
+_BEFORE_A_VALUE = (*_AFTER_A_VALUE, "(", " reaches", " by")
 _QUANTITY = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?(\s*[A-Za-zµμ°%]|\s+1\s*/\s*[A-Za-z])")
 _WITH_UNIT = re.compile(r"(?<![\w.])[\d.]+([eE][+-]?\d+)?\s+(?P<unit>[A-Za-zµμ°%]+)")
 
@@ -67,6 +72,7 @@ class Formulas(Noting):
         )  # parameters whose numbers were asked for: with others a model may read otherwise
         self.used = set[str]()  # names that formulas of the model have
         self.units_of_use: dict[str, Dimension] = {}  # of parameters that have neither number nor unit, by their use
+        self.shorthands: dict[str, Expr] = {}  # parameters that are formulas of others, by these
         self.space = False
         self.taken: Mapping[str, object] = {}  # what names stand for that are no parameters: bodies
 
@@ -78,6 +84,39 @@ class Formulas(Noting):
     def dimensions(self, *, in_time: bool = False) -> dict[str, Dimension]:
         """Of the parameters; functions of time are among them where time may be."""
         return {p.name: p.dimension for p in self.parameters.values() if p.form is None or in_time}
+
+    def no_parameter(self, name: str) -> Message:
+        """That a name that should be one is no parameter, and what is one."""
+        if name in self.shorthands:
+            used = in_turn(sorted(free_symbols(self.shorthands[name]) & self.parameters.keys()))
+            return Message(
+                "{name} is short for a formula of {others}: ask for what stands in it", name=name, others=used
+            )
+        hint = did_you_mean(name, self.parameters)
+        return Message("{name} is no parameter.{hint}", name=name, hint=hint)
+
+    def spelt_out(self, text: str) -> str:
+        """A text in which shorthands stand as the formulas that they are short for, where they stand for a value."""
+
+        def formula(found: re.Match[str]) -> str:
+            name = found.group()
+            beside = text[: found.start()].rstrip(), text[found.end() :].lstrip()
+            is_value = beside[0].endswith(_BEFORE_A_VALUE) or beside[1].startswith(_AFTER_A_VALUE)
+            if name not in self.shorthands or not is_value:
+                return name
+            is_side = not beside[0].endswith(_OPERATORS) and not beside[1].startswith(_OPERATORS)
+            formula = to_python(self.shorthands[name])
+            return formula if is_side else f"({formula})"
+
+        return _NAME.sub(formula, text) if self.shorthands else text
+
+    def parsed(self, text: str) -> Expr:
+        """A formula in the parameters themselves. Raises ExpressionError."""
+        return self.in_parameters(parse(text))
+
+    def in_parameters(self, expr: Expr) -> Expr:
+        """With what each shorthand stands for."""
+        return substitute(expr, self.shorthands) if free_symbols(expr) & self.shorthands.keys() else expr
 
     @reads
     def angle(self, value: Any, *path: str | int) -> Expr:
@@ -135,7 +174,7 @@ class Formulas(Noting):
                 return ZERO
             return number(value)
         try:
-            expr = parse(value)
+            expr = self._beside(extra or {}, parse(value))
         except ExpressionError as error:
             return ZERO if self.is_broken_in(value) else self._quantity(value, dimension, path, str(error))
         self.used |= free_symbols(expr)
@@ -186,6 +225,11 @@ class Formulas(Noting):
             return self._quantity(value, dimension, path, told)
         return expr
 
+    def _beside(self, extra: Mapping[str, Dimension], expr: Expr) -> Expr:
+        """In the parameters, where other names mean what they mean there."""
+        own = {name: short for name, short in self.shorthands.items() if name not in extra}
+        return substitute(expr, own) if free_symbols(expr) & own.keys() else expr
+
     def _with_quantities(self, text: str, dimension: Dimension, known: Mapping[str, Dimension]) -> Expr | None:
         """An expression in which numbers have units, where it reads as no other: 180 deg - alpha."""
         named, quantities = quantities_within(text, known)
@@ -195,7 +239,7 @@ class Formulas(Noting):
 
         def fits(written: str) -> Expr | None:
             with suppress(ExpressionError, UnitError):
-                expr = parse(written)
+                expr = self.in_parameters(parse(written))
                 if free_symbols(expr) <= dimensions.keys() and dimension_of(expr, dimensions) == dimension:
                     return expr
             return None

@@ -12,7 +12,6 @@ from typing import Any, cast
 
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols, number
-from freebody.language.parser import parse
 from freebody.language.sentences import Message, as_found
 from freebody.language.units import DIMENSIONLESS, dimension_of
 from freebody.measures.angle import Angle
@@ -448,7 +447,7 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
 def composed(names: Names, text: str, *path: str | int) -> Measure | None:
     """An expression in other measures. One that is linear in them with constant coefficients is a combination."""
     try:
-        expr = parse(text)
+        expr = names.parsed(text)
     except ExpressionError as error:
         if not names.is_broken_in(text):
             names.problem(str(error), *path)

@@ -126,8 +126,8 @@ def _explained(
     system, asked = context.system, context.system.questions
     first = tuple(opening(context))
     told = ToldSoFar.of(first)
-    answers = {a.question: a for a in solution.answers}
-    found = [_derived(context, told, q, answers.get(q.text), chosen, second) for q in asked]
+    answers = {a.id: a for a in solution.answers}  # a text may be asked twice, with options of its own
+    found = [_derived(context, told, q, answers.get(q.id), chosen, second) for q in asked]
     return Explanation(system, solution, *_numbered(first, found), language)
 
 

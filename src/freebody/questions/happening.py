@@ -16,7 +16,6 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
-from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Path, Quantity
 from freebody.questions.course import Transition, connections_of, names_line, read_transition
 from freebody.questions.event import AskedEvent, read_event
@@ -180,8 +179,7 @@ def _fails_first(names: Names, text: str, found: re.Match[str], path: Path) -> H
         return None
     grows = names.parameters.get(found["grows"])
     if grows is None or grows.form is not None:
-        known = did_you_mean(found["grows"], names.parameters)
-        names.unknown(found["grows"], Message("{name} is no parameter.{hint}", name=found["grows"], hint=known), *path)
+        names.unknown(found["grows"], names.no_parameter(found["grows"]), *path)
         return None
     return FailsFirst(None, text, fails="tips" if tips[0] else "slides", grows=grows.name)
 

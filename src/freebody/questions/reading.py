@@ -249,7 +249,9 @@ def _points(names: Names, given: object) -> float | None:
 def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     """What a text asks for, and the words of the grammar in which it does. when: what the file says of it beside the
     text, in words of the grammar or in others."""
+    text = names.spelt_out(text)
     if isinstance(when, str):
+        when = names.spelt_out(when)
         with names.quietly():
             n_before = len(names.problems)
             is_read = bool(_meant_by(names, text, when)) and len(names.problems) == n_before

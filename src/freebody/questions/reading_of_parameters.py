@@ -13,7 +13,7 @@ from typing import Literal
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
-from freebody.model.names import Names, did_you_mean
+from freebody.model.names import Names
 from freebody.questions.base import NAME
 from freebody.questions.compared import compared
 from freebody.questions.happening import Happening, read_happening
@@ -61,8 +61,7 @@ def read_turned_round(
     if parameter is None and name in names.measures and not end and when is None and inequality_of(relation) is None:
         return read(names, f"{name} when {relation}", None)  # of what moves it is the value at an event
     if parameter is None or parameter.form is not None:
-        told = Message("{name} is no parameter.{hint}", name=name, hint=did_you_mean(name, names.parameters))
-        names.unknown(name, told, "find")
+        names.unknown(name, names.no_parameter(name), "find")
         return None
     # what is to be so: a quantity largest, an inequality, a full turn, something that happens, a place that is reached
     relation, is_just = without_just(as_timed(locking(steadily(relation))))

@@ -243,8 +243,7 @@ def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
 def _parameter(names: Names, name: str, path: Path) -> Parameter | None:
     parameter = names.parameters.get(name)
     if parameter is None:
-        told = Message("there is no parameter {name}.{hint}", name=name, hint=did_you_mean(name, names.parameters))
-        names.unknown(name, told, *path)
+        names.unknown(name, names.no_parameter(name), *path)
         return None
     if parameter.form is not None:
         names.problem(Message("{name} is a function of time; ask for a parameter", name=name), *path)

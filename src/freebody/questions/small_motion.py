@@ -16,7 +16,6 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE
-from freebody.model.noting import did_you_mean
 from freebody.model.phrases import measure_of
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.reading import read_quantity
@@ -367,10 +366,7 @@ def _critical(names: Names, found: Found, path: Path) -> Quantity | None:
     """The value of a damper's parameter for which the damping ratio is one."""
     parameter = names.parameters.get(found["of"])
     if parameter is None or parameter.form is not None:
-        told = Message(
-            "{name} is no parameter.{hint}", name=found["of"], hint=did_you_mean(found["of"], names.parameters)
-        )
-        names.unknown(found["of"], told, *path)
+        names.unknown(found["of"], names.no_parameter(found["of"]), *path)
         return None
     if found["what"] == "value" and not any(
         {parameter.name, RATE.name} <= free_symbols(p.law) for p in names.applied_loads

@@ -17,7 +17,6 @@ from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.language.written import as_text
-from freebody.model.noting import did_you_mean
 from freebody.model.spec import Spec
 from freebody.questions.reading import Question, read_questions
 from freebody.system.description import SystemDescription
@@ -59,9 +58,7 @@ class System(SystemDescription):
         document = self.document
         for name, value in values.items():
             if name not in self.parameters:
-                raise InputError(
-                    Message("there is no parameter {name}.{hint}", name=name, hint=did_you_mean(name, self.parameters))
-                )
+                raise InputError(self.names.no_parameter(name))
             given = document.data["parameters"][name] if name not in self.unspecified else None
             if self.parameters[name].form is not None:
                 document = document.with_value(("parameters", name, "function"), str(value))

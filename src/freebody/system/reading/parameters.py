@@ -3,37 +3,38 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection
+import re
+from collections.abc import Callable, Collection, Mapping
 from typing import Any, cast
 
 from freebody.errors import InputError, NoQuantity, UnitError
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.parser import parse
-from freebody.language.sentences import Message, listed
-from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity, parse_unit
+from freebody.language.sentences import Message, in_turn
+from freebody.language.units import DIMENSIONLESS, TIME, dimension_of, parse_quantity, parse_unit, quantities_within
 from freebody.model.elements import Parameter, Sign
 from freebody.model.names import Names
 from freebody.system.reading.source import Source, known_keys
 
 _RIGHT_ANGLE = math.pi / 2
+_WORD = re.compile(r"[^\W\d]\w*")
 
 
 def read_parameters(source: Source) -> None:
     names = source.names
     functions: dict[str, dict[str, Any]] = {}
+    shorthands: dict[str, str] = {}
     for name, value in source.named("parameters").items():
         with names.at("parameters", name):
             if isinstance(value, dict) and "function" in value:
                 functions[name] = cast("dict[str, Any]", value)
             else:
-                others = source.mapping("parameters").keys() - {name}
-                told = _of_others(name, value, others)
-                if told is None:
+                formula = _of_others(value, source.mapping("parameters").keys() - {name})
+                if formula is None:
                     names.parameters[name] = read_parameter(names, name, value)
-                    continue
-                names.problem(told)
-                names.broken.add(name)
-                names.parameters[name] = Parameter(name, DIMENSIONLESS, None)
+                else:
+                    shorthands[name] = formula
+    _read_shorthands(names, shorthands)
     for name, entry in functions.items():
         with names.at("parameters", name):
             names.parameters[name] = _function(names, name, entry)
@@ -60,21 +61,52 @@ def _function(names: Names, name: str, entry: dict[str, Any]) -> Parameter:
     return Parameter(name, dimension, None, "any", unit=unit, is_angle=is_angle, form=form)
 
 
-def _of_others(name: str, value: Any, others: Collection[str]) -> Message | None:
-    """What to say of a formula of other parameters. `R: m` is a symbol with a unit, whatever else is called m."""
+def _read_shorthands(names: Names, written: Mapping[str, str]) -> None:
+    """`R: 2*r`: short for a formula of other parameters, which stands wherever R does."""
+    waiting = dict(written)
+    while waiting:
+        ready = [name for name in waiting if not _used_in(waiting[name]) & waiting.keys()]
+        if not ready:
+            name = min(waiting)
+            with names.at("parameters", name):
+                each = in_turn(list(waiting))
+                told = Message("{names} are formulas of each other; give a number for one", names=each)
+                names.problem(told)
+            names.broken |= waiting.keys()
+            return
+        for name in ready:
+            with names.at("parameters", name):
+                _read_shorthand(names, name, waiting.pop(name))
+
+
+def _read_shorthand(names: Names, name: str, formula: str) -> None:
+    _named, quantities = quantities_within(formula, names.parameters)
+    try:
+        if quantities:  # as a bare number it would lose its unit
+            names.problem(Message("in '{text}' every value with a unit needs a name: a parameter", text=formula))
+        else:
+            short = names.parsed(formula)
+            dimension_of(short, names.dimensions())
+            names.shorthands[name] = short
+            return
+    except (InputError, ZeroDivisionError) as error:
+        names.problem(Message("in '{text}': {error}", text=formula, error=error))
+    names.broken.add(name)
+
+
+def _used_in(formula: str) -> set[str]:
+    return set(_WORD.findall(formula))
+
+
+def _of_others(value: Any, others: Collection[str]) -> str | None:
+    """A formula of other parameters; None where it is none. `R: m` is a symbol with a unit, whatever else is called
+    m."""
     given = cast("dict[str, Any]", value).get("value") if isinstance(value, dict) else value
     if not isinstance(given, str) or _is_read(parse_unit, given) or _is_read(parse_quantity, given):
         return None
-    used = free_symbols(parse(given)) if _is_read(parse, given) else set[str]()
-    if not used or not used <= set(others):  # else it is a unit that is not known: 5 Ns/m
-        return None
-    return Message(
-        "{name} is a formula of {others}, and a parameter is a number or a symbol: write ({formula}) where {name} "
-        "stands",
-        name=name,
-        others=listed(sorted(used)),
-        formula=given,
-    )
+    named, quantities = quantities_within(given, others)
+    used = free_symbols(parse(named)) - quantities.keys() - {"pi"} if _is_read(parse, named) else set[str]()
+    return given if used and used <= set(others) else None  # else it is a unit that is not known: 5 Ns/m
 
 
 def _is_read(read: Callable[[str], object], text: str) -> bool:
