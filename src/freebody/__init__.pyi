@@ -151,7 +151,7 @@ __version__: str
 
 class AngularImpulse(_AngularImpulse):
     """`angular_impulse: {on: wheel, magnitude: H}`, counter-clockwise positive, at the start or with `when: x = d` in
-    mid-motion; `reacts_on` and `about` as of a torque."""
+    mid-motion; `reacts_on`, `about` and `clockwise` as of a torque."""
 
     def __init__(
         self,
@@ -160,6 +160,7 @@ class AngularImpulse(_AngularImpulse):
         reacts_on: _Text = ...,
         about: _Along | None = ...,
         when: _Text = ...,
+        clockwise: bool = ...,
     ) -> None: ...
 
 class Annulus(_Annulus):
@@ -684,7 +685,8 @@ class GearMesh(_GearMesh):
     times the tooth force, which is positive then, or negative with `other_flank: true`. The distance of the centres is
     held too where no carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel
     with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z, as those of
-    bodies that are gears (`gear: {teeth: z, module: m}`) have."""
+    bodies that are gears (`gear: {teeth: z, module: m}`) have. `efficiency: eta` of the teeth, whichever of the two
+    drives: of the power that goes through the mesh, as seen from the line of centres, so much comes out."""
 
     def __init__(
         self,
@@ -697,6 +699,7 @@ class GearMesh(_GearMesh):
         teeth: _List | None = ...,
         pressure_angle: _Formula | None = ...,
         other_flank: bool = ...,
+        efficiency: _Formula | None = ...,
     ) -> None: ...
 
 class GearPair(_GearPair):
@@ -1336,10 +1339,11 @@ class TensionedString(_TensionedString):
     ) -> None: ...
 
 class Torque(_Torque):
-    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
-    body, which feels the opposite torque. A couple turns a rigid body alike wherever it acts, but the bending moment of
-    a rod needs its place: `on: beam.C`. In space `about` says the axis: a direction fixed in the ground, or in a body
-    (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
+    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `direction: clockwise` (`clockwise: true`) is the
+    other way round. `reacts_on: arm` where the motor sits on a body, which feels the opposite torque. A couple turns a
+    rigid body alike wherever it acts, but the bending moment of a rod needs its place: `on: beam.C`. In space `about`
+    says the axis: a direction fixed in the ground, or in a body (`about: rotor.x`). `at_most: T_max` where a motor can
+    give no more either way."""
 
     def __init__(
         self,
@@ -1348,6 +1352,7 @@ class Torque(_Torque):
         reacts_on: _Text = ...,
         about: _Along | None = ...,
         at_most: _Formula | None = ...,
+        clockwise: bool = ...,
     ) -> None: ...
 
 class TorsionalDamper(_TorsionalDamper):

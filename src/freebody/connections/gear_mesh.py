@@ -1,4 +1,8 @@
-"""Gear mesh: pitch circles roll on each other, outside or inside a ring gear, on fixed or moving centres."""
+"""Gear mesh: pitch circles roll on each other, outside or inside a ring gear, on fixed or moving centres.
+
+An efficiency eta is dry friction mu F along r_1 theta_1 - r_2 theta_2 (both seen from the line of centres), F the tooth
+force: whichever gear drives gives (1 + mu) F r and the other one gets (1 - mu) F r, so that mu = (1 - eta)/(1 + eta).
+"""
 
 from __future__ import annotations
 
@@ -16,7 +20,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow, RigidBody
+from freebody.model.elements import ConstraintRow, DryFriction, RigidBody, UnilateralConstraint
 from freebody.model.glyphs import Glyph
 from freebody.model.pressed_side import Flank
 from freebody.model.spec import Formula
@@ -33,7 +37,8 @@ class GearMesh(SharedByCopies, kind="gear_mesh"):
     times the tooth force, which is positive then, or negative with `other_flank: true`. The distance of the centres is
     held too where no carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel
     with several gears on it, or `module: m, teeth: [z1, z2]`: the pitch circles have the diameters m z, as those of
-    bodies that are gears (`gear: {teeth: z, module: m}`) have."""
+    bodies that are gears (`gear: {teeth: z, module: m}`) have. `efficiency: eta` of the teeth, whichever of the two
+    drives: of the power that goes through the mesh, as seen from the line of centres, so much comes out."""
 
     called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
     also: ClassVar[tuple[str, ...]] = ("gear", "mesh")
@@ -47,6 +52,7 @@ class GearMesh(SharedByCopies, kind="gear_mesh"):
     teeth: list[Formula] | None = None
     pressure_angle: Formula | None = None
     other_flank: bool = False
+    efficiency: Formula | None = None
 
     in_plane = True
     has_contact_point = True
@@ -100,6 +106,24 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         )
         turns = {name: Angle(name) for pair in self.pairs_of_gears(names) for name in pair}
         return [teeth, *self.alike(names, turns), *centers]
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
+        if self.efficiency is None:
+            return [], []
+        eta = names.formula(self.efficiency, DIMENSIONLESS, "efficiency")
+        if (n := names.numeric(eta)) is not None and not 0.0 < n <= 1.0:
+            names.problem(Message("an efficiency is between 0 and 1, found {eta:g}", eta=n), "efficiency")
+            return [], []
+        with names.quietly():
+            radii, internal = self._radii(names), self._is_internal(names)
+            ways = [
+                touching(one.center, radii[0], other.center, radii[1], internal=not internal)[2]
+                for one, other in self._pairs(names)
+            ]
+        slip = Combination(gathered(term for way in ways for term in way.terms), LENGTH)
+        row = ConstraintRow("friction", "friction force", slip, connection=connection)
+        mu = divide(ONE - eta, ONE + eta)
+        return [], [DryFriction(row, mu, mu, (f"{connection}.teeth",))]
 
     def _pairs(self, names: Names) -> list[tuple[RigidBody, RigidBody]]:
         return [(names.known(one), names.known(other)) for one, other in self.pairs_of_gears(names)]

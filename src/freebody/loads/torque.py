@@ -64,10 +64,11 @@ class Couple(Load):
 
 
 class Torque(Couple, kind="torque"):
-    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `clockwise: true` (or `direction: clockwise`) turns
-    it round. `reacts_on: arm` where the motor sits on a body, which feels the opposite torque. A couple turns a rigid
-    body alike wherever it acts, but the bending moment of a rod needs its place: `on: beam.C`. In space `about` says
-    the axis: a direction fixed in the ground, or in a body (`about: rotor.x`). `at_most: T_max` where a motor can give no more either way."""
+    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `direction: clockwise` (`clockwise: true`) is the
+    other way round. `reacts_on: arm` where the motor sits on a body, which feels the opposite torque. A couple turns a
+    rigid body alike wherever it acts, but the bending moment of a rod needs its place: `on: beam.C`. In space `about`
+    says the axis: a direction fixed in the ground, or in a body (`about: rotor.x`). `at_most: T_max` where a motor can
+    give no more either way."""
 
     called: ClassVar[tuple[str, ...]] = ("motor", "couple", "moment")
 

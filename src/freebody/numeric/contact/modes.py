@@ -175,7 +175,8 @@ def _consistent(
 def checked(reduced: ReducedProblem, mode: Mode, rules: Rules, x: Array) -> ModeSolution | None:
     """The forces as a solution, if they meet every condition of the mode to `TOLERANCE` of the terms of each row."""
     a = reduced.A @ x + reduced.b
-    sizes = reduced.magnitude @ np.abs(x) + reduced.size
+    # a rub along a way that is prescribed moves nothing, and has a force all the same
+    sizes = np.maximum(reduced.magnitude @ np.abs(x) + reduced.size, np.abs(x))
     tolerance = (TOLERANCE * sizes + _FLOOR * sizes.max(initial=0.0)).tolist()
     forced = {row for row, _ in rules.forbidden}
     forces, accelerations = x.tolist(), a.tolist()

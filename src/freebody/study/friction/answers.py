@@ -405,11 +405,10 @@ def _conditions(case: FailureCase) -> tuple[str, ...]:
 
 
 def _digits_lost(c: Compared) -> float:
-    """What round-off leaves open of a limit, relative: of forces that are large beside the least load, as those of a
-    rope many times round a drum, only so much tells of that."""
-    loads = np.abs(c.edge.problem.Q)
-    forces = np.abs(c.edge.optimum.forces).max(initial=0.0)
-    return float(np.finfo(np.float64).eps * forces / loads[loads > 0.0].min(initial=np.inf))
+    """What round-off leaves open of a limit, relative: of a rope many times round a drum, whose tensions differ by
+    e^(mu beta), the greater one tells only so much of the less."""
+    largest = max((max(cone.forward, cone.backward) for cone in c.edge.problem.cones), default=0.0)
+    return float(np.finfo(np.float64).eps) * largest
 
 
 def _evidence(question: str, limits: Sequence[HoldingLimit]) -> Evidence:

@@ -93,8 +93,11 @@ class Parametric:
         if not meant:
             return None  # what holds lies outside of the values that mean something
         own = draw.values.get(self.name, unit)
-        about = next((ends for ends in meant if ends[0].value <= own <= ends[1].value), meant[0 if sign < 0 else -1])
-        found = about[0 if sign < 0 else 1]
+
+        def away(ends: tuple[Optimum, Optimum]) -> tuple[bool, float]:
+            return ends[1].value <= 0.0, max(ends[0].value - own, own - ends[1].value, 0.0)
+
+        found = min(meant, key=away)[0 if sign < 0 else 1]  # of the values about the model's own, positive if any are
         value = found.value
         return HoldingEnd(value, path.problem if math.isinf(value) else at(path, value), found)
 
