@@ -325,3 +325,60 @@ def test_no_mass_moves_with_a_massless_crank_in_its_dead_point() -> None:
     assert any(note.startswith("Not valid for the given numbers") for note in dead.notes)
     heavy = MASSLESS.format(psi=40).replace("crank: {rod: {mass: 0", "crank: {rod: {mass: 1 kg")
     assert not any("some mass moves" in text for text in posed(heavy, "acceleration of x").conditions)
+
+
+GENEVA = """
+parameters: {r: m, d: m, w: 1/s, J: kg m^2}
+ground: {points: {O: [0, 0], P: [d, 0]}}
+bodies:
+  driver: {rod: {length: r}, near: {angle: 0 deg}}
+  wheel: {body: {inertia: J}, near: {at: [d, 0], angle: 180 deg}}
+connections:
+  O: {pin: [ground.O, driver.start]}
+  P: {pin: [ground.P, wheel]}
+  slot: {slot: {pin: driver.end, along: wheel.x}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: angle of driver, psi: angle of wheel}
+"""
+SHAPER_WITH_RAM = """
+parameters: {r: 120 mm, d: 250 mm, L: 520 mm, l: 160 mm, h: 500 mm, w: 4 rad/s, F: 900 N}
+ground: {points: {O: [0, 0], P: [0, -d]}, lines: {way: {along: right, through: [0, h - d]}}}
+bodies:
+  crank: {rod: {length: r}}
+  lever: {rod: {length: L}, near: {angle: 90 deg}}
+  link: {rod: {length: l}, near: {angle: 180 deg}}
+  ram: {particle: {}, near: {at: [-0.2 m, h - d]}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  P: {pin: [ground.P, lever.start]}
+  block: {slot: {pin: crank.end, along: lever}}
+  B: {pin: [lever.end, link.start]}
+  C: {pin: [link.end, ram]}
+  way: {slider: {body: ram, along: way}}
+  motor: {driver: {measure: phi, follows: w*t}}
+loads: {cut: {force: {at: ram, along: left, magnitude: F}}}
+measures: {phi: angle of crank, psi: angle of lever, s: x of ram}
+"""
+
+
+def test_a_loop_whose_branch_hangs_on_unknown_lengths_has_that_of_its_start() -> None:
+    """tan psi = r sin phi/(r cos phi - d), so that psi' = r w (r - d cos phi)/(r^2 + d^2 - 2 r d cos phi)."""
+    found = posed(GENEVA, "angular velocity of wheel")
+    assert found.expression is not None, found.reason
+    wanted = parse("r*w*(r - d*cos(w*t))/(r^2 + d^2 - 2*r*d*cos(w*t))")
+    for values in ({"r": 0.3, "d": 0.5, "w": 2.0, "t": 0.3}, {"r": 0.7, "d": 0.4, "w": 3.0, "t": 0.2}):
+        a, b = (evaluate(e, values, FLOAT_FUNCTIONS) for e in (found.expression, wanted))
+        assert math.isclose(a, b, rel_tol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("angular velocity of lever when phi = 30 deg", "r*w*(r + d/2)/(r^2 + r*d + d^2)"),
+        ("normal force of block when phi = 90 deg", "L*F/(r + d)"),
+        ("time ratio of psi", "(pi - acos(r/d))/acos(r/d)"),
+    ],
+)
+def test_an_angle_of_a_loop_may_point_to_the_left_on_either_side(question: str, formula: str) -> None:
+    """The link of a shaper points to its ram on the left, a little up or down."""
+    is_formula(SHAPER_WITH_RAM, question, formula, factors=(1.0,))

@@ -358,3 +358,53 @@ measures: {x: x of cart, theta: {angle of line from cart to bob from down}}
 start: {theta: 0, rate(theta): v/L, x: 0, rate(x): 0}
 """
     is_formula(cart, "greatest speed of cart", "2*m*v/(M + m)")
+
+
+SHAPER_RAM = """
+parameters: {r: 120 mm, d: 250 mm, L: 520 mm, l: 160 mm, h: 500 mm, w: 4 rad/s}
+ground: {points: {O: [0, 0], P: [0, -d]}, lines: {way: {along: right, through: [0, h - d]}}}
+bodies:
+  crank: {rod: {length: r}}
+  lever: {rod: {length: L}, near: {angle: 90 deg}}
+  link: {rod: {length: l}, near: {angle: 180 deg}}
+  ram: {particle: {}, near: {at: [-0.2 m, h - d]}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  P: {pin: [ground.P, lever.start]}
+  block: {slot: {pin: crank.end, along: lever}}
+  B: {pin: [lever.end, link.start]}
+  C: {pin: [link.end, ram]}
+  way: {slider: {body: ram, along: way}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: angle of crank, s: x of ram}
+"""
+ANTIPARALLEL = """
+parameters: {a: 80 mm, d: 240 mm, w: 5 rad/s}
+ground: {points: {A: [0, 0], D: [d, 0]}}
+bodies:
+  first: {rod: {length: a}}
+  coupler: {rod: {length: d}, near: {angle: -30 deg}}
+  second: {rod: {length: a}, near: {angle: -60 deg}}
+connections:
+  A: {pin: [ground.A, first.start]}
+  B: {pin: [first.end, coupler.start]}
+  C: {pin: [coupler.end, second.end]}
+  D: {pin: [ground.D, second.start]}
+  motor: {driver: {measure: phi, follows: 90 deg + w*t}}
+measures: {phi: angle of first}
+"""
+
+
+def test_a_time_ratio_without_a_formula_has_a_number() -> None:
+    """The ram turns back as the lever does nearly, sin of half its swing being r/d: (pi + 2 a)/(pi - 2 a)."""
+    found = posed(SHAPER_RAM, "time ratio of s")
+    a = math.asin(120 / 250)
+    assert found.expression is None
+    assert isinstance(found.value, float)
+    assert math.isclose(found.value, (math.pi + 2 * a) / (math.pi - 2 * a), rel_tol=1e-4)
+
+
+def test_at_a_change_point_nothing_is_said_to_grow_without_bound_alone() -> None:
+    """The second crank turns at -w (d - a)/(d + a) there, which is 0/0 in the formula of the branch."""
+    found = posed(ANTIPARALLEL, "greatest angular velocity of second")
+    assert found.reason.startswith("it grows without bound, or a change point is passed"), found.reason

@@ -99,6 +99,7 @@ class Setup:
         model = SymbolicModel(self.system, [*starts, *general])
         with suppress(CannotAnswer):  # what the laws take to be positive is so for every question
             model.loads.wrenches  # noqa: B018
+        Closure(model).take_sides()
         return model
 
     def _check_freedoms(self, model: SymbolicModel) -> None:

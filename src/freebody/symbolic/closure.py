@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from itertools import combinations
 
@@ -42,7 +43,8 @@ class Closure:
         self.model, self.field = model, model.field
         self._given = dict(given or {})
         self.sides: list[Ratio] = []  # positive on the branch on which the loops are assembled
-        self._turned: dict[int, Ratio] = {}  # whole turns of the angles beside their principal values
+        # of the angles: whether they are counted from the left, and the whole turns beside their principal values
+        self._turned: dict[int, tuple[bool, Ratio]] = {}
 
     @cached_property
     def _solved(self) -> tuple[dict[int, Ratio], list[Ratio], list[Coordinate]]:
@@ -61,6 +63,11 @@ class Closure:
             needs.append(need)
             left = [d for d in left if all(d is not k for k in solved)]
         return values, needs, left
+
+    def take_sides(self) -> None:
+        """Take the branches of the first start, where others are on other ones, so that those can be replaced."""
+        with suppress(CannotAnswer):
+            self._solved  # noqa: B018
 
     def inside(self, x: Ratio) -> frozenset[int]:
         return self.field.ingredients(x)
@@ -208,26 +215,28 @@ class Closure:
         if any(len(x.num) > _MOST_TERMS or len(x.num) * _below(x) > _MOST_PRODUCTS for x in (cos, sin)):
             raise FormulaTooLong(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
-        principal = _principal(f, cos, sin, half)
-        return {c: cos, s: sin, q.index: principal + self._turns(q, principal)}
+        for is_left, principal in enumerate(_principals(f, cos, sin, half)):
+            turns = self._turns(q, principal)
+            if len(turns) <= 1:
+                self._turned[q.index] = bool(is_left), 2 * (turns.pop() if turns else 0) * f.pi
+                return {c: cos, s: sin, q.index: principal + self._turned[q.index][1]}
+        raise CannotAnswer(Message("which way the loop is assembled depends on the parameter values"))
 
-    def _turns(self, q: Coordinate, value: Ratio) -> Ratio:
-        """The whole turns by which an angle differs at the start from a value with the same cosine and sine: a spring
+    def _turns(self, q: Coordinate, value: Ratio) -> set[int]:
+        """The whole turns by which an angle differs at the starts from a value with the same cosine and sine: a spring
         that twists with it feels them."""
         samples = self.model.samples
         pairs = zip(samples.start_numbers(q.index), samples.at_starts(value), strict=True)
-        turns = {round((own - other) / math.tau) for own, other in pairs if not math.isnan(own - other)}
-        if len(turns) > 1:
-            raise CannotAnswer(Message("which way the loop is assembled depends on the parameter values"))
-        self._turned[q.index] = 2 * (turns.pop() if turns else 0) * self.field.pi
-        return self._turned[q.index]
+        return {round((own - other) / math.tau) for own, other in pairs if not math.isnan(own - other)}
 
     def side(self, x: Ratio) -> int:
-        """The sign of an element that is the branch on which the loop is assembled."""
-        signs = {v > 0 for v in self.model.samples.at_starts(x) if not math.isnan(v) and abs(v) > ROUND_OFF}
-        if len(signs) != 1:
+        """The sign of an element that is the branch on which the loop is assembled; where that depends on the
+        parameters it is that of the first start, which the formulas take then."""
+        signs = [v > 0 for v in self.model.samples.at_starts(x) if not math.isnan(v) and abs(v) > ROUND_OFF]
+        if not signs:
             raise CannotAnswer(Message("which way the loop is assembled depends on the parameter values"))
-        sign = 1 if signs.pop() else -1
+        is_positive = signs[0] if all(s == signs[0] for s in signs) else not self.model.samples.is_negative(x)
+        sign = 1 if is_positive else -1
         if all(sign * x != known for known in self.sides):
             self.sides.append(self.field.lowest_terms(sign * x))
         return sign
@@ -268,7 +277,10 @@ class Closure:
                 if pair is None or not set(pair) <= there.keys():
                     raise
                 cos, sin = there[pair[0]], there[pair[1]]
-                there[g] = angle_with(f, cos, sin, _arc(cos, sin, None)) + self._turned[g]
+                is_left, turns = self._turned[g]
+                there[g] = turns + (
+                    _from_the_left(f, cos, sin, None) if is_left else _from_the_right(f, cos, sin, None)
+                )
         return there
 
     def closes(self) -> list[Condition]:
@@ -286,14 +298,27 @@ def _below(x: Ratio) -> int:
     return 1 if x.den is None else len(x.den)
 
 
-def _principal(f: Field, cos: Ratio, sin: Ratio, half: Ratio | None) -> Ratio:
+def _principals(f: Field, cos: Ratio, sin: Ratio, half: Ratio | None) -> Iterator[Ratio]:
     """An angle by its cosine and sine, up to whole turns. Where the sign of one of them is known it is written by the
-    other one, without a jump wherever the sign holds; the tangent of half the angle jumps where it turns over."""
+    other one, without a jump wherever the sign holds; the tangent of half the angle jumps where that points to the
+    left, and that of half of what it lacks to half a turn where it points to the right."""
     if sign_of(cos) in (Sign.NEGATIVE, Sign.NONPOSITIVE):
-        return f.pi - angle_with(f, -cos, sin, ("asin", sin))
-    if sign_of(sin) in (Sign.NEGATIVE, Sign.NONPOSITIVE):
-        return -angle_with(f, cos, -sin, ("acos", cos))
+        yield f.pi - angle_with(f, -cos, sin, ("asin", sin))
+    elif sign_of(sin) in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        yield -angle_with(f, cos, -sin, ("acos", cos))
+    else:
+        yield _from_the_right(f, cos, sin, half)
+        if half is not None and not half.is_zero():
+            yield _from_the_left(f, cos, sin, f.lowest_terms(1 / half))
+
+
+def _from_the_right(f: Field, cos: Ratio, sin: Ratio, half: Ratio | None) -> Ratio:
     return angle_with(f, cos, sin, _arc(cos, sin, half))
+
+
+def _from_the_left(f: Field, cos: Ratio, sin: Ratio, half: Ratio | None) -> Ratio:
+    """half: the tangent of half of what the angle lacks to half a turn."""
+    return f.pi - angle_with(f, -cos, sin, _arc(-cos, sin, half))
 
 
 def _arc(cos: Ratio, sin: Ratio, half: Ratio | None) -> Arc | None:

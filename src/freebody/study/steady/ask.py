@@ -51,10 +51,10 @@ def number(q: Quantity, setup: Setup, question: Question) -> Value:
 def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
     from freebody.study.steady.drive import FreeToTurn, followed, turned_by_drive
     from freebody.study.steady.extremes import angle_of
-    from freebody.study.steady.round_turn import DrawnTurn, extremes_in_numbers
+    from freebody.study.steady.round_turn import DrawnTurn, extremes_in_numbers, time_ratio_in_numbers
     from freebody.symbolic.closure import explicit
 
-    if q.what == "time ratio" or question.at_start:
+    if question.at_start:
         return None
     if not isinstance(setup, FreeToTurn) and not setup.model.coordinates:
         return _number_of_period(q, setup)
@@ -68,7 +68,7 @@ def _number_of_turn(q: Extremes, setup: Setup, question: Question) -> Value:
         c = angle_of(setup.model, q, explicit(setup.model, setup.model.field.element(x)))
     turn = DrawnTurn(setup, setup.draws[0], c, q.of)
     refuse_vectors((turn.quantity_at(setup.draws[0].q),))
-    return _of_both(q, *extremes_in_numbers(turn))
+    return time_ratio_in_numbers(turn) if q.what == "time ratio" else _of_both(q, *extremes_in_numbers(turn))
 
 
 def number_of_driven_turn(setup: Setup, question: Question) -> Value:
@@ -102,6 +102,8 @@ def _number_of_period(q: Extremes, setup: Setup) -> Value:
     from freebody.study.steady.drive import followed
     from freebody.study.steady.phase import extremes_of_period, phase_of
 
+    if q.what == "time ratio":
+        return None
     x = followed(setup, q.of)
     refuse_vectors((x,))
     phase = phase_of(setup.model, setup.model.field.element(x))

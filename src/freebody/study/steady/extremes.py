@@ -27,7 +27,7 @@ from freebody.study.answering.sizes import is_size
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
 from freebody.study.steady.phase import Phase, is_timed, over_a_period, phase_of
-from freebody.study.steady.round_turn import DrawnTurn, over_a_turn
+from freebody.study.steady.round_turn import REACHED_OFTEN, DrawnTurn, over_a_turn
 from freebody.study.steady.superposed import Superposed, superposed, superposed_of
 from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
@@ -154,7 +154,7 @@ def told(search: ExtremaSearch, q: Extremes, least: Extremum, largest: Extremum)
     if q.what == "stroke":
         return f.lowest_terms(largest.value - least.value)
     if len(least.places) != 1 or len(largest.places) != 1:
-        raise CannotAnswer(Message("an extreme is reached more than once a turn: there is no one way between the two"))
+        raise CannotAnswer(REACHED_OFTEN)
     between = search.between(least.places[0], largest.places[0])
     return f.lowest_terms((2 * f.pi - between) / between)
 
@@ -315,7 +315,10 @@ class ExtremaSearch:
                 norm = self.turning.norm(base)
                 if self.turning.occurs_in(norm):
                     self._keep_sign(
-                        norm, Message("it grows without bound"), Message("it stays finite"), may_touch=False
+                        norm,
+                        Message("it grows without bound, or a change point is passed"),
+                        Message("it stays finite"),
+                        may_touch=False,
                     )
 
     def must_go_round(self, setup: Setup) -> None:

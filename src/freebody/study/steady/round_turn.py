@@ -15,7 +15,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, element_at, holds
+from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn
@@ -29,7 +29,10 @@ _NEARLY_HALF = math.pi - 1e-6  # angles count from the start, by less than half 
 _STEP = 0.07  # [rad] from pose to pose
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _SECTIONS = 40  # of two steps: the place to 1e-9, the value far better
+_SAME = 1e-6  # of the largest value: less apart are two extremes that are one by symmetry
 _RATE = 0.83  # of the angle, where the quantity depends on it
+
+REACHED_OFTEN = Message("an extreme is reached more than once a turn: there is no one way between the two")
 
 
 def over_a_turn(
@@ -51,6 +54,8 @@ def over_a_turn(
         turn = DrawnTurn(setup, draw, c, quantity)
         if not all(holds(setup, k, draw, turn.start) for k in conditions):
             return
+        if draw is not setup.draws[0]:
+            turn.must_go_round()
         low, high = element_at(setup, (least.value, largest.value), draw, turn.start)
         poses = [turn.angle_of(e) if e.places else 0.0 for e in (least, largest)]
         reached.compare(draw, (low, high), tuple(map(turn.at, poses)))
@@ -96,6 +101,13 @@ class DrawnTurn:
     def values(self) -> list[float]:
         """At poses all round the turn."""
         return [self.value(q) for _away, q in self.poses()]
+
+    def must_go_round(self) -> None:
+        """Raises SaysNothing where another loop, on which the quantity does not depend, stops it on the way."""
+        try:
+            self.poses()
+        except CannotAnswer as error:
+            raise SaysNothing(str(error)) from error
 
     def poses(self) -> list[tuple[float, Array]]:
         """(angle from the start, pose) all round the turn, found once for each draw."""
@@ -143,15 +155,40 @@ class DrawnTurn:
 def extremes_in_numbers(turn: DrawnTurn) -> tuple[float, float]:
     """The least and the largest value round a turn by the numeric route alone: the best of the poses on the way, and
     between its neighbours the golden section."""
-    poses = [(away, q, turn.value(q)) for away, q in sorted(turn.poses(), key=lambda pose: pose[0])]
-    found: list[float] = []
+    poses = _values_on_the_way(turn)
+    low, high = (min(poses, key=lambda pose: sign * pose[2]) for sign in (1.0, -1.0))
+    return _closer(turn, low, 1.0)[1], _closer(turn, high, -1.0)[1]
+
+
+def time_ratio_in_numbers(turn: DrawnTurn) -> float:
+    """The longer of the two ways between the places of the extremes over the shorter one, by the numeric route alone.
+    Raises CannotAnswer where one of them is reached more than once a turn."""
+    poses = _values_on_the_way(turn)
+    largest = max(abs(value) for _away, _q, value in poses)
+    places: list[float] = []
     for sign in (1.0, -1.0):
-        away, q, best = min(poses, key=lambda pose: sign * pose[2])
-        low, high = away - STEP, away + STEP
-        for _ in range(_SECTIONS):
-            first, second = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-            at_first, at_second = (sign * turn.value(turn.pose(q, x)) for x in (first, second))
-            low, high = (low, second) if at_first < at_second else (first, high)
-            best = sign * min(sign * best, at_first, at_second)
-        found.append(best)
-    return found[0], found[1]
+        beside = zip(poses[-1:] + poses[:-1], poses, poses[1:] + poses[:1], strict=True)
+        lowest = [b for a, b, c in beside if sign * b[2] <= min(sign * a[2], sign * c[2])]
+        found = sorted((_closer(turn, pose, sign) for pose in lowest), key=lambda place: sign * place[1])
+        if len(found) > 1 and abs(found[1][1] - found[0][1]) <= _SAME * largest:
+            raise CannotAnswer(REACHED_OFTEN)
+        places.append(found[0][0])
+    between = abs(math.remainder(places[1] - places[0], math.tau))
+    return (math.tau - between) / between
+
+
+def _values_on_the_way(turn: DrawnTurn) -> list[tuple[float, Array, float]]:
+    """(angle from the start, pose, value) all round the turn, one after the other."""
+    return [(away, q, turn.value(q)) for away, q in sorted(turn.poses(), key=lambda pose: pose[0])]
+
+
+def _closer(turn: DrawnTurn, pose: tuple[float, Array, float], sign: float) -> tuple[float, float]:
+    """Where the least of sign times the quantity is beside a pose, and the quantity there."""
+    away, q, best = pose
+    low, high = away - STEP, away + STEP
+    for _ in range(_SECTIONS):
+        first, second = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+        at_first, at_second = (sign * turn.value(turn.pose(q, x)) for x in (first, second))
+        low, high = (low, second) if at_first < at_second else (first, high)
+        best = sign * min(sign * best, at_first, at_second)
+    return (low + high) / 2.0, best
