@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,11 @@ from freebody.language.notation import to_python, to_text
 from freebody.questions.course import EnergyLost, Revolutions, Transition
 from freebody.study.answering.answer import NOT_VALID
 from freebody.study.phases.followed import follow
+from freebody.study.phases.placed import Given, Placed
 from freebody.study.phases.result import Phases, phases
 from freebody.study.phases.witness import FollowedPhase
+from freebody.symbolic.phases.friction import named_rows, solve_loads
+from freebody.system.modes import ContactMode, in_mode
 
 FOLDER = Path(__file__).parents[1] / "examples"
 Agree = Callable[[str, str], None]
@@ -989,3 +993,35 @@ loads: {weight: {gravity: g}, push: {force: {at: box, along: right, magnitude: F
     assert found["q4"].value == pytest.approx((2 * 9.81 * 1 - 3 * 0.4) / 2)
     held = next(case for case in phases(fb.System.from_text(feet)).cases if case.is_own)
     assert [to_text(x) for name, x in held.phases[0].forces if "friction" in str(name)] == ["-F"]
+
+
+def test_a_massless_wedge_that_tips_keeps_the_friction_on_its_face() -> None:
+    """Moments about the heel: P h_P = N (n - mu f), with the levers of N and of the friction at the top, 0.2 m up."""
+    system = fb.System.from_text("""
+parameters: {W: 5268.7 N, L: 1.02 m, alpha: 1.17 rad, mu: 0.6, P: 1378 N}
+ground: {points: {A: [0, 0]}, lines: {floor: {along: right, through: [0, -0.2 m]}}}
+bodies:
+  beam: {rod: {mass: W/(9.81 m/s^2), length: L}, at: {start: [0, 0]}, angle: 0}
+  wedge: {wedge: {angle: alpha, height: 0.4 m}, at: {toe: [L - (0.2 m)/tan(alpha), -0.2 m]}, angle: 0}
+connections:
+  hinge: {pin: [ground.A, beam.start]}
+  top: {contact: {between: [beam.end, wedge.face], friction: mu}}
+  floor: {contact: {between: [wedge, floor], friction: mu}}
+loads:
+  weight: {gravity: 9.81 m/s^2}
+  push: {force: {at: wedge, along: left, magnitude: P}}
+""")
+    values = {name: float(p.value) for name, p in system.parameters.items() if p.value is not None}
+    mode = ContactMode.of(
+        {"floor.wedge.heel on floor", "top.contact"}, {"floor.slip of wedge.heel on floor": 0, "top.slip": -1}
+    )
+    system_in_mode, loads = in_mode(Placed().put_into(system), mode)
+    parameters = {n: replace(p, value=1.0) if n in loads else p for n, p in system_in_mode.parameters.items()}
+    trial = Given(replace(system_in_mode, parameters=parameters), [{**values, **dict.fromkeys(loads, 1.0)}])
+    model = trial.model
+    (load,) = solve_loads(model, loads, named_rows(trial.system), model.samples.is_negative).values.values()
+    alpha, mu, back = values["alpha"], values["mu"], 0.2 / math.tan(values["alpha"])
+    normal = 0.2 * math.sin(alpha) - back * math.cos(alpha)
+    friction = back * math.sin(alpha) + 0.2 * math.cos(alpha)
+    expected = values["P"] * (0.4 / 3) / (normal - mu * friction)
+    assert model.samples.at_starts(load)[0] == pytest.approx(expected, rel=1e-4)

@@ -113,7 +113,7 @@ def _resultants(
             continue
         column = next(k for k, other in columns.items() if other == name)
         slopes = [f.partial(x, column) for _row, x in parts]
-        rests = [f.lowest_terms(x - slope * f.variable(column)) for (_row, x), slope in zip(parts, slopes, strict=True)]
+        rests = [f.lowest_terms(f.substitute(x, {column: f.zero})) for _row, x in parts]
         if any(f.ingredients(x) & columns.keys() for x in (*slopes, *rests)):
             raise CannotAnswer(
                 Message(
@@ -139,11 +139,11 @@ def _solved(model: SymbolicModel, loads: Mapping[str, DryFriction], sizes: Mappi
     f = model.field
     names = list(loads)
     columns = {f.index(model.parameters[name]): name for name in names}
+    unloaded = dict.fromkeys(columns, f.zero)  # a difference would have far more terms, which cancel
     equations: list[Row] = []
     for name in names:
         x = sizes[name]
         row: Row = {f.index(model.parameters[name]): f.one}
-        rest = x
         for column in columns:
             slope = f.partial(x, column)
             if not slope.is_zero():
@@ -155,8 +155,7 @@ def _solved(model: SymbolicModel, loads: Mapping[str, DryFriction], sizes: Mappi
                         )
                     )
                 row[column] = row.get(column, f.zero) - slope
-                rest = rest - slope * f.variable(column)
-        row[RHS] = f.lowest_terms(rest)
+        row[RHS] = f.lowest_terms(f.substitute(x, unloaded))
         equations.append({k: v for k, v in row.items() if k == RHS or not v.is_zero()})
     slopes = [[row.get(c, f.zero) for c in columns] for row in equations]
     divisor = determinant(slopes, len(slopes)) if slopes else f.one
