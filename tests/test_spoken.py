@@ -247,6 +247,8 @@ SPOKEN |= {
     "two_masses_three_springs": [
         ("omega_1, omega_2", "first natural frequency; second natural frequency"),
         ("eigenfreqs", "natural frequencies"),
+        ("beat period", "2*pi/(highest natural frequency - lowest natural frequency)"),
+        ("Schwebungsfrequenz", "highest natural frequency - lowest natural frequency"),
         ("when do A and B collide?", ""),  # they are joined by a spring
     ],
     "damped_torsion_pendulum": [("zeta", "damping ratio")],
@@ -323,7 +325,18 @@ SPOKEN["block_on_rough_incline"] += [
     ("W_friction up to standstill [J]", "energy lost until it stops"),
     ("F_N", "normal force of contact"),
 ]
+SPOKEN["slider_crank"] += [("how far does the piston move per turn of the crank", "")]  # no way as long for each part
+SPOKEN |= {
+    "driven_slider_crank": [("acceleration of the piston at the lowest point", "")],
+    "rack_and_pinion_drive": [
+        (
+            "how far does the rack move per turn of the pinion",
+            "2*pi * ratio of velocity of x to angular velocity of pinion",
+        )
+    ],
+}
 SPOKEN["mass_on_spring"] += [
+    ("beat period", ""),
     ("f_0 [Hz]", "natural frequency"),
     (
         "Wie groß ist die Geschwindigkeit der Masse beim Durchgang durch die statische Ruhelage?",
@@ -435,6 +448,35 @@ def test_several_questions_in_one_are_each_answered(name: str, said: str, meant:
     assert [*map(meaning, found)] == [meaning(system.question(one)) for one in meant], [q.text for q in found]
     with pytest.raises(InputError, match="asks for several things"):
         system.question(said)
+
+
+def test_the_pin_of_a_crank_slides_in_its_slot_as_its_distance_from_the_hinge_grows() -> None:
+    """s^2 = r^2 + d^2 + 2 r d sin(phi) from the hinge, d below the crank, so that at phi = 0 its rate is r d w/s."""
+    system = fb.System.from_text(
+        """
+parameters: {r: 0.1 m, d: 0.3 m, L: 0.6 m, w: 5 rad/s}
+ground: {points: {O: [0, 0], Q: [0, -d]}}
+bodies:
+  crank: {rod: {mass: 0, length: r}}
+  lever: {rod: {mass: 2 kg, length: L}, near: {angle: 70 deg}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  Q: {pin: [ground.Q, lever.start]}
+  slot: {slot: {pin: crank.end, along: lever.x, on: lever}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: {angle of crank}}
+"""
+    )
+    [answer] = fb.solve(system, question="sliding velocity of the pin in the slot at the start").answers
+    assert answer.value == pytest.approx(0.1 * 0.3 * 5 / math.hypot(0.1, 0.3))
+
+
+def test_what_holds_a_ring_gear_bears_its_tooth_force_at_its_radius() -> None:
+    [moment, force] = fb.solve(
+        example("planetary_gear_by_teeth"), question="torque that holds the ring gear fixed; tooth force of outer"
+    ).answers
+    assert moment.value is not None
+    assert abs(moment.value) == pytest.approx(abs(force.value or 0.0) * 2e-3 * 60 / 2)
 
 
 def test_several_questions_in_one_have_ids_and_no_options(tmp_path: Path) -> None:

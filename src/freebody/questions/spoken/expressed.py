@@ -105,6 +105,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "acceleration": rf"acceler|decel|rate|{_CHOICE}|does it",
         "normal acceleration": r"normal acceleration|\^2",
         "tangential acceleration": r"tangential|acceleration",
+        "beat period": r"natural frequency",
+        "beat frequency": r"natural frequency",
         "radial velocity": r"velocity|speed",
         "radial acceleration": r"acceleration",
         "transverse velocity": r"velocity|speed",
