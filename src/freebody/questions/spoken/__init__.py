@@ -12,9 +12,9 @@
     is_of_kind(names, words, text, asked)   kinds.py    whether its value is of the kind that the words ask for
 
 Between words and meanings a sentence is parted into clauses (sentence.py); a clause is a condition (events.py), a
-quantity (asking.py, with a room for each family: of_motion.py, polar.py, of_forces.py, of_sections.py, of_systems.py; what
-a question word and a verb ask for together says frames.py), at an instant (instants.py), up to an event (counting.py),
-or a question turned round (turning_round.py, and what is to be so in so_that.py). Where an equation says when, what
+quantity (asking.py, with a room for each family: of_motion.py, polar.py, of_forces.py, of_sections.py, of_systems.py;
+what a question word and a verb ask for together says frames.py), at an instant (instants.py), up to an event
+(counting.py), or a question turned round (turning_round.py, and what is to be so in so_that.py). Where an equation says when, what
 else is said of that instant describes it (stated.py); up to which value of a parameter rest lasts is put in many ways
 (limits.py).
 What a model has for words that name nothing stands in lookup.py, joining.py (connections), poses.py (what hangs,
