@@ -215,6 +215,134 @@ SPOKEN: dict[str, list[tuple[str, str]]] = {
         ("Mit welcher Geschwindigkeit trifft die Kugel auf den Boden?", "velocity of ball when ball hits floor"),
     ],
 }
+SPOKEN |= {
+    "planetary_gear_by_teeth": [
+        ("What torque must be applied to the ring gear to hold it fixed?", "moment of outer on ring"),
+        ("torque to hold the ring", "moment of outer on ring"),
+        ("Welches Moment hält das Hohlrad fest?", "moment of outer on ring"),
+        ("Stützmoment am Hohlrad", "moment of outer on ring"),
+        ("torque needed to hold the carrier", ""),
+        ("omega_C/omega_S", "ratio of angular velocity of carrier to angular velocity of sun"),
+        ("i sun carrier", "ratio of angular velocity of sun to angular velocity of carrier"),
+    ],
+    "planetary_gear_with_three_planets": [("torque to hold the ring", "")],  # a third of it is that of one planet
+    "loop_the_loop": [
+        ("v_top (m/s)", "velocity of car when theta = 180 deg"),
+        ("v_oben", "velocity of car when theta = 180 deg"),
+        ("T_max", "greatest tension of track"),
+        ("inward acceleration of the car at theta = 90 deg", "normal acceleration of car when theta = 90 deg"),
+        ("tangential velocity of the car at the top", "speed of car when theta = 180 deg"),
+        ("radial velocity of the car", ""),
+    ],
+    "sliding_ladder": [
+        ("N_wall(t=0)", "normal force of head at start"),
+        ("at what height does the ladder leave the wall", "h when ladder leaves wall"),
+        ("Find the angle phi at which the upper end of the ladder loses contact with the wall.", "phi when head opens"),
+    ],
+    "four_bar": [
+        ("omega_2", ""),
+        ("In welchen Stellungen der Kurbel befindet sich die Schwinge in ihren Totlagen?", "dead points of rocker"),
+        ("greatest moment of the crank", ""),
+    ],
+    "two_masses_three_springs": [
+        ("omega_1, omega_2", "first natural frequency; second natural frequency"),
+        ("eigenfreqs", "natural frequencies"),
+        ("beat period", "2*pi/(highest natural frequency - lowest natural frequency)"),
+        ("Schwebungsfrequenz", "highest natural frequency - lowest natural frequency"),
+        ("when do A and B collide?", ""),  # they are joined by a spring
+    ],
+    "damped_torsion_pendulum": [("zeta", "damping ratio")],
+    "beam_with_overhang": [
+        ("M_max of beam in kNm", "greatest bending moment of beam"),
+        (
+            "At which point of the beam does the bending moment attain its maximum?",
+            "place of greatest bending moment of beam",
+        ),
+    ],
+    "bead_on_turning_rod": [
+        ("N(r) between bead and rod", "normal force of slot"),
+        ("radial velocity of bead when r = 0.8 m", "velocity of r when r = 0.8 m"),
+        ("radial acceleration of the bead", "acceleration of bead along rod.x"),
+        ("transverse velocity of the bead", "velocity of bead along rod.y"),
+    ],
+    "planet_orbit": [
+        ("Radialgeschwindigkeit des Planeten", "velocity of r"),
+        ("radial acceleration of the planet", ""),  # less than the rate of that velocity
+        (
+            "For what initial speed would the orbit be circular?",
+            "value of v_0 for which acceleration of r = 0 at start",
+        ),
+    ],
+    "belt_drive": [
+        ("speed of the belt", "r2*|angular velocity of drum|"),
+        ("Riemengeschwindigkeit nach 2 s", "r2*|angular velocity of drum| after 2 s"),
+    ],
+    "hoist": [
+        ("at which torque is the load accelerated at 2 m/s^2", "value of T for which acceleration of load = 2 m/s^2"),
+        (
+            "Bei welchem Moment wird die Last mit 2 m/s^2 nach oben beschleunigt?",
+            "value of T for which acceleration of load along up = 2 m/s^2",
+        ),
+    ],
+    "motorcycle_brakes": [
+        ("for which mu does it brake with 6 m/s^2", "value of mu for which |acceleration of x| = 6 m/s^2"),
+        ("for which mu is the deceleration 0.6 g", "value of mu for which |acceleration of x| = 0.6*g"),
+        ("Bei welchem mu bremst das Motorrad mit 0,6 g?", "value of mu for which |acceleration of x| = 0.6*g"),
+    ],
+    "quick_return": [
+        ("sliding velocity in the slot", "velocity of crank.end relative to lever.mass_center along lever.x"),
+        (
+            "With what speed does the crank slide in the slot?",
+            "velocity of crank.end relative to lever.mass_center along lever.x",
+        ),
+        ("omega_lever,max", "greatest angular velocity of lever"),
+        ("zwischen welchen Winkeln schwingt der Hebel?", "extremes of psi"),
+    ],
+    "two_trains": [
+        ("when do they crash", "time when x_A = x_B"),
+        ("Wann begegnen sich A und B?", "time when x_A = x_B"),
+        ("how fast is B when it meets A", "speed of B when x_A = x_B"),
+        ("At what time and where do the two trains meet?", "time when x_A = x_B; x_B when x_A = x_B"),
+    ],
+    "suspension_bridge": [
+        ("for which f is the greatest tension 30 MN", "value of f for which greatest tension of cable = 30 MN"),
+        ("Horizontalzug des Tragkabels", "horizontal pull of cable"),
+        ("Durchhang des Kabels", "sag of cable"),
+    ],
+    "wall_truss": [
+        ("which bars are in compression?", "; ".join(f"tension of s{k}" for k in range(1, 7))),
+        ("Bestimmen Sie alle Stabkräfte im Fachwerk.", "; ".join(f"tension of s{k}" for k in range(1, 7))),
+    ],
+    "servo_with_pid": [("ab welchem ki wird der regler instabil", "largest k_i so that the steady motion is stable")],
+    "tilted_disk_on_shaft": [("reaction at bearing B in the rotating frame", "reaction of B on shaft in shaft")],
+    "cam_with_flat_follower": [
+        ("Antriebsmoment in Abhängigkeit vom Drehwinkel", "driving torque of motor"),
+        ("rpm at which tappet jumps", "largest Omega so that cam stays on"),
+    ],
+}
+SPOKEN["block_on_rough_incline"] += [
+    ("wie schnell ist der Block, wenn er wieder unten ankommt?", "speed of block when x = 0"),
+    ("W_friction up to standstill [J]", "energy lost until it stops"),
+    ("F_N", "normal force of contact"),
+]
+SPOKEN["slider_crank"] += [("how far does the piston move per turn of the crank", "")]  # no way as long for each part
+SPOKEN |= {
+    "driven_slider_crank": [("acceleration of the piston at the lowest point", "")],
+    "rack_and_pinion_drive": [
+        (
+            "how far does the rack move per turn of the pinion",
+            "2*pi * ratio of velocity of x to angular velocity of pinion",
+        )
+    ],
+}
+SPOKEN["mass_on_spring"] += [
+    ("beat period", ""),
+    ("f_0 [Hz]", "natural frequency"),
+    (
+        "Wie groß ist die Geschwindigkeit der Masse beim Durchgang durch die statische Ruhelage?",
+        "velocity of block when acceleration of y = 0",
+    ),
+]
 TYPED = [  # a longer list, many of which are to be refused
     cast("tuple[str, str, str]", tuple(line.split("\t")))
     for line in (Path(__file__).parent / "spoken.tsv").read_text("utf-8").splitlines()
@@ -320,6 +448,35 @@ def test_several_questions_in_one_are_each_answered(name: str, said: str, meant:
     assert [*map(meaning, found)] == [meaning(system.question(one)) for one in meant], [q.text for q in found]
     with pytest.raises(InputError, match="asks for several things"):
         system.question(said)
+
+
+def test_the_pin_of_a_crank_slides_in_its_slot_as_its_distance_from_the_hinge_grows() -> None:
+    """s^2 = r^2 + d^2 + 2 r d sin(phi) from the hinge, d below the crank, so that at phi = 0 its rate is r d w/s."""
+    system = fb.System.from_text(
+        """
+parameters: {r: 0.1 m, d: 0.3 m, L: 0.6 m, w: 5 rad/s}
+ground: {points: {O: [0, 0], Q: [0, -d]}}
+bodies:
+  crank: {rod: {mass: 0, length: r}}
+  lever: {rod: {mass: 2 kg, length: L}, near: {angle: 70 deg}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  Q: {pin: [ground.Q, lever.start]}
+  slot: {slot: {pin: crank.end, along: lever.x, on: lever}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: {angle of crank}}
+"""
+    )
+    [answer] = fb.solve(system, question="sliding velocity of the pin in the slot at the start").answers
+    assert answer.value == pytest.approx(0.1 * 0.3 * 5 / math.hypot(0.1, 0.3))
+
+
+def test_what_holds_a_ring_gear_bears_its_tooth_force_at_its_radius() -> None:
+    [moment, force] = fb.solve(
+        example("planetary_gear_by_teeth"), question="torque that holds the ring gear fixed; tooth force of outer"
+    ).answers
+    assert moment.value is not None
+    assert abs(moment.value) == pytest.approx(abs(force.value or 0.0) * 2e-3 * 60 / 2)
 
 
 def test_several_questions_in_one_have_ids_and_no_options(tmp_path: Path) -> None:

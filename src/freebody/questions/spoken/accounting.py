@@ -70,7 +70,7 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
             return False
         if _HELD_THROUGHOUT.search(text) and any(word in _HIGHEST for word in words):  # at the top is not always
             return False
-        if _is_of_another_force(names, words, text):
+        if _is_of_another_force(names, words, text) or _holds_elsewhere(names, words, turned["parameter"]):
             return False
         return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)
     if _is_extreme(text) and _is_to_be_so(words, text):
@@ -135,6 +135,20 @@ def _is_of_another_force(names: Names, words: Sequence[Word], text: str) -> bool
     forces = {word.what for word in words if word.kind == "quantity"} & {"force", "contact force", "reaction"}
     found = {*re.findall(r"[^\W\d]\w*", text)} & pushing
     return bool(forces and named and found) and not named & found
+
+
+def _holds_elsewhere(names: Names, words: Sequence[Word], parameter: str) -> bool:
+    """Whether what holds a gear fast is asked for, and a parameter is that of the only load, which acts on another
+    body: the gear is held by no load that the model has."""
+    held = {word.what for word in words if word.kind == "name"} & names.bodies.keys()
+    if Word("verb", "hold") not in words or not held:
+        return False
+    if any(names.bodies[body].fixed for body in held):
+        return True
+    acting = [(free_symbols(p.law), {*p.measure.bodies()}) for p in names.applied_loads]
+    acted = {body for used, bodies in acting if parameter in used for body in bodies}
+    is_alone = all(parameter in used for used, _ in acting)
+    return is_alone and not held & acted and any(joining.axle_of(names, body) == "center" for body in held)
 
 
 def _is_pushed(names: Names, words: Sequence[Word], text: str) -> bool:

@@ -10,7 +10,7 @@ from freebody.language.notation import to_python
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Components
-from freebody.questions.spoken import joining
+from freebody.questions.spoken import joining, lookup
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -80,3 +80,24 @@ def counted_from(names: Names, who: str, other: str, value: str) -> list[str]:
             ends = {str(m.start), str(m.end)}
             found += [name] if ends & here and who in ("", m.start.body, m.end.body) else []
     return [f"{found[0]} = {value}"] if len(found) == 1 else []
+
+
+def side_by_side(names: Names, who: str, other: str) -> list[str]:
+    """When two things that nothing joins are at the same place of the line along which both move: these, or the only
+    two that move, where not both are named."""
+    named = [name for name in (who, other) if name]
+    both = lookup.moving(names) if len(named) < 2 and {*named} <= {*lookup.moving(names)} else named
+    owners = [{*names.measures[one].bodies()} - {GROUND} if one in names.measures else {one} for one in both]
+    if len(both) != 2 or any(len(own) != 1 or not own <= {*lookup.moving(names)} for own in owners):
+        return []
+    bodies = [body for own in owners for body in own]
+    if any({*bodies} <= joint.mentions(names) for joint in names.connections.values()):
+        return []
+    found = [
+        (one, another)
+        for one, another in lookup.alike(names, bodies[0], bodies[1])
+        if isinstance(a := names.measures[one], Displacement) and isinstance(b := names.measures[another], Displacement)
+        if a.origin == b.origin
+    ]
+    is_led = all(joining.guides(names, body) for body in bodies)  # else it may pass above the other
+    return [f"{one} = {another}" for one, another in found] if len(found) == 1 and is_led else []

@@ -7,6 +7,7 @@ from __future__ import annotations
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import (
     given,
     joining,
@@ -156,6 +157,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         yield [f"{degree} transmission angle"] if clause.only("quantity", *SILENT) else []
         return
     of = [name for _, name in clause.names]
+    if clause.all("quantity") == ["tension"] and not of and (cables := strings.cables(names)):
+        yield [f"{degree} tension of {cable}" for cable in cables]  # which is not the same along them
+        return
     if (
         clause.has("quantity", "friction force", "friction coefficient")
         and lookup.rests(names)
@@ -313,9 +317,18 @@ def _plain(names: Names, clause: Clause) -> Groups:
     rest = clause.without("quantity")
     if rest.has("part", "in own axes"):
         for group in composed(names, quantity, rest.without("part", "in own axes")):
-            yield [f"{text} in {text.rpartition(' of ')[2]}" for text in group]
+            owned = [(text, *_owner(names, text.rpartition(" of ")[2])) for text in group]
+            yield [f"{text}{on} in {body}" for text, on, body in owned if body]
         return
     yield from composed(names, quantity, rest)
+
+
+def _owner(names: Names, thing: str) -> tuple[str, str]:
+    """Whose axes are those of a thing: its own, or those of the only body that a bearing holds, on which it acts."""
+    if thing not in names.connections:
+        return "", thing
+    held = sorted(names.connections[thing].mentions(names) - {GROUND})
+    return (f" on {held[0]}", held[0]) if len(held) == 1 else ("", "")
 
 
 def _guided(names: Names, of: list[str]) -> list[str]:

@@ -34,6 +34,7 @@ class Elements:
     bodies: set[str] = field(default_factory=set[str])  # that move
     touching: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])  # bodies, by connection
     hanging: frozenset[str] = frozenset()  # bodies that strings alone hold, straight below them
+    turning: set[str] = field(default_factory=set[str])  # bodies that move and turn
     pinned: set[str] = field(default_factory=set[str])  # bodies that turn about an axle of the ground
     fields: set[str] = field(default_factory=set[str])  # loads that act on all there is, as gravity does
     # of bodies, so far as they are numbers

@@ -254,6 +254,9 @@ def _hits(names: Names, who: str, other: str) -> Groups:
     if other in names.loads:
         yield [f"{other} is reached"] if other in lookup.catching(names, pulls=False) else []
         return
+    if passing := along_lines.side_by_side(names, who, other):
+        yield passing
+        return
     if (drawn := _drawn_to(names, who, other)) and not any(
         set(joining.joints(names, body, other, "normal force")) - {*leads_to(names, body, other)} for body in drawn
     ):
@@ -261,6 +264,8 @@ def _hits(names: Names, who: str, other: str) -> Groups:
         return
     if not joining.comes_to_strike(names) and other in ("", GROUND):
         yield [f"{height} = 0" for height in (lookup.rising(names, who) or lookup.falling(names, who))]
+        thrown = [way for way, up in lookup.inclined(names, who) if lookup.rises(names, way, up)]  # up a slope
+        yield [f"{way} = 0" for way in thrown if way in names.started_at_zero]
         yield poses.named_by_file(names, who, -1) if other else poses.lowermost(names, who)  # it has come down
         return
     meets = [name for name in names.connections if {"contact", "stop", "cam"} & {*names.called.get(name, ())}]
@@ -293,6 +298,13 @@ def _leaves(names: Names, who: str, other: str) -> Groups:
         yield off
         return
     free = {row.connection for row in names.constraint_rows if row.unilateral or row.reaction == "tension"}
+    body, _, point = who.partition(".")
+    at_end = [
+        joint for joint in joining.joints(names, body, other, "normal force") if who in joining.ends_of(names, joint)
+    ]
+    if point and len(at_end) == 1 and at_end[0] in free:  # the upper end that leaves the wall
+        yield [f"{at_end[0]} opens"]
+        return
     if any(name in names.connections and name not in free for name in (who, other)):
         return  # it holds on both sides
     if (who or other) and free:

@@ -74,7 +74,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "while": r"while|until|during|over|so that|for which|lost|work|greatest|least|at start|^(?!.*\bwhen\b)",
         "so_that": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|needed|driving|friction force|\bto\b|"
         rf"until|when",
-        "to": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|force|torque|power|work|energy|reaction|"
+        "to": rf"so that|for which|keeps|{_CHOICE}|time|ratio|{_REST}|force|torque|moment|power|work|energy|reaction|"
         rf"tension|until",
         "without": r"not|no |without|->|roll|rest|so that|hold|for which|= 0|least|largest|range|static",
     },
@@ -105,6 +105,11 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "acceleration": rf"acceler|decel|rate|{_CHOICE}|does it",
         "normal acceleration": r"normal acceleration|\^2",
         "tangential acceleration": r"tangential|acceleration",
+        "beat period": r"natural frequency",
+        "beat frequency": r"natural frequency",
+        "radial velocity": r"velocity|speed",
+        "radial acceleration": r"acceleration",
+        "transverse velocity": r"velocity|speed",
         "radius of curvature": r"curvature",
         "velocity": rf"velocity|speed|rate|{_CHOICE}|ratio",
         "speed": rf"velocity|speed|rate|{_CHOICE}|ratio|turns|[*]|time|steady",
@@ -224,7 +229,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "stay_on": r"relaxed$|stays on|keeps|contact|leav|open|>= ?0|= ?0|normal force|force|tension|range|least|taut",
         "slack": r"slack|taut|tension|relaxed|= 0|loose|free|>= 0|length|force",
         "taut": r"slack|taut|tension|tight|>= 0|jerk|stretched|blow|impact",
-        "hold": rf"{_REST}|friction|force|torque|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|"
+        "hold": rf"{_REST}|friction|force|torque|moment|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|"
         rf"normal|stop|held",
         "tip": rf"tip|turn over|lift|topple|{_CHOICE}|angular|=|open",
         "conserved": r"conserved|constant|is ",

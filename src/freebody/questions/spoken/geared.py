@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import dimensions, joining, lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups
@@ -89,7 +90,7 @@ def per_turn(names: Names, sentence: Sentence) -> Groups:
     if len(who) != 1 or len(of) != 1 or not known or _n_freedoms(names) > 1:
         return
     [(_, thing)], turned = who, lookup.acted_on(names, of[0][1])
-    if turned not in lookup.turning(names):
+    if turned not in lookup.turning(names) or not _is_even(names, thing, turned):
         return
     if is_counted:
         both = thing in lookup.turning(names)
@@ -98,6 +99,17 @@ def per_turn(names: Names, sentence: Sentence) -> Groups:
     ways = lookup.places(names, thing)
     speeds = [f"velocity of {way}" for way in ways] or [f"speed of {thing}"]
     yield [f"2*pi * ratio of {speed} to angular velocity of {turned}" for speed in speeds]
+
+
+def _is_even(names: Names, thing: str, turned: str) -> bool:
+    """Whether a thing goes as far for each part of a turn: not by a crank, a cam, or a rope aslant to its guide."""
+    joints = {name for name in names.connections if joining.touches(names, name, turned)}
+    pins = [names.connections[name].mentions(names) - {GROUND, turned} for name in joints & {*joining.axles(names)}]
+    is_crank = joining.axle_of(names, turned) == "beside" or any(own - {*joining.planets(names)} for own in pins)
+    strings = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
+    is_aslant = bool(joining.guides(names, thing)) and any(joining.touches(names, name, thing) for name in strings)
+    lifts = any({"cam", "groove"} & {*names.called.get(name, ())} for name in joints)
+    return not (is_crank or lifts or is_aslant)
 
 
 def _driving(names: Names, given: Clause) -> tuple[str, str, str] | None:

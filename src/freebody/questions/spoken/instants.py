@@ -464,7 +464,8 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         who = next((name for _, name in main.names if name in lookup.moving(names)), None)
     if who is None and len(lookup.massive(names)) == 1:
         who = lookup.massive(names)[0]  # what leaves the dome
-    if main.has("ask", "high") and (touching := _of_what_touches(names, event)):
+    is_high = main.has("ask", "high") or main.all("quantity") == ["height"]
+    if is_high and (touching := _of_what_touches(names, event)):
         return Clause([Word("name", touching)]), found
     if main.has("ask", "where") and not main.has("quantity"):
         head = [Word("quantity", "position")]

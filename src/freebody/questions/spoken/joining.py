@@ -63,6 +63,30 @@ def is_led(names: Names) -> bool:
     return bool(driven(names)) and lookup.rests(names)
 
 
+def slots(names: Names) -> list[str]:
+    """Connections in which a point slides along a straight slot."""
+    return [name for name in names.connections if "groove" in names.called.get(name, ())]
+
+
+def toothed(names: Names) -> set[str]:
+    """Round bodies with teeth."""
+    own = {body for row in names.constraint_rows if row.reaction == "tooth force" for body in row.measure.bodies()}
+    return {body for body in own if names.bodies[body].radius is not None}
+
+
+def fixed_body(names: Names, named: list[str]) -> str:
+    """The only thing that is named, where it is a body that is held fast: the ring gear; else nothing."""
+    fixed = [name for name in named if name in names.bodies and names.bodies[name].fixed and name != GROUND]
+    return fixed[0] if len(named) == len(fixed) == 1 else ""
+
+
+def holding_alone(names: Names, body: str) -> list[str]:
+    """The connection that alone acts on a body, and is written for no other one as well: of one planet of three."""
+    own = [name for name in names.connections if touches(names, name, body)]
+    is_alone = len(own) == 1 and not any(names.bodies[one].copies for one in names.connections[own[0]].mentions(names))
+    return own if is_alone else []
+
+
 def drives_of(names: Names, joint: str) -> list[str]:
     """Connections that say how what a joint lets free goes with time: they are between the same bodies."""
     rows = [row for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]

@@ -27,6 +27,8 @@ MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 GAP = "_"
 _SHORT = 3  # letters of a word that has no plural here
 _NO_WORDS = (
+    "signs",
+    "indices",
     "units",
     "spelling",
     "families",
@@ -372,6 +374,23 @@ def quantity_words(language: str) -> frozenset[str]:
 def symbols(language: str) -> dict[str, tuple[str, ...]]:
     """Words for the symbols of quantities, those that may stand before them behind the first."""
     return {symbol: tuple(words) for symbol, words in _file(language)["symbols"].items()}
+
+
+@cache
+def signs(language: str) -> dict[str, str]:
+    """What symbols mean as a whole."""
+    return dict(_file(language).get("signs", {}))
+
+
+@cache
+def indices(language: str, where: str) -> dict[str, str]:
+    """What indices say that stand for no thing, `before` or `behind` the quantity."""
+    return dict(_file(language).get("indices", {}).get(where, {}))
+
+
+def ratios(language: str) -> str:
+    """How the ratio of two quantities is said."""
+    return str(_file(language).get("indices", {})["ratio"])
 
 
 def mass_center(language: str) -> str:

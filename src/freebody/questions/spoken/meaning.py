@@ -83,6 +83,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
+    said = rewording.sliding_in_slots(names, rewording.holding_fast(names, said))
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
     said = rewording.by_joint(names, rewording.taken_along(names, said))
     said = rewording.pulling(names, rewording.balanced_at(names, rewording.held_by_clamp(names, said)))

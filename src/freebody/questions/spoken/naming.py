@@ -50,6 +50,7 @@ _SUPPORTS = ("bearing", "support", "joint", "hinge")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _RODS = ("rod", "bar", "strut", "link")
 _WHEELS = ("wheel",)
+_GEARS = ("gear", "gearwheel")
 _BALLS = ("ball", "bead")
 _WALL_WORDS = ("wall",)
 _CEILING = ("ceiling", "foundation")  # what is held by the ground may be held by these
@@ -81,14 +82,17 @@ def elements_of(names: Names) -> Elements:
     is_alone, is_still = len(free) == 1, not free
     light = {name for name in free if _is_light(names, name)}
     light = light if len(light) < len(free) else set()  # a truss of light members
+    toothed = joining.toothed(names)
     for name, body in names.bodies.items():
         if name != GROUND:
             is_shaft = joining.axle_of(names, name) == "center"
             found.pinned |= {name} if joining.axle_of(names, name) else set()
-            kinds = _kinds(name, names.called.get(name, ()), is_shaft=is_shaft, is_alone=is_alone)
+            called = (*names.called.get(name, ()), *(_GEARS if name in toothed else ()))  # the ring gear
+            kinds = _kinds(name, called, is_shaft=is_shaft, is_alone=is_alone)
             general = _OF_WHAT_IS_LIGHT if name in light else _BODY_WORDS
             found.add(name, (*kinds, *(() if body.fixed and not is_still else general)))
             found.bodies |= set() if body.fixed else {name}
+            found.turning |= {name} if body.turns and not body.fixed else set()
             mass = names.numeric(body.mass)
             if mass is not None:
                 found.masses[name] = mass
@@ -308,7 +312,7 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
         meant = [*elements.spoken.get(("".join(words),), []), *meant]
     as_written = [found for found in meant if found[1] == " ".join(written)] if len(words) == 1 else []
     if len(words) == 1 and len(words[0]) < 3:
-        meant = []  # m is not M: short names are meant as they are written
+        meant = [one for one in meant if one[1].replace("_", "") == written[0]]  # m is not M, but v0 may be v_0
     for element, text, distance in as_written or meant:
         yield element.name, distance + (WRITTEN if text == " ".join(written) else ALIKE)
     if len(words) == 1 and not as_written:  # every thing of a kind

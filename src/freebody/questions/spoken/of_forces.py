@@ -33,9 +33,10 @@ _KINDS = {  # kinds of what is said so, by how likely they are meant
     "tangential tooth force": ("tangential tooth force", "tooth force", "belt force", "chain force"),
     "bearing reaction": ("bearing reaction", "reaction"),
 }
+_TORQUES = ("torque", "moment", "driving torque")
 _GIVEN_BY_JOINTS = {
     **dict.fromkeys(("force", "driving force"), ("driving force",)),
-    **dict.fromkeys(("torque", "moment", "driving torque"), ("driving torque", "friction torque")),
+    **dict.fromkeys(_TORQUES, ("driving torque", "friction torque")),
 }
 
 
@@ -47,10 +48,21 @@ def _net(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"reaction of {joints[0]}"]
 
 
+@said_of("horizontal pull", "sag")
+def _of_cables(names: Names, quantity: str, rest: Clause) -> Groups:
+    """What a cable that sags has: of the one that is named, or of each."""
+    of = [name for _, name in rest.names] or strings.cables(names)
+    if rest.only("name", *SILENT) and {*of} <= {*strings.cables(names)}:
+        yield [f"{quantity} of {cable}" for cable in of]
+
+
 @said_of(*_TRANSMITTED)
 def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     """A force that a connection transmits: of the connection, or of that between things."""
     if not rest.only("name", "part", *SILENT):
+        return
+    if quantity in _TORQUES and (fixed := joining.fixed_body(names, [name for _, name in rest.names])):
+        yield [f"moment of {joint} on {fixed}" for joint in joining.holding_alone(names, fixed)]
         return
     pulled = [name for _, name in rest.names if name in lookup.springs(names) and names.loads[name] != TORQUE]
     if quantity in ("tension", "axial force") and pulled:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup, losing
+from freebody.questions.spoken import joining, lookup, losing, polar
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -65,6 +65,9 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         ]
         return
     [name] = of
+    if quantity in ("speed", "velocity") and not end and (running := polar.of_belts(names, name)):
+        yield running
+        return
     if name in names.loads and quantity.split()[-1] in ("velocity", "speed"):  # of the motor: of what it drives
         acted = {body for p in names.applied_loads if p.load == name for body in p.measure.bodies()} - {GROUND}
         name = next(iter(acted)) if len(acted) == 1 else name

@@ -34,7 +34,11 @@ def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
 
 def greatest(names: Names, clause: Clause) -> list[str]:
     """Where a rod is bent, sheared or pulled most, and how much; nothing where a point is named."""
+    of = [name for _, name in clause.names]
+    rods = [name for name, body in names.bodies.items() if body.solid is ROD]
     (kind, *more) = [*clause.all("quantity"), ""]
+    if kind == "moment" and {*of} <= {*rods} and of and not names.measures and lookup.rests(names):
+        kind = "bending moment"  # of a beam that bears a load
     is_place = more[:-1] in (["position"], ["distance"])
     if kind in ("position", "distance") and len(more) > 1:
         (kind, *more), is_place = more, True
@@ -42,8 +46,6 @@ def greatest(names: Names, clause: Clause) -> list[str]:
         return []
     if not clause.only("quantity", "degree", "name", "ask", "verb", *SILENT) or clause.has("degree", "least"):
         return []
-    rods = [name for name, body in names.bodies.items() if body.solid is ROD]
-    of = [name for _, name in clause.names]
     if len(of) > 1 or not {*of} <= {*rods}:
         return []
     found = [f"greatest {_GREATEST[kind]} of {rod}" for rod in of or rods]

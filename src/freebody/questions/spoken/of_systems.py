@@ -11,6 +11,7 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, losing
 from freebody.questions.spoken.composing import ALONG, JOINT, SILENT, Groups, said_of
+from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.of_motion import motion
 from freebody.questions.spoken.words import Clause
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _EULER = 3  # angles of a body that is turned as a top is
+_OF_BEATS = 2  # natural frequencies
 
 
 @said_of("kinetic energy", "potential energy", "total energy")
@@ -120,6 +122,14 @@ def _decay(names: Names, quantity: str, rest: Clause) -> Groups:
     """One amplitude over the next, which the logarithmic decrement is the logarithm of."""
     if rest.only("name", *SILENT) and len(rest.names) <= 1:
         yield ["exp(logarithmic decrement)"]
+
+
+@said_of("beat period", "beat frequency")
+def _beats(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of two vibrations that run beside each other: by the difference of both natural frequencies."""
+    if rest.only("name", *SILENT) and not rest.names and n_freedoms(names) == _OF_BEATS:
+        apart = "highest natural frequency - lowest natural frequency"
+        yield [f"2*pi/({apart})" if quantity == "beat period" else apart]
 
 
 @said_of("cycles per second")

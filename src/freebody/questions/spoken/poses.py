@@ -93,6 +93,8 @@ def begins_uppermost(names: Names, body: str) -> bool:
 def lowermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight below it, or at the bottom of a curve."""
     if body in names.bodies and joining.keeps_height(names, body):  # of a cart: that is where the bob hangs
+        if joining.is_driven(names):  # of a piston there is none
+            return []
         body = ""
     round_ = _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True)
     return round_ or _caught(names, body) or named_by_file(names, body, -1) or _swinging(names, body)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 _FOR = Word("preposition", "of")  # friction for rolling
 _DONE = tuple(Word("verb", verb) for verb in ("hold", "rise", "fall", "move", "start", "turn", "stop", "accelerate"))
 _PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
+_TURNS = ("torque", "moment", "driving torque")
 _HOW_HARD = (Word("ask", "large"), Word("ask", "much"))
 _WAY_BACK = Word("quantity", "way back")
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
@@ -426,6 +427,31 @@ def holding(words: list[Word], modal: set[str]) -> list[Word]:
     asks = {word.what for word in words if word.kind == "ask"} <= {"what", "large", "much"}
     is_force = plain and asks and not modal and [w for w in words if w.kind in ("quantity", "verb")] == [friction, hold]
     return [_FOR if word == hold else word for word in words] if is_force else words
+
+
+def sliding_in_slots(names: Names, words: list[Word]) -> list[Word]:
+    """How fast a pin slides in its slot is its speed of sliding there."""
+    cut = next((k for k, word in enumerate(words) if word.kind == "mark"), len(words))
+    head = Clause(words[:cut])
+    is_asked = head.all("quantity") in (["velocity"], ["speed"]) or (
+        head.has("ask", "fast") and not head.has("quantity")
+    )
+    in_slot = any(name in joining.slots(names) for _, name in head.names)
+    if not (is_asked and in_slot and set(head.all("verb")) == {"slide"}):
+        return words
+    kept = [word for word in head.words if word.kind not in ("ask", "quantity", "verb")]
+    return [Word("quantity", "slip speed"), *kept, *words[cut:]]
+
+
+def holding_fast(names: Names, words: list[Word]) -> list[Word]:
+    """The torque that holds the ring gear, or is needed to hold it, is that on it, where the file holds it fast."""
+    clause = Clause(words)
+    fixed = joining.fixed_body(names, [name for _, name in clause.names])
+    plain = clause.only("ask", "quantity", "verb", "name", "mark", *SILENT) and set(clause.all("mark")) <= {"to"}
+    asked, doing = clause.all("quantity"), set(clause.all("verb"))
+    if not (fixed and plain and len(asked) == 1 and asked[0] in _TURNS and "hold" in doing <= {"hold", "act", "exert"}):
+        return words
+    return [Word("quantity", asked[0]), Word("name", fixed)]
 
 
 def on_what_may_open(names: Names, words: list[Word]) -> list[Word]:

@@ -372,6 +372,9 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
     values = [word for word in words if word.kind == "value"]
     if not signs and len(values) == 1 and not clause.has("quantity") and not clause.has("not"):
         kind = dimensions.kind_of(values[0].what, names)
+        kind = (
+            "deceleration" if kind == "acceleration" and clause.has("verb", "stop") else kind
+        )  # it brakes with 6 m/s^2
         if kind:
             kept = [w for w in words if w.kind in ("name", "part", "updown")]
             return Clause([Word("quantity", kind), *kept]), "=", values[0].what, tail

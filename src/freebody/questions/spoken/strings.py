@@ -30,6 +30,11 @@ def hanging(names: Names) -> frozenset[str]:
     return frozenset(body for row in down for body in row.ends) - others
 
 
+def cables(names: Names) -> list[str]:
+    """Cables that sag, whose tension changes along them."""
+    return [name for name in names.connections if "hanging cable" in names.called.get(name, ())]
+
+
 def run_off(names: Names, of: str) -> list[str]:
     """The condition that a rope with mass has left its drum, or the edge that it runs over: all of it hangs."""
     return hung_down(names, of, "{}")

@@ -18,12 +18,14 @@ if TYPE_CHECKING:
 
 _RESTS = ("it stays at rest", "it does not slip", "nothing slips")
 _EXERTED = ("torque", "impulse", "angular impulse")  # what a load may exert that is no force
+_PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
 _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 _WHICH = (Word("ask", "with"), Word("ask", "what"))
 
 
 def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) -> Groups:
     """What words can ask for if they ask for a parameter. whole: what other words can ask for."""
+    words = _for_push(words)
     yield from _leaving_at_top(names, Clause(words))
     yield from _leaving_by_choice(names, Clause(words))
     yield from _without_leaving(names, Clause(words), whole)
@@ -51,6 +53,14 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
                 yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
+
+
+def _for_push(words: list[Word]) -> list[Word]:
+    """With which torque it is accelerated at 2 m/s^2, or its acceleration is that, is for which one."""
+    clause, (asks, kind) = Clause(words), [*words[:2], Word("", ""), Word("", "")][:2]
+    is_push = asks == _WHICH[0] and kind.kind == "quantity" and kind.what in _PUSHES and not clause.has("mark")
+    is_state = len(clause.values) == 1 and (len(clause.all("quantity")) > 1 or clause.has("verb", "accelerate"))
+    return [Word("ask", "for"), *words[1:]] if is_push and is_state else words
 
 
 def _begun(names: Names, words: list[Word]) -> list[Word]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import to_python
+from freebody.language.units import ACCELERATION
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import languages
 from freebody.questions.spoken.naming import Elements, linked, plain_names
@@ -32,9 +33,32 @@ _MULTIPLE = re.compile(
 )
 
 
+_ACCELERATES = re.compile(r"accelerat|brak(?:e|ing)|beschleunig|verzöger|brems", re.IGNORECASE)
+_IN_GS = re.compile(
+    r"(?P<before>\b(?:with|at|by|mit|bei|um|is|=|(?:accelera|decelera)tion(?: of)?|"
+    r"(?:beschleunig|verzöger)ung(?: von)?) ?)"
+    r"(?P<count>\d+(?:[.,]\d+)?) ?g\b(?! ?[*/])",
+    re.IGNORECASE,
+)
+_STANDARD = 9.80665  # m/s^2, of free fall
+
+
 def in_weights(names: Names, elements: Elements, text: str) -> str:
-    """A text in which multiples of the weight of a body are products of the file's parameters, or numbers."""
+    """A text in which multiples of the weight of a body, and accelerations told in g, are products of the file's
+    parameters, or numbers."""
+    if _ACCELERATES.search(text) is not None:
+        text = _IN_GS.sub(lambda found: f"{found['before']}{_accelerated(names, found['count'])}", text)
     return _MULTIPLE.sub(lambda found: _value(names, elements, found) or found[0], text)
+
+
+def _accelerated(names: Names, count: str) -> str:
+    """So many times the acceleration of free fall, as the file names it, or the standard one."""
+    factor = count.replace(",", ".")
+    fields = {x for p in names.applied_loads if "gravity" in names.called.get(p.load, ()) for x in free_symbols(p.law)}
+    named = [
+        name for name in sorted(fields) if name in names.parameters and names.parameters[name].dimension == ACCELERATION
+    ]
+    return f"{factor}*{named[0]}" if len(named) == 1 else f"{float(factor) * _STANDARD:g} m/s^2"
 
 
 def _value(names: Names, elements: Elements, found: re.Match[str]) -> str | None:
