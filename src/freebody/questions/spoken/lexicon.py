@@ -114,6 +114,7 @@ def _is_word(word: str, token: str) -> bool:
     return token.startswith(word[:-1]) if word.endswith("*") else token == word
 
 
+@cache
 def languages() -> tuple[str, ...]:
     """The languages that are understood, English first."""
     found = {path.name.partition(".")[0] for path in Path(__file__).parent.glob("*.toml")}

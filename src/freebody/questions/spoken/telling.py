@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
+from functools import lru_cache
 
 from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import compared, numbered
@@ -72,11 +74,11 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
         if kind.lower() in ("one", "two")
         else []
     )
-    number = second if second.isdigit() else _meant(numbered(), first)
+    number = second if second.isdigit() else _meant(numbered, first)
     if number:
         kinds = [e.name for e in elements.exact.values() if kind.lower() in e.words and "." not in e.name]
         return [name for name in of_kind or kinds if re.search(rf"(?<!\d){number}$", name)]
-    than = _meant(compared(), first)
+    than = _meant(compared, first)
     sizes = elements.masses if than in ("heavier", "lighter") else elements.radii
     found = [e.name for e in elements.exact.values() if kind.lower() in e.words and e.name in elements.radii]
     of_kind = of_kind if than in ("heavier", "lighter") else found
@@ -92,8 +94,8 @@ def _told(elements: Elements, first: str, second: str) -> list[str]:
 
 def _hung(elements: Elements, first: str, second: str) -> list[str]:
     """The hanging block, the mass hanging from a rope: the only body that strings alone hold, whatever its shape."""
-    kind = (second if _meant(compared(), first) == "hanging" else first).lower()
-    if "hanging" not in (_meant(compared(), first), _meant(compared(), second)):
+    kind = (second if _meant(compared, first) == "hanging" else first).lower()
+    if "hanging" not in (_meant(compared, first), _meant(compared, second)):
         return []
     of_kind = [name for name in elements.hanging if kind in (name.lower(), *elements.exact[name].words)]
     found = of_kind or (list(elements.hanging) if kind in _HANGS else [])
@@ -101,12 +103,12 @@ def _hung(elements: Elements, first: str, second: str) -> list[str]:
 
 
 def _is_of_pulleys(first: str, second: str) -> bool:
-    return _meant(compared(), first) in ("movable", "fixed") and second.lower() in _PULLEYS
+    return _meant(compared, first) in ("movable", "fixed") and second.lower() in _PULLEYS
 
 
 def _pulleys(elements: Elements, first: str) -> list[str]:
     """The pulley that goes along with what hangs on it, or those with an axle on the ground."""
-    is_fixed = _meant(compared(), first) == "fixed"
+    is_fixed = _meant(compared, first) == "fixed"
     return [name for name in elements.radii if (name in elements.pinned) == is_fixed]
 
 
@@ -114,7 +116,7 @@ def _is_untold(elements: Elements, first: str, second: str) -> bool:
     """Whether words would tell a body from others of its kind, and do not: the hanging one of two, the driven gear."""
     if first.lower() in elements.exact or (first.lower(), second.lower()) in elements.spoken:
         return False
-    than, kind = _meant(compared(), first), second.lower()
+    than, kind = _meant(compared, first), second.lower()
     if _is_of_pulleys(first, second):
         return len(_pulleys(elements, first)) != 1
     if than == "hanging":
@@ -134,8 +136,9 @@ def _plain_masses(elements: Elements, of_kind: list[str], kind: str) -> list[str
     return plain if len(plain) > 1 else of_kind
 
 
-def _meant(table: dict[str, str], word: str) -> str:
-    return next((what for said, what in table.items() if _is_like(said, word.lower())), "")
+@lru_cache(maxsize=8192)
+def _meant(table: Callable[[], dict[str, str]], word: str) -> str:
+    return next((what for said, what in table().items() if _is_like(said, word.lower())), "")
 
 
 def _is_like(said: str, word: str) -> bool:
