@@ -226,7 +226,7 @@ def test_what_is_so_everywhere_or_nowhere_is_said() -> None:
 @pytest.mark.parametrize(
     ("model", "find", "words"),
     [
-        (CRATE, "range of mu for which it tips before it slides as Q grows", "Q is no parameter"),
+        (CRATE, "range of mu for which it tips before it slides as Q grows", "there is no parameter Q"),
         (STRING, "range of w0 for which rag stays taut", "no connection or body rag"),
         (BALL, "value of v0 for which just x", "just"),
     ],

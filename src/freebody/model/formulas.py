@@ -93,7 +93,7 @@ class Formulas(Noting):
                 "{name} is short for a formula of {others}: ask for what stands in it", name=name, others=used
             )
         hint = did_you_mean(name, self.parameters)
-        return Message("{name} is no parameter.{hint}", name=name, hint=hint)
+        return Message("there is no parameter {name}.{hint}", name=name, hint=hint)
 
     def spelt_out(self, text: str) -> str:
         """A text in which shorthands stand as the formulas that they are short for, where they stand for a value."""
