@@ -476,3 +476,28 @@ loads: {weight: {gravity: g}}
 )
 def test_what_is_left_in_the_end_behind_contacts_that_change(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula)
+
+
+# -- a place that is just reached ----------------------------------------------------------------
+ON_A_SPOKE = """
+parameters: {m: 0.2 kg, k: 20 N/m, l0: 0.3 m, W: 6 rad/s, r0: 0.3 m, r1: 0.6 m}
+bodies:
+  spoke: {rod: {length: 2 m, mass: 0}, angle: 0}
+  bead: {particle: {mass: m}, near: {at: [0.3 m, 0]}}
+connections:
+  axle: {pin: [ground.O, spoke.center]}
+  slot: {slot: {pin: bead, along: spoke.x, on: spoke}}
+  motor: {driver: {measure: angle of spoke, follows: W*t}}
+loads: {spring: {spring: {between: [ground.O, bead], stiffness: k, length: l0}}}
+measures: {r: travel of bead along spoke.x from spoke.center}
+start: {r: r0, rate(r): 0}
+"""
+
+
+def test_where_a_motion_stops_turning_it_does_not_turn_at_the_place_asked_for() -> None:
+    """m r'' = m W^2 r - k (r - l0) swings about k l0/(k - m W^2) as long as k > m W^2: r1 is just reached where
+    r0 + r1 is twice that, and not where k = m W^2."""
+    [answer] = fb.System.from_text(ON_A_SPOKE).solve("value of W for which greatest r = r1").answers
+    assert_same_function(
+        answer.to_plain()["expression"], "sqrt(k*(r0 - 2*l0 + r1)/(m*(r0 + r1)))", {"r1": 0.6, "l0": 0.3}
+    )

@@ -34,7 +34,7 @@ from freebody.study.answering.chain import chain_of
 from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, is_kinematic, real
 from freebody.study.answering.energy_in_names import answer_by_energy
-from freebody.study.answering.extent import as_reached, turn_of
+from freebody.study.answering.extent import as_reached, turn_of, turning_there
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise, answered
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
@@ -258,7 +258,7 @@ class QuestionSolver:
 
         try:
             return first_found(self.system, q.parameter, attempt)
-        except CannotAnswer:
+        except CannotAnswer as error:
             reached, balanced = as_reached(self.question, q), None
             if reached is None:
                 balanced = about_rest.as_balanced(self.system, self.question, q)
@@ -268,8 +268,13 @@ class QuestionSolver:
             solver = QuestionSolver(Setup(system), asked)
             found = solver._find()
             self.setup, self.model = solver.setup, solver.model
+            if reached is not None:
+                turning = turning_there(self.setup, self.question, q, found)
+                if turning is None:
+                    raise error from None
+                return replace(turning, notes=[])
             told = Message("the forces balance there; whether it is stable is another question")
-            return replace(found, notes=[] if balanced is None else [told])
+            return replace(found, notes=[told])
 
     # -- one instant --------------------------------------------------------------------------
     @singledispatchmethod

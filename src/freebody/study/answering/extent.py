@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, NeverHappens
+from freebody.errors import CannotAnswer, NeverHappens, RoutesDisagree
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.engine.course import Status, Trajectory
@@ -15,14 +16,18 @@ from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.questions.base import Wanted
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.questions.turned_round import REACHED, RangeFor
+from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     MOTION_TOLERANCE,
     CrossCheck,
     SaysNothing,
     broken,
+    element_at,
+    holds,
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
+from freebody.study.answering.parameter_domain import is_within
 from freebody.study.answering.repeated import DIED_AWAY, SHORTER, checked, coordinate_of, taken_throughout
 from freebody.study.answering.witness import least_rate, patience, run, snapshots
 from freebody.study.setup import Setup
@@ -50,6 +55,37 @@ def as_reached(question: Question, q: Wanted) -> Question | None:
     event = QuestionEvent(turn.measure, 0, q.target, q.text)
     asked = RangeFor(q.parameter, of, q.target, question.quantity.dimension, question.quantity.unit, q.text, REACHED)
     return replace(question, quantity=asked, event=event, options={}, key=None)
+
+
+def turning_there(setup: Setup, question: Question, q: Wanted, found: Finding) -> Finding | None:
+    """Of the ends of the range of a parameter in which a place is reached those at which the motion turns in it: where
+    it stops being a motion that turns it ends as well. None where it turns there at none of them."""
+    assert q.of.turn is not None
+    _of, turn, side = q.of.turn
+    assert isinstance(turn, QuestionEvent)
+    parameter, ends = setup.system.parameters[q.parameter], found.element
+    kept: list[tuple[Ratio, Evidence]] = []
+    for value in ends if isinstance(ends, tuple) else (ends,):
+        if not isinstance(value, Ratio):
+            continue
+        route = Message("the value put in for the parameter, numerical integration until it has turned on both sides")
+        check = CrossCheck(question.text, route, MOTION_TOLERANCE)
+
+        def compare(draw: Draw, value: Ratio = value, check: CrossCheck = check) -> None:
+            (number,) = element_at(setup, value, draw, draw.start())
+            if is_within(parameter, number) and all(holds(setup, c, draw, draw.start()) for c in found.conditions):
+                made = draw.with_values(draw.values | {q.parameter: number}, setup.system)
+                extreme = extent_in_numbers(made, turn.measure, side, turns=True)
+                check.compare(made, made.reference.number(q.target), extreme)
+
+        with suppress(CannotAnswer, RoutesDisagree):
+            kept.append((value, check.gather(setup.draw_stream(), compare).evidence()))
+    if not kept:
+        return None
+    element = kept[0][0] if len(kept) == 1 else tuple(value for value, _evidence in kept)
+    return replace(
+        found, element=element, evidence=max((e for _x, e in kept), key=lambda e: e.worst_relative_difference)
+    )
 
 
 def find(setup: Setup, question: str, measure: Measure, side: int, name: str) -> Finding:
