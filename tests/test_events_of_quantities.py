@@ -182,6 +182,48 @@ def test_a_change_since_the_start_counts_from_where_the_motion_starts() -> None:
     is_formula(STONE, "How fast is the stone after it has fallen 1 m?", "sqrt(2*g)")
 
 
+PRESS = """
+parameters: {J: 15 kg m^2, n: 20 rad/s, F: 50 kN, d: 12 mm, R: 0.1 m}
+bodies: {wheel: {flywheel: {inertia: J}}, punch: {particle: {mass: 0}}}
+ground: {points: {O: [0, 0]}}
+connections:
+  axle: {pin: [ground.O, wheel]}
+  press: {rack_and_pinion: {pinion: wheel, rack: punch, radius: R, along: down}}
+  guide: {slider: {body: punch, along: down}}
+loads: {work: {force: {at: punch, along: up, magnitude: F}}}
+measures: {phi: angle of wheel, y: MEASURE}
+start: {phi: 0, rate(phi): RATE}
+"""
+
+
+@pytest.mark.parametrize("measure", ["height of punch", "{position of punch along down}"])
+@pytest.mark.parametrize("asked", ["after the punch has moved d", "when y has moved d"])
+def test_a_distance_is_gone_whichever_way_the_motion_begins(measure: str, asked: str) -> None:
+    """J (n^2 - w^2)/2 = F d on the way down, whichever way its measure counts."""
+    model = PRESS.replace("MEASURE", measure).replace("RATE", "n")
+    is_formula(model, f"angular velocity of wheel {asked}", "sqrt(n^2 - 2*F*d/J)")
+
+
+def test_the_side_on_which_a_distance_is_gone_is_said() -> None:
+    model = PRESS.replace("MEASURE", "height of punch").replace("RATE", "n")
+    found = posed(model, "speed of punch when y has moved d")
+    assert "y decreases at first" in [str(note) for note in found.notes]
+
+
+def test_a_wheel_that_turns_backwards_has_turned_so_far() -> None:
+    """It is driven back against its motion by F R: J (n^2 - w^2)/2 = -F R th."""
+    model = PRESS.replace("MEASURE", "height of punch").replace("RATE", "-n")
+    is_formula(model, "time when y has moved d", "(sqrt(n^2 + 2*F*d/J) - n)/(F*R/J)")
+    found = posed(model, "angular velocity of wheel after the wheel has turned 0.1 rad")
+    assert found.value == pytest.approx(-((400 + 2 * 5000 * 0.1 / 15) ** 0.5))
+
+
+def test_a_distance_from_where_nothing_moves_is_refused() -> None:
+    model = PRESS.replace("MEASURE", "height of punch").replace("RATE", "0")
+    found = posed(model.replace("magnitude: F", "magnitude: 0 N"), "time when y has moved d")
+    assert found.expression is None
+
+
 @pytest.mark.parametrize(
     ("language", "said"), [("en", "when y has changed by -d"), ("de", "sich y um -d geändert hat")]
 )

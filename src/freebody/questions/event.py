@@ -77,11 +77,12 @@ class QuantityEvent(OfQuantity):
 class ChangeEvent(QuestionEvent):
     """A measure has changed by `change` since the start, as it is asked, before its value there is found
     (`study/answering/places_of_quantities.py`): `value` means nothing yet. phrase, value_text: the measure and the
-    change in the words of the question."""
+    change in the words of the question. is_distance: whichever way the motion begins."""
 
     change: Expr
     phrase: str
     value_text: str
+    is_distance: bool
 
 
 @dataclass(frozen=True)
@@ -136,13 +137,15 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     if turning is not None:
         turned = _measured(names, turning["what"], path)
         return None if turned is None else QuestionEvent(turned, 1, ZERO, text)
-    changed = re.match(r"^(?P<what>.+?) (?:has changed|changes) by (?P<by>.+)$", text)
-    if changed is not None:
+    changed = re.match(
+        r"^(?P<what>.+?) (?:(?P<moves>has moved|moves)(?: by)?|(?:has changed|changes) by) (?P<by>.+)$", text
+    )
+    if changed is not None and (not changed["moves"] or changed["what"] in names.measures):
         moved = _measured(names, changed["what"], path)
         by = None if moved is None else names.formula(changed["by"], moved.dimension, *path)
         if moved is None or by is None:
             return None
-        return ChangeEvent(moved, 0, Symbol(""), text, by, changed["what"], changed["by"])
+        return ChangeEvent(moved, 0, Symbol(""), text, by, changed["what"], changed["by"], bool(changed["moves"]))
     if (extreme := _EXTREME.match(text)) is not None:
         return _extreme(names, text, extreme, path)
     if (met := _meeting(names, text, path)) is not None:
@@ -187,6 +190,7 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     return QuestionEvent(measure, order, compared(names, stated, dimension, *path), text)
 
 
+_CHANGED = re.compile(r"^(?P<what>.+?) (?:(?P<moves>has moved|moves)(?: by)?|(?:has changed|changes) by) (?P<by>.+)$")
 _EXTREME = re.compile(
     rf"^(?:the )?(?P<what>.+?) (?:is|becomes|has|takes|reaches|is at)(?: at)?(?: (?:its|the|a))? "
     rf"(?:(?P<greatest>{GREATEST})|{LEAST})(?: value)?$"

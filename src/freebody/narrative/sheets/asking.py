@@ -120,7 +120,7 @@ def _when(question: Question, system: System) -> Argument:
     if isinstance(event, ChangeEvent):
         what = parse(event.phrase) if event.phrase in system.measures else event.phrase
         by = event.change if free_symbols(event.change) else event.value_text  # a number with its unit
-        return Sentence(f"ask.{word}_change", {"what": what, "by": by})
+        return Sentence(f"ask.{word}_{'distance' if event.is_distance else 'change'}", {"what": what, "by": by})
     name = next((name for name, measure in system.measures.items() if measure == event.measure), None)
     if name is not None:
         return Sentence(f"ask.{word}", {"left": rates_of(name, event.order), "right": event.value})

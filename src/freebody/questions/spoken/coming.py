@@ -57,7 +57,7 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         driven = {body for p in names.applied_loads if p.load == who for body in p.measure.bodies()} - {GROUND}
         who = next(iter(driven)) if len(driven) == 1 else who
     if clause.has("part", "horizontal") and dimensions.is_length(value, names):
-        yield [lookup.come(names, way, value) for way in lookup.level(names, who)]
+        yield [lookup.gone_either_way(names, way, value) for way in lookup.level(names, who)]
         return
     if dimensions.is_speed(value, names) or dimensions.is_turning_speed(value, names):
         is_turning = dimensions.is_turning_speed(value, names)
@@ -83,7 +83,7 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     elif doing == {"reach"} and dimensions.is_angle(value) and not turns and (angles := _angles_at(names, who)):
         yield [f"{angle} = {value}" for angle in angles]  # the crank has reached 90 deg, the car is at 90 deg
     elif turns or doing == {"turn"}:
-        yield [f"{angle} = {value}" for angle in joining.turned(names, who)]
+        yield [lookup.gone_either_way(names, angle, value) for angle in joining.turned(names, who)]
     elif doing == {"hang"}:
         yield strings.hung_down(names, who, value) if dimensions.is_length(value, names) else []
     elif doing == {"fall"}:
@@ -95,4 +95,4 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     elif doing <= {"reach"} and of and of[-1] in names.measures:
         yield [f"{of[-1]} = {value}"]
     elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:
-        yield [lookup.come(names, way, value) for way in lookup.went(names, who)]
+        yield [lookup.gone_either_way(names, way, value) for way in lookup.went(names, who)]

@@ -229,8 +229,16 @@ def climbed(names: Names, body: str, by: str, sense: int) -> list[str]:
 
 def come(names: Names, measure: str, by: str, sense: int = 1) -> str:
     """The condition that a measure is more (sense 1) or less (-1) than at the start by a value."""
-    begins = "=" if measure in names.started_at_zero else "has changed by"
+    begins = "=" if measure in names.started_at_zero or measure in angles(names, "") else "has changed by"
     return f"{measure} {begins} {'' if sense == 1 else '-'}{_factor(by)}"
+
+
+def gone_either_way(names: Names, measure: str, by: str) -> str:
+    """The condition that a measure is so far from where it starts, on the side to which the motion begins: what is let
+    go from rest goes where it is pulled, and what its own rate does not tell is found from the motion."""
+    if by.startswith("-") or (names.lets_go_from_rest and not is_forced(names)) or rises(names, measure, 1):
+        return come(names, measure, by)
+    return come(names, measure, by, -1) if rises(names, measure, -1) else f"{measure} has moved {by}"
 
 
 def _factor(value: str) -> str:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -33,6 +34,7 @@ from freebody.numeric.jets import Array
 from freebody.questions.clock import ENDLESS
 from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity, QuantityEvent, QuestionEvent
 from freebody.questions.final_values import ShareOfFinal
+from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import FoundAt, Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
@@ -69,7 +71,8 @@ def placed(system: System, questions: Sequence[Question], solve: Solver) -> tupl
     for q in questions:
         if isinstance(q.event, ChangeEvent):
             try:
-                q = replace(q, event=_since_start(system, q.event, solve))
+                event, found_at = _since_start(system, q.event, solve)
+                q = replace(q, event=event, found_at=found_at)
             except (CannotAnswer, ModelError) as error:
                 refused[q.id] = str(error)
         if isinstance(q.event, ShareOfFinal):
@@ -112,13 +115,10 @@ def with_place(question: Question, answer: Answer) -> Answer:
     return replace(answer, conditions=conditions, notes=answer.notes if is_place else (*answer.notes, found.told))
 
 
-def _since_start(system: System, event: ChangeEvent, solve: Solver) -> QuestionEvent:
-    """A measure at the value that it has when it has changed by so much since the start."""
-    asked = replace(system, questions=(system.question(f"{event.phrase} at start"),))
-    answer = solve(asked).answers[0]
-    if answer.expression is None or isinstance(answer.expression, tuple):
-        raise CannotAnswer(answer.reason or Message("where {x} starts has no formula", x=event.phrase))
-    begin = answer.expression
+def _since_start(system: System, event: ChangeEvent, solve: Solver) -> tuple[QuestionEvent, FoundAt | None]:
+    """A measure at the value that it has when it has changed by so much since the start, and which way that is where
+    the distance alone is said."""
+    begin = _at_start(system, event, 0, solve)
     if unsaid := sorted(free_symbols(begin) - {*system.parameters, "pi", "t"}):
         told = Message(
             "where {x} starts the model does not say ({names}), and so not where it has changed: give the start, e.g. "
@@ -128,9 +128,50 @@ def _since_start(system: System, event: ChangeEvent, solve: Solver) -> QuestionE
             measure=unsaid[0].removesuffix("_0"),
         )
         raise CannotAnswer(told)
-    value = event.change if begin == ZERO else add(begin, event.change)
-    text = event.value_text if begin == ZERO else to_text(value)
-    return QuestionEvent(event.measure, 0, value, f"{event.phrase} = {text}")
+    found = _way_from_start(system, event, solve) if event.is_distance else None
+    change, said = (event.change, event.value_text)
+    if found is not None and found[0] < 0:
+        change, said = negate(change), f"-{said}"
+    value = change if begin == ZERO else add(begin, change)
+    text = said if begin == ZERO else to_text(value)
+    event_there = QuestionEvent(event.measure, 0, value, f"{event.phrase} = {text}")
+    return event_there, None if found is None else found[1]
+
+
+def _at_start(system: System, event: ChangeEvent, order: Literal[0, 1, 2], solve: Solver) -> Expr:
+    """What a measure, its rate or its acceleration is at the start."""
+    question = system.question(f"{event.phrase} at start")
+    asked = replace(question, quantity=OfMeasure(event.measure, order, event.phrase))
+    answer = solve(replace(system, questions=(asked,))).answers[0]
+    if answer.expression is None or isinstance(answer.expression, tuple):
+        raise CannotAnswer(answer.reason or Message("where {x} starts has no formula", x=event.phrase))
+    return answer.expression
+
+
+def _way_from_start(system: System, event: ChangeEvent, solve: Solver) -> tuple[int, FoundAt]:
+    """The side, +1 or -1, to which a measure begins to change: that of its rate, or of its acceleration from rest. The
+    side at the model's own values is meant, and is a condition where it is another one at other values."""
+    order: Literal[1, 2] = 1
+    first = _at_start(system, event, order, solve)
+    if first == ZERO:
+        order = 2
+        first = _at_start(system, event, order, solve)
+    sides: list[int] = []
+    for draw in Setup(system).draws:
+        try:
+            slope = float(evaluate(first, draw.values, FLOAT_FUNCTIONS))
+        except (KeyError, ArithmeticError, ValueError):
+            slope = 0.0
+        sides.append((slope > 0.0) - (slope < 0.0))
+    is_open = not system.has_values and len({*sides}) > 1
+    if not sides or sides[0] == 0 or is_open:
+        told = Message("which way {x} moves from the start is not known: ask when {x} = ...", x=event.phrase)
+        raise CannotAnswer(told)
+    side = sides[0]
+    grows = Message("{x} increases at first", x=event.phrase)
+    told = grows if side > 0 else Message("{x} decreases at first", x=event.phrase)
+    needed = compared(first, ">" if side > 0 else "<", ZERO)
+    return side, FoundAt(() if {*sides} == {side} else (needed,), told)
 
 
 def _share_of_final(system: System, event: ShareOfFinal, solve: Solver) -> tuple[QuestionEvent, FoundAt]:
