@@ -137,9 +137,7 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     if turning is not None:
         turned = _measured(names, turning["what"], path)
         return None if turned is None else QuestionEvent(turned, 1, ZERO, text)
-    changed = re.match(
-        r"^(?P<what>.+?) (?:(?P<moves>has moved|moves)(?: by)?|(?:has changed|changes) by) (?P<by>.+)$", text
-    )
+    changed = _CHANGED.match(text)
     if changed is not None and (not changed["moves"] or changed["what"] in names.measures):
         moved = _measured(names, changed["what"], path)
         by = None if moved is None else names.formula(changed["by"], moved.dimension, *path)
