@@ -312,6 +312,10 @@ SAME = {
     "the resistance of the air": (
         "air_resistance: {body: ball, quadratic: 2 kg/m}", "drag: {body: ball, quadratic: 2 kg/m}"
     ),
+    "the strength of gravity in a liquid": (
+        "buoyancy: {at: ball, density: 1000 kg/m^3, g: 9.81 m/s^2, volume: 0.01 m^3}",
+        "buoyancy: {at: ball, density: 1000 kg/m^3, strength: 9.81 m/s^2, volume: 0.01 m^3}",
+    ),
     "what is drawn to a centre": (
         "central_gravity: {center: A, strength: 2 m^3/s^2}", "attraction: {center: ground.A, strength: 2 m^3/s^2}"
     ),
@@ -586,6 +590,22 @@ loads: {weight: {gravity: g}}
 measures: {s: travel of ball along slope}
 START
 """
+
+
+def test_what_is_thrown_from_no_place_that_is_given_lands_where_it_started() -> None:
+    """A ball lands as fast as it was thrown; without a velocity it is not said that it comes back."""
+    ball = "bodies: {{ball: {{particle: {{mass: 1 kg}}{velocity}}}}}\nloads: {{weight: {{gravity: 9.81 m/s^2}}}}\n"
+    model = ball + "measures: {{y: height of ball}}\n"
+    thrown = fb.System.from_text(model.format(velocity=", velocity: [3 m/s, 4 m/s]"))
+    assert thrown.solve("speed of ball when it lands").answers[0].value == pytest.approx(5)
+    with pytest.raises(fb.FreebodyError):
+        fb.System.from_text(model.format(velocity="")).solve("speed of ball when it lands")
+
+
+def test_a_sprocket_is_a_disk() -> None:
+    model = "bodies: {wheel: {disk: {mass: 2 kg, radius: 0.1 m}}}"
+    asked = fb.System.from_text(model.replace("disk", "sprocket"))
+    assert asked.bodies == fb.System.from_text(model).bodies
 
 
 def test_how_far_something_has_come_needs_where_it_started() -> None:

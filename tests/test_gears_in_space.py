@@ -292,3 +292,46 @@ questions: [acceleration of c, acceleration of l, tooth force of one]
     assert carrier == pytest.approx(together)
     assert left == pytest.approx(together + apart / 2)
     assert force == pytest.approx((-30 - 0.02 * left) / (n * 0.05))
+
+
+SIDES = """
+space: true
+parameters: {{w: 50 rad/s, wl: 45 rad/s, r: 30 mm}}
+bodies:
+  cage: {{body: {{inertia: 0.1 kg m^2}}, points: {{P: [0, r, 0]}}}}
+  left: {{body: {{inertia: 0.02 kg m^2}}, points: {{hub: [{hub}, 0, 0]}}}}
+  right: {{body: {{inertia: 0.02 kg m^2}}}}
+  pinion: {{body: {{inertia: 0.02 kg m^2}}}}
+connections:
+  base: {{revolute: {{first: ground.O, second: cage, about: x}}}}
+  p: {{revolute: {{first: cage, second: left.hub, about: x}}}}
+  q: {{revolute: {{first: cage, second: right, about: {about}}}}}
+  s: {{revolute: {{first: cage.P, second: pinion, about: y}}}}
+  one: {{bevel_gears: {{first: left, second: pinion, on: cage, teeth: [1, 1], radius: r}}}}
+  two: {{bevel_gears: {{first: right, second: pinion, on: cage, teeth: [1, 1], radius: r}}}}
+  drive: {{driver: {{body: cage, speed: w}}}}
+  brake: {{driver: {{{led}, speed: wl}}}}
+questions: [angular velocity of right along x]
+"""
+
+
+@pytest.mark.parametrize(
+    ("hub", "about", "told", "speed"),
+    [
+        ("0", "x", ["left", "right"], 45),  # both on one side
+        ("0", "-x", [], 55),  # the mean of both is the speed of the cage
+        ("0.03 m", "x", ["right"], 55),  # the centre lies on the other side of the apex
+    ],
+)
+def test_the_side_of_a_bevel_gear_that_is_borne_in_the_apex_is_told(
+    hub: str, about: str, told: list[str], speed: float
+) -> None:
+    system = fb.System.from_text(SIDES.format(hub=hub, about=about, led="measure: angle of left about x"))
+    assert [str(x).split(":")[0] for x in system.assumptions] == [f"bevel gear {name}" for name in told]
+    assert system.solve().answers[0].value == pytest.approx(speed)
+
+
+def test_a_driver_of_what_a_moving_body_carries_says_that_it_is_relative() -> None:
+    system = fb.System.from_text(SIDES.format(hub="0", about="-x", led="body: left"))
+    assert [str(x)[:44] for x in system.assumptions] == ["brake: left is led relative to cage, which c"]
+    assert system.solve().answers[0].value == pytest.approx(5)

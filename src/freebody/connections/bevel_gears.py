@@ -73,6 +73,7 @@ connections:
         flank = 0 if self._slope(names) == ZERO else -1 if self.other_flank else 1
         measure, other = (shared([self._mesh(names, pair, side) for pair in found]) for side in (flank, -flank))
         turns = {wheel.held.body: wheel.turn() for pair in found for wheel in pair}
+        self._tell_sides(names, found[0])
         teeth = ConstraintRow("teeth", "tooth force", measure, sign=-1, pressed=flank_of(flank, other))
         return [teeth, *self.alike(names, turns)]
 
@@ -123,8 +124,46 @@ connections:
         return combined((ONE, one.at), (divide(dot(vector_product(apart, a2), normal), size), a1))
 
     def _away(self, names: Names, wheel: BornWheel, apex: Components) -> BornWheel:
-        """With its axis from the apex towards the wheel; as the joint has it where the bearing is in the apex."""
-        return wheel.outwards(reverse=number_of(names, dot(between(wheel.at, apex), wheel.axis.components)) < -ROUNDED)
+        """With its axis from the apex towards the wheel; as the joint has it where nothing tells the side."""
+        return wheel.outwards(reverse=self._side(names, wheel, apex) < 0)
+
+    def _side(self, names: Names, wheel: BornWheel, apex: Components) -> int:
+        """On which side of the apex along the axis of its joint a wheel lies: by its bearing or, where that is in the
+        apex, by its centre; 0 where both are there."""
+        center = names.known(wheel.held.body).center.offset
+        lies = (between(wheel.at, apex), wheel.axis), (between(center, wheel.held.offset), wheel.own_axis)
+        along = (number_of(names, dot(apart, axis.components)) for apart, axis in lies)
+        return next((1 if x > 0.0 else -1 for x in along if abs(x) > ROUNDED), 0)
+
+    def _tell_sides(self, names: Names, wheels: tuple[BornWheel, BornWheel]) -> None:
+        """Notes which side is assumed of a wheel whose side nothing tells."""
+        apex = self._apex(names, wheels)
+        for wheel, partner in (wheels, wheels[::-1]):
+            if self._side(names, wheel, apex) or self._faces_another(names, wheel, partner):
+                continue
+            told = Message(
+                "bevel gear {wheel}: its bearing lies in the apex of the pitch cones, and the wheel is taken to lie on "
+                "the side to which the axis of its joint points. If it lies on the other side, reverse that axis "
+                "(about: -x), or put the bearing where the wheel is",
+                wheel=wheel.held.body,
+            )
+            if told not in names.assumptions:
+                names.assumptions.append(told)
+
+    def _faces_another(self, names: Names, wheel: BornWheel, partner: BornWheel) -> bool:
+        """Whether the partner meshes with another wheel, whose axis is written the other way."""
+        meshes = [mesh for mesh in names.connections.values() if isinstance(mesh, BevelGears) and mesh.on == self.on]
+        pairs = [{names.known(mesh.first).name, names.known(mesh.second).name} for mesh in meshes]
+        others = {name for pair in pairs if partner.held.body in pair for name in pair}
+        for name in sorted(others - {partner.held.body, wheel.held.body}):
+            with names.quietly():
+                other = born_wheel(names, name, self.on, "first")
+            if (
+                other is not None
+                and number_of(names, dot(other.axis.components, wheel.axis.components)) < ROUNDED - 1.0
+            ):
+                return True
+        return False
 
     def _half_angle(self, names: Names, a1: Components, a2: Components) -> tuple[Expr, Expr]:
         """Sine and cosine of delta_1."""

@@ -12,7 +12,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -64,7 +64,19 @@ parameters: {w: 2 rad/s}
         if not body.turns:
             names.problem(Message("{body} is a particle and does not turn", body=body.name), "body")
             return None
-        return measure_of(names, f"angle of {body.name}", "body")
+        led = measure_of(names, f"angle of {body.name}", "body")
+        carriers = () if led is None else sorted({*led.bodies()} - {body.name, GROUND})
+        for carrier in carriers:
+            told = Message(
+                "{connection}: {body} is led relative to {carrier}, which carries it. Where its motion against the "
+                "ground is meant, write measure: angle of {body} about x (the axis)",
+                connection=self.own_name(names),
+                body=body.name,
+                carrier=carrier,
+            )
+            if told not in names.assumptions:
+                names.assumptions.append(told)
+        return led
 
     def _target(self, names: Names, measure: Measure) -> Expr:
         """What it is led by: a law, or w t from its value at the start."""

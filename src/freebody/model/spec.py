@@ -46,6 +46,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "value": ("magnitude", "strength", "intensity"),
     "force": ("magnitude",),
     "torque": ("magnitude",),
+    "g": ("strength",),
     "body": ("on", "at", "pinion"),
     "point": ("pin",),
     "on": ("at",),
@@ -66,7 +67,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
-    "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "center", "com",
+    "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "g", "center", "com",
     "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
 ))  # fmt: skip

@@ -264,8 +264,19 @@ def falling(names: Names, body: str) -> list[str]:
         if rests(names) and all(own.start.velocity is None for own in names.bodies.values())
         else heights(names, body)
     )
-    begun = [name for name, _ in thrown if name in names.started_at_zero]  # what is let go there does not come back
+    begun = [name for name, _ in thrown if name in names.started_at_zero or _is_thrown_from_zero(names, name)]
     return [name for name, sense in heights(names, body) if name in begun or (name in above and sense > 0)]
+
+
+def _is_thrown_from_zero(names: Names, measure: str) -> bool:
+    """Whether it is where a body is that nothing holds, of which the file gives a velocity and no place."""
+    way = names.measures[measure]
+    if not isinstance(way, Displacement) or measure in names.placed_at_start:
+        return False
+    start = names.bodies[way.of.body].start
+    is_held = any(way.of.body in connection.mentions(names) for connection in names.connections.values())
+    is_plain = way.origin.offset == names.origin and way.of.offset == names.bodies[way.of.body].points["mass_center"]
+    return is_plain and not is_held and start.velocity is not None and start.at is None
 
 
 def rises(names: Names, measure: str, sense: int) -> bool:
