@@ -60,3 +60,38 @@ start: {phi: 0.1}
     frequency = system.solve("natural frequencies").answers[0]
     assert isinstance(frequency.expression, Expr)
     assert frequency.value == pytest.approx(math.sqrt(-9.81 * y / (slope**2 + 1 / 12)))
+
+
+DOOR = """
+parameters: {a: 0.5 m, H: 2 m, m: 40 kg, g: 9.81 m/s^2, k: 1200 N/m}
+ground: {points: {O: [0, 1 m], S: [0, 2.3 m]}, lines: {rail: {along: right, through: [0, 2 m]}}}
+bodies:
+  arm: {rod: {length: a}}
+  door: {rod: {length: H, mass: m}, near: {angle: 95 deg, at: [0, 1 m]}}
+connections:
+  O: {pin: [ground.O, arm.start]}
+  M: {pin: [arm.end, door.center]}
+  top: {slot: {pin: door.end, along: rail}}
+loads:
+  weight: {gravity: g}
+  spring: {spring: {from: ground.S, to: arm.end, k: k, rest_length: 0.6 m}}
+measures: {theta: angle of arm}
+start: {theta: 10 deg}
+"""
+
+
+def test_inertia_is_that_of_the_equilibrium_away_from_the_start() -> None:
+    """The door hangs on the arm by its centre, and its top is on the rail: cos(phi) phi' = -2 a cos(theta)/H, of which
+    the forces tell nothing. With y = 1 + a sin(theta) and the length d of the spring,
+    V = m g y + k (d - l)^2/2 and I = m (a^2 + H^2 phi'^2/12), lambda^2 = -V''/I."""
+    a, H, m, g, k, rest, S = 0.5, 2.0, 40.0, 9.81, 1200.0, 0.6, 1.3
+    theta = System.from_text(DOOR).solve("equilibrium of theta").answers[0].value
+    assert isinstance(theta, float)
+    sine, cosine = math.sin(theta), math.cos(theta)
+    d = math.sqrt(a**2 + S**2 - 2 * a * S * sine)
+    slope, bend = -a * S * cosine / d, a * S * sine / d - (a * S * cosine) ** 2 / d**3
+    assert m * g * a * cosine + k * (d - rest) * slope == pytest.approx(0.0, abs=1e-9)
+    stiffness = -m * g * a * sine + k * slope**2 + k * (d - rest) * bend
+    turning = (2 * a * cosine / H) ** 2 / (1 - (2 / H * (1 - a * sine)) ** 2)
+    found = System.from_text(DOOR).solve("stability of equilibrium").answers[0]
+    assert found.value == pytest.approx(-stiffness / (m * (a**2 + H**2 * turning / 12)))

@@ -200,6 +200,25 @@ def test_a_triple_rocker_is_stretched_only() -> None:
     assert found.value == pytest.approx(_acos((0.65**2 - 0.4**2 - 0.6**2) / (2 * 0.4 * 0.6)))
 
 
+def test_where_all_links_lie_in_one_line_nothing_reverses_for_certain() -> None:
+    """a + d = b + c with the output the shortest: the crank reverses where output and coupler are folded, b - c from
+    D to B; stretched, everything is in one line, and two branches cross, along each of which the crank goes on."""
+    lettered = bars(0.4, 0.45, 0.3, 0.35)
+    text = lettered.replace("parameters: {a: 0.4 m, b: 0.45 m, c: 0.3 m, d: 0.35 m}\n", "").replace(
+        "[d, 0]", "[0.35, 0]"
+    )
+    for name, size in {"a": 0.4, "b": 0.45, "c": 0.3}.items():
+        text = text.replace(f"length: {name}}}", f"length: {size} m}}")
+    text = text.replace("parameters: {d: 0.35 m}\n", "").replace("[d, 0]", "[0.35, 0]")
+    found = posed(text, "dead points of crank")
+    assert found.value == pytest.approx(_acos((0.4**2 + 0.35**2 - 0.15**2) / (2 * 0.4 * 0.35)))
+    assert any("two branches" in note for note in found.notes)
+    # with letters both are told, and that they are there beside these numbers only
+    told = posed(lettered, "dead points of crank")
+    assert "a + d > b + c (rocker turns fully)" in told.conditions
+    assert told.value is None
+
+
 def test_what_turns_all_round_does_not_reverse() -> None:
     for text in (WHITWORTH, DRAG_LINK):
         assert "neither reverses" in posed(text, "dead points of phi").reason

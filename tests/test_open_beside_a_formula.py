@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
@@ -38,3 +40,61 @@ loads: {weight: {gravity: g}, push: {force: {at: crate, along: plank, magnitude:
         fb.System.from_text(text).solve(["range of P that keeps it at rest", "normal force of touch"]).answers
     )
     assert held.missing == pressed.missing == ("m", "g")
+
+
+CRANE = """
+parameters: {M: N m, m: 800 kg, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], D: [3 m, 4 m]}}
+bodies:
+  boom: {rod: {length: 12 m}, angle: 70 deg}
+  stay: {rod: {length: 10 m}}
+  jib: {body: {}, points: {P: [0, 0], Q: [4 m, 0], T: [-6 m, 0]}, near: {angle: 160 deg, at: [4 m, 11 m]}}
+  load: {particle: {mass: m}}
+connections:
+  A: {pin: [ground.A, boom.start]}
+  D: {pin: [ground.D, stay.start]}
+  B: {pin: [boom.end, jib.P]}
+  C: {pin: [stay.end, jib.Q]}
+  T: {pin: [jib.T, load]}
+loads:
+  weight: {gravity: g}
+  luff: {torque: {on: boom, magnitude: M}}
+measures: {theta: angle of boom}
+start: {theta: 70 deg, rate(theta): 0.02 rad/s}
+"""
+
+
+def test_velocities_in_a_loop_have_values_whatever_torque_is_open() -> None:
+    """The loop closed by Newton's method; its rates by the velocities of both ends of the jib, w_jib and w_stay:
+    w k x AB + w_jib k x BC = w_stay k x DC."""
+    w, theta = 0.02, math.radians(70)
+    B = 12 * math.cos(theta), 12 * math.sin(theta)
+    jib = 2.0
+    for _ in range(40):  # |C - D| = 10
+        x, y = B[0] + 4 * math.cos(jib) - 3, B[1] + 4 * math.sin(jib) - 4
+        jib -= (x**2 + y**2 - 100) / (8 * (y * math.cos(jib) - x * math.sin(jib)))
+    BC = 4 * math.cos(jib), 4 * math.sin(jib)
+    # along DC both ends of the stay are at rest
+    turn = -w * (B[0] * y - B[1] * x) / (BC[0] * y - BC[1] * x)
+    crane = fb.System.from_text(CRANE)
+    asked = ["angular velocity of jib at start", "velocity of load at start"]
+    spin, velocity = crane.solve(asked).answers
+    assert spin.value == pytest.approx(turn)
+    assert velocity.value == pytest.approx((-w * B[1] + 1.5 * turn * BC[1], w * B[0] - 1.5 * turn * BC[0]))
+
+
+def test_a_rate_in_a_loop_has_no_value_where_a_length_of_the_loop_is_open() -> None:
+    text = """
+parameters: {r: 0.1 m, l: m}
+bodies: {crank: {rod: {length: r}}, rod: {rod: {length: l}}, piston: {particle: {mass: 1 kg}}}
+connections:
+  O: {pin: [ground.origin, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  guide: {slider: {body: piston, along: right}}
+measures: {phi: angle of crank}
+start: {phi: 40 deg, rate(phi): 2 rad/s}
+"""
+    found = fb.System.from_text(text).solve("angular velocity of rod at start").answers[0]
+    assert found.expression is not None
+    assert (found.value, found.missing) == (None, ("l",))

@@ -106,6 +106,7 @@ def equilibria(
             return [first]
     zeros = _zeros(model, forces, list(model.coordinates)) or _zeros_through_loops(model, forces)
     zeros = zeros or _zeros_by_what_is_bound(model, forces)
+    zeros = [_bound_at(model, values, start) | values for values in zeros]
     others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
     if first is None and not others:
         others = [r for values in _at_zero(model, forces, start) if (r := _judged(model, values))]
@@ -152,13 +153,15 @@ def _at_parameters(model: SymbolicModel, forces: Sequence[Ratio], start: StartSt
 
 
 def _bound_at(model: SymbolicModel, at: dict[int, Ratio], start: StartState) -> dict[int, Ratio]:
-    """What closed loops bind in the pose of the start: given by it, or by the loops where these have a solution."""
-    if not model.dependent:
+    """What closed loops bind at a place: in the pose of the start given by it, else by the loops where these have a
+    solution."""
+    bound = {d.index for d in model.dependent}
+    if bound <= at.keys():
         return {}
-    given = {d.index: start.values[d.index] for d in model.dependent if d.index in start.values}
-    if len(given) == len(model.dependent):
+    is_start = all((value - start.of(c)).is_zero() for c, value in at.items() if c not in bound)
+    given = {d: start.values[d] for d in bound if is_start and d in start.values}
+    if len(given) == len(bound):
         return given
-    is_start = all((value - start.of(c)).is_zero() for c, value in at.items())
     for closure in (Closure(model), *((Closure(model, at),) if is_start and not given else ())):
         with suppress(CannotAnswer, ZeroDivisionError):
             return closure.at(at | given)

@@ -22,6 +22,7 @@ from freebody.study.answering.told import answer_blocks
 ITS_RATE = Message("this is its rate")  # a note on the answer to whether something is conserved
 Value = float | tuple[float, ...] | None
 NOT_VALID = "Not valid for the given numbers"  # how a note begins that names a condition which they break
+WITHOUT_VALUE = Message("the formula is not valid, or has no value, at the given numbers; see the conditions and notes")
 
 
 def point_moves(term: str) -> Message:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -19,7 +20,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.reading import Question
 from freebody.study.answering import loops
-from freebody.study.answering.answer import Answer, Value, made
+from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made
 from freebody.study.answering.comparing import which_is_greater
 from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
 from freebody.study.answering.crosscheck import element_at, holds
@@ -61,6 +62,7 @@ class AnswerCompletion:
             expression: Expr | tuple[Expr, ...] = number(found.element)
             value: Value = float(found.element)
             conditions: list[str] = []
+            is_broken = False
         else:
             element = found.element
             chain = None if found.in_names is None else found.in_names.chain
@@ -80,8 +82,9 @@ class AnswerCompletion:
             if found.in_names is not None and not self.setup.closing(self.setup.state):
                 told = [*found.in_names.closing, *told]
             conditions = found.says + told or [for_all(self.setup.system, parts)]
+            is_broken = bool(broken) and value is None
         judgement = self._judge(found.element)
-        return made(
+        answer = made(
             q,
             expression,
             value,
@@ -93,6 +96,7 @@ class AnswerCompletion:
             evidence=found.evidence,
             chain=None if found.in_names is None else found.in_names.chain,
         )
+        return replace(answer, why_no_value=WITHOUT_VALUE) if is_broken else answer
 
     def _expression(self, element: Elements, chain: Chain | None) -> Expr | tuple[Expr, ...]:
         """The whole formula; by the names of its chain where nobody would read it."""
@@ -187,14 +191,33 @@ class AnswerCompletion:
         return judged(self.question, element, self.setup.model, self.setup.system)
 
     def _is_given(self, parts: Sequence[Ratio]) -> bool:
-        """Whether the file has numbers for all that stands in elements. Where it leaves some open, poses and motions
-        may hang on those, and only what is made of parameters is judged: the mass of a gear, not its open radius."""
+        """Whether the file has numbers for all that stands in elements, and for all that the pose of the start hangs on
+        where that stands in them: the lengths of its loops, not an open torque. The way to an event hangs on more."""
         if self.setup.has_values:
             return True
         field, system = self.setup.model.field, self.setup.system
         open_ = {Symbol(p.name) for p in system.parameters.values() if p.value is None and p.form is None}
-        used = [field.generators[g] for part in parts for g in field.ingredients(part)]
-        return not any(g.kind in MOVING or g.display in open_ for g in used)
+        used = {g for part in parts for g in field.ingredients(part)}
+        moving = {g for g in used if field.generators[g].kind in MOVING}
+        decided = self._decided_at_start(moving) if moving else set[int]()
+        return decided is not None and not any(field.generators[g].display in open_ for g in used | decided)
+
+    def _decided_at_start(self, moving: set[int]) -> set[int] | None:
+        """What the values of coordinates and speeds at the start are made of; None where that is not known."""
+        if self.reached is not None:
+            return None
+        model = self.setup.model
+        try:
+            values = self.setup.start.values
+        except (CannotAnswer, ZeroDivisionError):
+            return None
+        bound = {d.index for d in model.dependent}
+        made = [values[g] for g in moving if g in values]
+        if moving & bound - values.keys():  # it follows from the others
+            made += [model.field.follow(loop.value, values) for loop in model.loops]
+        found = {g for x in made for g in model.field.ingredients(x)}
+        left = {g for g in moving | found if model.field.generators[g].kind in MOVING} - values.keys()
+        return found if left <= bound else None
 
     def _value(self, element: Elements) -> Value:
         draw = self.setup.draws[0]

@@ -17,7 +17,7 @@ from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question, is_of_start
 from freebody.questions.rest import RestLimit
 from freebody.study.answering import evidence as proof
-from freebody.study.answering.answer import Answer, Value, made, refused
+from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.closed_form import QuestionSolver, with_verdict
 from freebody.study.answering.finding import NO_FORM, answered
@@ -79,7 +79,7 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
         is_begun = any(p.value is not None for p in system.parameters.values())  # a file without numbers asks for none
         answer = replace(answer, missing=tuple(missing) if is_begun else ())
     else:
-        why = Message("the formula is not valid, or has no value, at the given numbers; see the conditions and notes")
+        why = WITHOUT_VALUE
     return replace(answer, why_no_value=why)
 
 

@@ -21,7 +21,7 @@ from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import atan2, cos_sin
 
-_CLEAR = 1e-9  # of the size: a side on which something is
+CLEAR = 1e-9  # of the size: a side on which something is
 
 
 @dataclass(frozen=True)
@@ -106,10 +106,27 @@ def dead_points(links: FourLinks, measure: Measure, name: str) -> list[DeadPoint
         found = _on_guide(links, values, loop)
     else:
         found = _of_lever(links, values, loop)
-    real = [point for point in found if is_real(links, point.value)]
+    real = [point for point in found if is_real(links, point.value) and not _is_branching(links, point.reach)]
     if not real:
         raise CannotAnswer(Message("with these lengths no pose has crank and coupler in line: there is no dead point"))
     return real
+
+
+def _is_branching(links: FourLinks, reach: Ratio) -> bool:
+    """Whether with these lengths everything lies in one line there, or the guide at right angles to it: two branches
+    of the motion cross, on each of which the output goes on."""
+    f, loop, lengths = links.field, links.loop, links.lengths
+    if isinstance(loop, FourBar):
+        bars = bars_of(links)
+        sides = (bars.c - bars.d, bars.c + bars.d)
+    else:
+        e = lengths[loop.guide]
+        if loop.fixed == loop.guide:
+            sides = (e,)
+        else:
+            d = lengths[loop.crank] if loop.fixed == loop.crank else lengths[loop.rod]
+            return any(f.lowest_terms(reach - e + way).is_zero() for way in (d, -d))
+    return any(f.lowest_terms(reach + way * side).is_zero() for side in sides for way in (1, -1))
 
 
 def is_real(links: FourLinks, x: Ratio) -> bool:
@@ -150,14 +167,14 @@ def needs_of_reversal(links: FourLinks, found: Sequence[DeadPoint] = ()) -> list
     if not (needs := needs_of(links)):
         exist = Message("there is such a pose")
         needs = [replace(c, purpose=exist) for c in exists([point.value for point in found]) if c.relation == ">="]
-    return [replace(c, relation=">") for c in needs]
+    return [replace(c, relation=">") for c in needs if not c.element.is_zero()]  # there no dead point is told
 
 
 # -- sides ------------------------------------------------------------------------------------
 def side(links: FourLinks, tell: Callable[[Draw], float]) -> int:
     """The sign of something at the starts of all draws."""
     found = [tell(draw) for draw in links.setup.draws]
-    signs = {x > 0 for x in found if abs(x) > _CLEAR}
+    signs = {x > 0 for x in found if abs(x) > CLEAR}
     if len(signs) != 1:
         raise CannotAnswer(Message("which way the loop is assembled depends on the parameter values"))
     return 1 if signs.pop() else -1

@@ -48,6 +48,7 @@ from freebody.symbolic.functions import atan2, functions
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.tolerances import ROUND_OFF
 
 _SAME = 1e-8  # of the size: a length by formula and by number
 
@@ -214,8 +215,9 @@ class FourLinks:
         return rotatable(self.loop, self.lengths, link)
 
     def does_turn(self, link: str) -> bool:
-        """At the model's own numbers."""
-        return all(self.number(x) >= 0 for x in self.turning(link).needs)
+        """At the model's own numbers, on the border too, whatever round-off makes of it."""
+        size = max(abs(self.number(x)) for x in self.lengths.values())
+        return all(self.number(x) >= -ROUND_OFF * size * min(size, 1.0) for x in self.turning(link).needs)
 
     @cached_property
     def crank(self) -> str:

@@ -37,6 +37,7 @@ from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula
 from freebody.study.mobility import assembling, full_turns
 from freebody.study.mobility.dead_points import (
+    CLEAR,
     arc_of,
     dead_points,
     needs_of,
@@ -122,10 +123,10 @@ def _dead_points(q: DeadPoints, setup: Setup, question: Question) -> Finding:
     check = CrossCheck(
         question.text, Message("poses in which the output reverses, on the motion followed in numbers"), 1e-7
     )
-    needs = needs_of(links)
+    reverses = needs_of_reversal(links, found)
 
     def compare(draw: Draw) -> None:
-        if not all(element_at(setup, c.element, draw, draw.start())[0] >= 0 for c in needs):
+        if not all(element_at(setup, c.element, draw, draw.start())[0] > CLEAR for c in reverses):
             return
         numeric = reversing(links, draw, q.of)
         exact = [element_at(setup, point.value, draw, draw.start())[0] for point in found]
@@ -140,8 +141,15 @@ def _dead_points(q: DeadPoints, setup: Setup, question: Question) -> Finding:
         Message("there {what} reverses: {places}", what=output_of(links), places=where),
         Message("{output} as the driver cannot move {crank} on from there", output=output_of(links), crank=links.crank),
     ]
+    if any(c.element.is_zero() for c in needs_of(links)):
+        notes.append(
+            Message(
+                "with these lengths all links can lie in one line: two branches of the motion meet there, and the dead "
+                "points are those of the assembly at the start"
+            )
+        )
     values = tuple(point.value for point in found)
-    conditions = [*needs_of_reversal(links, found), *(c for x in values for c in real(x))]
+    conditions = [*reverses, *(c for x in values for c in real(x))]
     return Finding(values[0] if len(values) == 1 else values, evidence, conditions, notes, is_complete=True)
 
 
