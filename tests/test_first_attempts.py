@@ -45,6 +45,10 @@ MISTAKES = {
         "parameters: {r: 0.1 m, R: r + 5 cm}\nbodies: {w: {disk: {mass: 1 kg, radius: R}}}",
         "in 'r + 5 cm' every value with a unit needs a name: a parameter",
     ),
+    "a parameter made of one that there is not": (
+        "parameters: {r: 0.1 m, R: 2*q, J: R/2}\nbodies: {w: {disk: {mass: 1 kg, radius: J}}}",
+        "q in '2*q' is not a parameter. There is: r. Add it under parameters, e.g. q: 1",
+    ),
     "a parameter made of others that do not fit": (
         "parameters: {r: 0.1 m, M: 1 kg, R: r + M}\nbodies: {w: {disk: {mass: M, radius: R}}}",
         "in 'r + M': r [m] + M [kg]: unlike units cannot be added",

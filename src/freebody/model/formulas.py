@@ -447,10 +447,15 @@ def _not_a_parameter(name: str, value: str, dimension: Dimension, hint: str) -> 
             hint=hint,
             unit=dimension,
         )
+    return no_parameter_in(name, value, hint)
+
+
+def no_parameter_in(name: str, formula: str, hint: str) -> Message:
+    """That a name in a formula is none of a parameter."""
     return Message(
         "{name} in '{value}' is not a parameter.{hint} Add it under parameters, e.g. {name}: 1",
         name=name,
-        value=value,
+        value=formula,
         hint=hint,
     )
 

@@ -13,7 +13,9 @@ from freebody.language.parser import parse
 from freebody.language.sentences import Message, in_turn
 from freebody.language.units import DIMENSIONLESS, TIME, dimension_of, parse_quantity, parse_unit, quantities_within
 from freebody.model.elements import Parameter, Sign
+from freebody.model.formulas import no_parameter_in
 from freebody.model.names import Names
+from freebody.model.noting import did_you_mean
 from freebody.system.reading.source import Source, known_keys
 
 _RIGHT_ANGLE = math.pi / 2
@@ -80,12 +82,19 @@ def _read_shorthands(names: Names, written: Mapping[str, str]) -> None:
 
 
 def _read_shorthand(names: Names, name: str, formula: str) -> None:
+    if _used_in(formula) & names.broken:
+        names.broken.add(name)  # told where that stands
+        return
     _named, quantities = quantities_within(formula, names.parameters)
     try:
         if quantities:  # as a bare number it would lose its unit
             names.problem(Message("in '{text}' every value with a unit needs a name: a parameter", text=formula))
         else:
             short = names.parsed(formula)
+            if unknown := sorted(free_symbols(short) - names.parameters.keys() - {"pi"}):
+                names.problem(no_parameter_in(unknown[0], formula, did_you_mean(unknown[0], names.parameters)))
+                names.broken.add(name)
+                return
             dimension_of(short, names.dimensions())
             names.shorthands[name] = short
             return
@@ -106,7 +115,8 @@ def _of_others(value: Any, others: Collection[str]) -> str | None:
         return None
     named, quantities = quantities_within(given, others)
     used = free_symbols(parse(named)) - quantities.keys() - {"pi"} if _is_read(parse, named) else set[str]()
-    return given if used and used <= set(others) else None  # else it is a unit that is not known: 5 Ns/m
+    is_formula = used <= set(others) or any(sign in given for sign in "*(")  # else a unit that is not known: 5 Ns/m
+    return given if used and is_formula else None
 
 
 def _is_read(read: Callable[[str], object], text: str) -> bool:
