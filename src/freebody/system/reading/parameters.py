@@ -19,6 +19,7 @@ from freebody.model.noting import did_you_mean
 from freebody.system.reading.source import Source, known_keys
 
 _RIGHT_ANGLE = math.pi / 2
+_VALUE = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?\s+[^\W\d]")  # with its unit, behind a space
 _WORD = re.compile(r"[^\W\d]\w*")
 
 
@@ -115,8 +116,9 @@ def _of_others(value: Any, others: Collection[str]) -> str | None:
         return None
     named, quantities = quantities_within(given, others)
     used = free_symbols(parse(named)) - quantities.keys() - {"pi"} if _is_read(parse, named) else set[str]()
-    is_formula = used <= set(others) or any(sign in given for sign in "*(")  # else a unit that is not known: 5 Ns/m
-    return given if used and is_formula else None
+    if not used <= set(others) and (_VALUE.match(given) or not any(sign in given for sign in "*(")):
+        return None  # a unit that is not known: 5 Ns/m
+    return given if used else None
 
 
 def _is_read(read: Callable[[str], object], text: str) -> bool:
