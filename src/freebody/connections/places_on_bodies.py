@@ -233,7 +233,7 @@ def _rim(body: RigidBody, radius: Expr, ball: Ball, height: Expr) -> Core:
 
 
 def _cores_held(names: Names, text: str, ball: Ball) -> Iterator[Core]:
-    """What of a body can touch the hollow sphere in which it lies: rims, corners, ends."""
+    """What of a body can touch the hollow sphere in which it lies: rims or corners."""
     body = names.bodies.get(text)
     if body is None or body.solid in (SPHERE, ELLIPSOID):
         return
