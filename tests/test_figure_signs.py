@@ -152,7 +152,7 @@ def float_of(expr: Expr) -> float:
 
 def test_an_angular_velocity_is_a_vector_along_its_axis() -> None:
     found = picture(fb.System.from_text(DRAWN))
-    assert "\u03c8\u2032" in texts(found)
+    assert "\u03c8\u0307" in texts(found)
     [vector] = [s.points for s in found.shapes if s.stroke is not None and s.stroke.color == "velocity"]
     assert abs(vector[1][0] - vector[0][0]) < 1e-6  # y is up in the picture
     assert vector[1][1] > vector[0][1]

@@ -142,7 +142,7 @@ def test_forgotten_turns_of_a_period_are_named() -> None:
 @pytest.mark.parametrize(
     ("option", "mistake"),
     [
-        ("sqrt(v0^2 + g*h)", "v² = a s is used in place of v² = 2 a s"),
+        ("sqrt(v0^2 + g*h)", "v² = a·s is used in place of v² = 2·a·s"),
         ("sqrt(v0^2 + 2*g*h*sin(alpha))", "the way is taken to be h"),
         ("sqrt(2*g*h)", "the initial velocity is forgotten"),
         ("v0^2 + 2*g*h", "the square root is forgotten"),

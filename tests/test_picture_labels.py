@@ -74,7 +74,7 @@ def test_a_coordinate_that_is_driven_has_its_law_beside_its_arrow_and_nowhere_el
 
 
 def test_a_rate_at_the_start_that_is_a_formula_says_of_what() -> None:
-    assert "θ′ = v_0/L" in words_of(load("string_comes_taut_again").picture())
+    assert "θ\u0307 = v_0/L" in words_of(load("string_comes_taut_again").picture())
 
 
 def test_the_name_of_a_flat_slope_stands_near_its_end() -> None:

@@ -94,7 +94,7 @@ class Catalogue:
 
     def plain(self, sentence: Sentence) -> str:
         """A sentence as plain words, for titles and labels."""
-        from freebody.language.notation import to_text
+        from freebody.present.report.formulas.line import LineFormulas
 
         words: list[str] = []
         for piece in self.tell(sentence):
@@ -103,9 +103,8 @@ class Catalogue:
                     words.append(piece)
                 case Emphasis(text, _look):
                     words.append(text)
-                case Formula(sides, relations, _unit):
-                    shown = [to_text(s) for s in sides if isinstance(s, _EXPRESSIONS)]
-                    words.append(f" {relations[0] if relations else ''} ".join(shown))
+                case Formula():
+                    words.append(LineFormulas().formula(piece))
                 case Reference(number, _what):
                     words.append(f"({number})")
         return "".join(words)

@@ -24,7 +24,7 @@ from freebody.language.notation import Stated
 from freebody.messages import Message, Shown
 from freebody.model.style import HouseStyle
 from freebody.narrative.principles.sides import positive_first
-from freebody.present.report.blocks import Emphasis, Formula, Report, Side
+from freebody.present.report.blocks import Emphasis, Formula, Report, WrittenSide
 
 _DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?=[eE][-+]?\d|(?!\.?\w))")
 _NUMBER = r"[-−]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?°?"
@@ -76,7 +76,7 @@ class _House:
             return words
         return _NUMBERS.sub(lambda found: found[0].replace(", ", "; ") if "." in found[0] else found[0], words)
 
-    def side(self, side: Side) -> Side:
+    def side(self, side: WrittenSide) -> WrittenSide:
         if isinstance(side, tuple):
             parts = tuple(self.expression(part) for part in side)
             axes = self.style.axes

@@ -20,6 +20,7 @@ _RELATIONS = {"<=": "\u2264", ">=": "\u2265", "=": "="}
 _WORDS = re.compile(r"[^\W\d]\w* [^\W\d]|^[\d.]+ [^\W\d]")  # `angle of rod`, `2 N`
 _FUNCTIONS = frozenset(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs", "sign"))
 _GLYPHS = {"·": "\u2009", "-": "\u2212", "'": "\u2032"}
+_DOTS = {1: "\u0307", 2: "\u0308"}  # above one letter, as on paper; primes behind several
 _SMALL = 0.72  # of an index
 _SIGNS = frozenset("=+\u2212<>\u2264\u2265")
 _NARROW, _WIDE = frozenset("ijltfrI.,:;'|()[]/ "), frozenset("mwMW")
@@ -113,8 +114,9 @@ def _runs(text: str) -> list[Run]:
     for part in _PART.finditer(text):
         letters, index, dots = part["name"], part["index"], part["dots"]
         if letters:
-            found.append(Run(letters, is_italic=letters not in _FUNCTIONS))
-            found.extend([Run("\u2032" * len(dots))] if dots else [])
+            above = _DOTS.get(len(dots), "") if len(letters) == 1 else ""
+            found.append(Run(letters + above, is_italic=letters not in _FUNCTIONS))
+            found.extend([Run("\u2032" * len(dots))] if dots and not above else [])
             if index:
                 inner = spaced_index(index.removeprefix("_").translate(_DIGITS))
                 found.append(Run(inner, is_italic=len(inner) == 1 and inner.isalpha(), level=-1))
@@ -139,6 +141,8 @@ def _joined(runs: list[Run]) -> list[Run]:
 def _width(letter: str) -> float:
     if letter == "\u2009":
         return 0.17
+    if letter in _DOTS.values():
+        return 0.0
     if letter in _NARROW:
         return 0.33
     if letter in _SIGNS:

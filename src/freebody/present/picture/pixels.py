@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from io import BytesIO
 from typing import Any
@@ -16,6 +17,7 @@ from freebody.present.theme import THEMES, Theme
 
 _DPI = 200
 _SPECIAL = {c: f"\\{c}" for c in "#$%&_{}"} | {" ": r"\ ", "\u2009": r"\,"}
+_DOTTED, _TWICE_DOTTED = re.compile("(.)\u0307"), re.compile("(.)\u0308")
 _PER_INCH = 72.0
 _MOST = 500  # characters of a title in the data of a file
 
@@ -82,7 +84,8 @@ def _mathtext(label: Label) -> str:
     """In Matplotlib's own mathematics, run by run."""
     text = ""
     for run in label.runs:
-        letters = "".join(_SPECIAL.get(c, c) for c in run.text)
+        letters = _DOTTED.sub(r"\\dot{\1}", "".join(_SPECIAL.get(c, c) for c in run.text))
+        letters = _TWICE_DOTTED.sub(r"\\ddot{\1}", letters)
         inner = rf"\mathit{{{letters}}}" if run.is_italic else rf"\mathrm{{{letters}}}"
         text += {-1: f"_{{{inner}}}", 0: inner, 1: f"^{{{inner}}}"}[run.level]
     return f"${text}$"

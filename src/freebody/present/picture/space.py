@@ -43,7 +43,7 @@ from freebody.system.system import System
 
 _LETTER, _SIZE = 0.56, 9.5  # width of a letter by its height; points
 _ROOMS = {1: (200.0, 150.0), 2: (290.0, 215.0)}  # [points], by the number of bodies
-_ROOM = 350.0, 260.0  # of more
+_ROOM = 300.0, 225.0  # of more
 _ROOM_FREE = 200.0, 160.0
 _EDGE_ON = 1e-3  # sine of the angle between a plane and the line of sight
 _HATCH = 7.0  # [points]

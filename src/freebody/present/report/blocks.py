@@ -32,6 +32,17 @@ class Difference:
 
 
 Side = Expr | tuple[Expr, ...] | Derivative | Difference  # a tuple is a vector, written as a column
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Parts one after the other, as a principle is written on a board: v + ω × r, det(K − ω² M). A text is the sign
+    between two parts; before a part, where none stands, it belongs to it (a minus, Σ), and so does a word (det)."""
+
+    parts: tuple[Expr | Derivative | str, ...]
+
+
+WrittenSide = Side | Beside
 Relation = Literal["=", "≈", ">", "≥", "<", "≤", "≠", "→", "⇒", "⇔"]
 
 
@@ -40,7 +51,7 @@ class Formula:
     """sides[0] relations[0] sides[1] relations[1] ...; a formula may have one side only. unit: of the last side, as
     'm/s^2', empty for none."""
 
-    sides: tuple[Side, ...]
+    sides: tuple[WrittenSide, ...]
     relations: tuple[Relation, ...] = ()
     unit: str = ""
 

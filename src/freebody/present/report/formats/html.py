@@ -11,6 +11,7 @@ import hashlib
 import re
 from collections.abc import Sequence
 from html import escape
+from itertools import pairwise
 
 from freebody.language.plain_text import plain
 from freebody.present.assets import asset, embedded
@@ -20,8 +21,10 @@ from freebody.present.report.blocks import (
     Emphasis,
     Entries,
     Equation,
+    Equations,
     Figure,
     Formula,
+    Paragraph,
     Report,
     Section,
     Step,
@@ -39,6 +42,8 @@ _LABEL_WIDTH = 26  # a longer label may be broken
 _NUMBERED = re.compile(r"\d+\. ")  # a title with a number of its own
 _PAPER_WIDTH = 80  # that fit on a page
 _INLINE_WIDTH = 24  # a wider formula in a text scrolls on a narrow screen
+_SIZE, _HEAD = re.compile(r'viewBox="0 0 (\d+)\S* (\d+)'), 600  # [points] of a picture; letters in which it says it
+_FEW_LINES = 5
 _BEFORE_A_POINT = re.compile(r"<math (?:(?!</math>).)*</math>[.,;:)]+")
 _FORMULAS = MathMLFormulas()
 _SIGNS = {"right": "✓", "wrong": "✗"}
@@ -160,7 +165,12 @@ class _Writer(BlockWriter[str]):
 
     # -- blocks -----------------------------------------------------------------------------------
     def blocks(self, blocks: Sequence[Block]) -> str:
-        return "\n".join(self.block(block) for block in blocks)
+        """What a few equations are told with stays with them on paper."""
+        written = list(map(self.block, blocks))
+        for k, (first, second) in enumerate(pairwise(blocks)):
+            if isinstance(first, Paragraph) and isinstance(second, Equations) and len(second.lines) <= _FEW_LINES:
+                written[k : k + 2] = f'<div class="led">{written[k]}', f"{written[k + 1]}</div>"
+        return "\n".join(written)
 
     def paragraph(self, text: Text) -> str:
         """A formula that stands alone is as large as one of a derivation."""
@@ -275,8 +285,10 @@ class _Writer(BlockWriter[str]):
         label = escape(plain(f"{picture.title}. {picture.description}"), quote=True)
         lead = f"<b>{capital(self.word('figure'))} {figure.number}</b>"
         caption = f"<figcaption>{lead} {self.text(figure.caption)}</figcaption>"
-        drawing = f'<div class="drawing" role="img" aria-label="{label}">{picture.svg(is_marked=self.is_marked)}</div>'
-        return f'<figure id="{self.prefix}fig-{figure.number}">{drawing}{caption}</figure>'
+        svg = picture.svg(is_marked=self.is_marked)
+        drawing = f'<div class="drawing" role="img" aria-label="{label}">{svg}</div>'
+        size = "".join(f' style="--wide:{wide}pt;--tall:{tall}pt"' for wide, tall in _SIZE.findall(svg[:_HEAD]))
+        return f'<figure id="{self.prefix}fig-{figure.number}"{size}>{drawing}{caption}</figure>'
 
     # -- text -------------------------------------------------------------------------------------
     def text(self, text: Text) -> str:

@@ -11,6 +11,7 @@ from freebody.present.report.formulas.statement import FormulaWriter, is_close, 
 _OPERATORS = {
     **{"≈": r"\approx", ">": ">", "≥": r"\ge", "<": "<", "≤": r"\le", "≠": r"\ne"},
     **{"→": r"\to", "⇒": r"\Rightarrow", "⇔": r"\Leftrightarrow"},
+    **{"×": r"\times", "·": r"\cdot", "±": r"\pm", "Σ": r"\sum"},
 }
 _UNIT_SIGNS = {" ": r"\,", "°": r"{}^{\circ}", "µ": r"\mu ", "μ": r"\mu ", "%": r"\%", "Ω": r"\Omega "}
 
@@ -24,6 +25,11 @@ class LatexFormulas(FormulaWriter[str]):
 
     def operator(self, symbol: str) -> str:
         return f" {_OPERATORS.get(symbol, symbol)} "
+
+    def head(self, sign: str) -> str:
+        if sign in _OPERATORS:
+            return f"{_OPERATORS[sign]} "
+        return rf"\operatorname{{{sign}}}" if sign.isalpha() else sign
 
     def beside(self, pieces: Sequence[str]) -> str:
         return "".join(pieces)

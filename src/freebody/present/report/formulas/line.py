@@ -21,6 +21,9 @@ class LineFormulas(FormulaWriter[str]):
     def operator(self, symbol: str) -> str:
         return f" {symbol} "
 
+    def head(self, sign: str) -> str:
+        return f"{sign} " if sign == "Σ" else sign
+
     def beside(self, pieces: Sequence[str]) -> str:
         return "".join(pieces)
 

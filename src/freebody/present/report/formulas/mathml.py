@@ -22,6 +22,11 @@ class MathMLFormulas(FormulaWriter[str]):
         # Arrows would stretch over what stands beside them.
         return f'<mo form="infix" stretchy="false">{html.escape(symbol.replace("-", "−"))}</mo>'
 
+    def head(self, sign: str) -> str:
+        if sign.isalpha() and sign != "Σ":
+            return f'<mi mathvariant="normal">{html.escape(sign)}</mi>'
+        return f'<mo form="prefix" stretchy="false">{html.escape(sign.replace("-", "−"))}</mo>'
+
     def beside(self, pieces: Sequence[str]) -> str:
         return "".join(pieces)
 

@@ -7,7 +7,17 @@ from dataclasses import dataclass
 from freebody.language.expression import Expr, Sum, Symbol
 from freebody.language.notation.parts import signed_terms
 from freebody.language.notation.stacked import stacked
-from freebody.present.report.blocks import Derivative, Difference, Emphasis, Formula, Piece, Reference, Side, Text
+from freebody.present.report.blocks import (
+    Beside,
+    Derivative,
+    Difference,
+    Emphasis,
+    Formula,
+    Piece,
+    Reference,
+    Text,
+    WrittenSide,
+)
 
 
 @dataclass(frozen=True)
@@ -15,8 +25,8 @@ class Row:
     """left is what stands before the first relation, in the first row only; right are the operators and the sides
     behind them, as ("=", a), ("+", b), or ("", a) where there is no relation. unit: behind the last."""
 
-    left: Side | None
-    right: tuple[tuple[str, Side], ...]
+    left: WrittenSide | None
+    right: tuple[tuple[str, WrittenSide], ...]
     unit: str = ""
 
     @property
@@ -35,9 +45,9 @@ def rows(formula: Formula, width: int) -> list[Row]:
     left, *others = formula.sides
     if not others:
         others, left = [left], None
-    steps: list[tuple[str, Side]] = list(zip(formula.relations or ("",), others, strict=True))
+    steps: list[tuple[str, WrittenSide]] = list(zip(formula.relations or ("",), others, strict=True))
     free = max(width - (0 if left is None else side_width(left)), width // 2)
-    lines: list[tuple[tuple[str, Side], ...]] = []
+    lines: list[tuple[tuple[str, WrittenSide], ...]] = []
     if sum(3 + side_width(side) for _, side in steps) <= free:
         lines.append(tuple(steps))
     else:
@@ -75,7 +85,7 @@ def _piece_width(piece: Piece) -> int:
             return 4
 
 
-def side_width(side: Side) -> int:
+def side_width(side: WrittenSide) -> int:
     """[characters] over which a terminal would draw it."""
     match side:
         case tuple():
@@ -86,15 +96,17 @@ def side_width(side: Side) -> int:
             return 1 + side_width(by) + 2 + side_width(of)
         case Difference(first, second):
             return side_width(first) + side_width(second) + 3
+        case Beside(parts):
+            return sum(2 + len(part) if isinstance(part, str) else side_width(part) for part in parts)
         case _:
             return stacked(side)[0].width
 
 
-def _broken(operator: str, side: Side, width: int) -> list[tuple[tuple[str, Side], ...]]:
+def _broken(operator: str, side: WrittenSide, width: int) -> list[tuple[tuple[str, WrittenSide], ...]]:
     """A side that is a long sum, a row for as many of its terms as fit."""
     if not isinstance(side, Sum) or side_width(side) <= width:
         return [((operator, side),)]
-    lines: list[tuple[tuple[str, Side], ...]] = []
+    lines: list[tuple[tuple[str, WrittenSide], ...]] = []
     taken: list[Expr] = []
     used = 0
     for term, (is_subtracted, unsigned) in zip(side.terms, signed_terms(side.terms), strict=True):

@@ -20,6 +20,9 @@ class StackedFormulas(FormulaWriter[TextBox]):
     def operator(self, symbol: str) -> TextBox:
         return flat(f" {symbol} ")
 
+    def head(self, sign: str) -> TextBox:
+        return flat(f"{sign} " if sign == "Σ" else sign)
+
     def beside(self, pieces: Sequence[TextBox]) -> TextBox:
         return beside(pieces)
 

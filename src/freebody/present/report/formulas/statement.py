@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from typing import Generic, TypeVar
 
 from freebody.language.expression import Expr, Number, ProductOf, Sum, Symbol
-from freebody.present.report.blocks import Derivative, Difference, Formula, Side
+from freebody.present.report.blocks import Beside, Derivative, Difference, Formula, WrittenSide
 from freebody.present.report.formulas.rows import Row
 
 Piece = TypeVar("Piece")
@@ -32,6 +32,10 @@ class FormulaWriter(ABC, Generic[Piece]):
     @abstractmethod
     def operator(self, symbol: str) -> Piece:
         """A relation, a plus or a minus between two sides."""
+
+    @abstractmethod
+    def head(self, sign: str) -> Piece:
+        """A sign or a word that belongs to what follows: a minus, det."""
 
     @abstractmethod
     def beside(self, pieces: Sequence[Piece]) -> Piece: ...
@@ -85,7 +89,7 @@ class FormulaWriter(ABC, Generic[Piece]):
             pieces.append(self.unit(formula.unit))
         return self.beside(pieces)
 
-    def side(self, side: Side) -> Piece:
+    def side(self, side: WrittenSide) -> Piece:
         match side:
             case tuple():
                 return self.column([self.expression(entry) for entry in side])
@@ -96,8 +100,19 @@ class FormulaWriter(ABC, Generic[Piece]):
                 if is_sum(second) or _begins_with_minus(second):
                     subtracted = self.in_brackets(subtracted)
                 return self.beside([self.side(first), self.operator("-"), subtracted])
+            case Beside(parts):
+                return self.beside([self._part(part, parts[:k]) for k, part in enumerate(parts)])
             case _:
                 return self.expression(side)
+
+    def _part(self, part: Expr | Derivative | str, before: Sequence[Expr | Derivative | str]) -> Piece:
+        if not isinstance(part, str):
+            follows_word = bool(before) and isinstance(before[-1], str) and before[-1].isalpha() and before[-1] != "Σ"
+            is_factor = bool(before) and not isinstance(before[-1], str)
+            written = self.in_brackets(self.side(part)) if follows_word else self.side(part)
+            return self.beside([self.nothing(), written]) if is_factor else written
+        is_between = bool(before) and not isinstance(before[-1], str) and not part.isalpha()
+        return self.operator(part) if is_between else self.head(part)
 
     def _derivative(self, derivative: Derivative) -> Piece:
         """d x/d t as one fraction of a symbol; of anything longer, d/dt stands before it in brackets."""
@@ -109,12 +124,12 @@ class FormulaWriter(ABC, Generic[Piece]):
         return self.beside([self.over(d, below), self.in_brackets(of)])
 
 
-def is_sum(side: Side) -> bool:
+def is_sum(side: WrittenSide) -> bool:
     """Does it need brackets before a unit?"""
     return isinstance(side, Sum | Difference)
 
 
-def _begins_with_minus(side: Side) -> bool:
+def _begins_with_minus(side: WrittenSide) -> bool:
     match side:
         case Number(value) | ProductOf((Number(value), *_)):
             return value < 0

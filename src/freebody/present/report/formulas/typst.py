@@ -17,7 +17,12 @@ class TypstFormulas(FormulaWriter[str]):
         return '""'
 
     def operator(self, symbol: str) -> str:
-        return f" {symbol} "
+        return " dot " if symbol == "·" else f" {symbol} "
+
+    def head(self, sign: str) -> str:
+        if sign == "Σ":
+            return "sum "
+        return f"op({quoted(sign)})" if sign.isalpha() else sign
 
     def beside(self, pieces: Sequence[str]) -> str:
         return "".join(pieces)
