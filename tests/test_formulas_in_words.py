@@ -54,7 +54,8 @@ def test_formulas_of_the_words_can_be_read_and_are_not_typed(language: str) -> N
         (
             "d𝑯/dt + 𝝎 × 𝑯 = 𝑴",
             "d𝑯/dt + 𝝎 × 𝑯 = 𝑴",
-            r"\frac{\mathrm{d}\boldsymbol{H}}{\mathrm{d}t} + \boldsymbol{\omega} \times \boldsymbol{H} = \boldsymbol{M}",
+            r"\frac{\mathrm{d}\boldsymbol{H}}{\mathrm{d}t} + \boldsymbol{\omega} \times \boldsymbol{H} "
+            r"= \boldsymbol{M}",
             "frac(upright(d) bold(H), upright(d) t) + bold(ω) × bold(H) = bold(M)",
         ),
         (
