@@ -35,6 +35,13 @@ REFUSED = {
         "connections: {r: {curved_rail: {point: b, y: a*x^2}}}",
         "It could be assembled with b at [1.673 m, 2.799 m]",
     ),
+    # a ladder of 5 m whose foot stands 4 m from the wall reaches 3 m, and 36.87 deg
+    "one value of a start too many": (
+        "bodies: {b: {rod: {mass: 1 kg, length: 5 m}}}\nmeasures: {x: x of b.start, y: y of b.end}\n"
+        "connections: {f: {slot: {pin: b.start, along: right}}, w: {slot: {pin: b.end, along: up}}}\n"
+        "start: {x: 4 m, y: 2 m}",
+        "Leave out x, which then is 4.583 m, or y, which then is 3 m",
+    ),
 }
 
 

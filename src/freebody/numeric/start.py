@@ -16,7 +16,7 @@ import numpy as np
 from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.expression import ZERO, substitute
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, listed
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -38,6 +38,7 @@ from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUND_OFF
 
 N_STARTS = 16
+N_QUICK = 5  # of a trial with other values
 MOST_STEPS = 3200  # of all starts together
 SINGULAR = 1e-6  # the volume that three unit axes span
 Wanted = Sequence[tuple[Measure | NonholonomicForm, float]]  # values that measures, or their rates, must have
@@ -80,12 +81,12 @@ def _worst(reference: NumericSystem, fit: Fit) -> str:
     row = next((row for row in reference.system.constraint_rows if row.name == name), None)
     if row is None or row.component != "drive" or row.target is None:
         return fit.worst
-    begin, dimension = reference.number(substitute(row.target, {"t": ZERO})), row.measure.dimension
+    begin = reference.number(substitute(row.target, {"t": ZERO}))
     return Message(
         "{worst} (the law of {driver} begins at {value}, which the start has to have)",
         worst=fit.worst,
         driver=row.connection,
-        value=f"{math.degrees(begin):.4g} deg" if dimension == DIMENSIONLESS else f"{begin:.4g} {dimension}",
+        value=_shown(begin, row.measure),
     )
 
 
@@ -183,7 +184,11 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             raise CannotAnswer(Message("the start cannot be assembled: {why}", why=why)) from error
         if isinstance(error, BudgetExhausted):
             raise
-        raise error if extra else CannotAnswer(_with_places_that_fit(reference, error.args[0])) from error
+        if extra:
+            raise
+        told = _with_places_that_fit(reference, error.args[0])
+        told = _with_values_that_fit(reference, told) if told is error.args[0] else told
+        raise CannotAnswer(told) from error
     if q is not guess:
         best = _settled(reference, best, guess, wishes)
     return _nearest(reference, best, guess)
@@ -271,6 +276,33 @@ def _with_places_that_fit(reference: NumericSystem, told: str) -> str:
             place = ", ".join(f"{round(a, 9) + 0.0:.4g} m" for a, _b in pairs)
             return Message("{told}. It could be assembled with {body} at [{place}]", told=told, body=name, place=place)
     return told
+
+
+def _with_values_that_fit(reference: NumericSystem, told: str) -> str:
+    """The same, and which of the given start values may be left out, with the value that it has then."""
+    system = reference.system
+    fitting: list[str] = []
+    best = reference.placing.fit(turned_to_face(reference, guessed(reference)), _equations(reference, ()), 0.0, {})
+    for name in system.start:
+        others = {other: expr for other, expr in system.start.items() if other != name}
+        loose = type(reference)(replace(system, start=others), reference.frame.values)
+        try:
+            q = assembled(loose, (), None if best is None else best.q, N_QUICK).q
+        except CannotAnswer:
+            continue
+        measure = system.all_measures[name]
+        value = measure.value(loose.geometry(q, np.zeros_like(q), 0.0)).value
+        fitting.append(Message("{name}, which then is {value}", name=name, value=_shown(float(value), measure)))
+    if not fitting:
+        return told
+    return Message("{told}. Leave out {values}", told=told, values=listed(fitting, "{first}, or {second}"))
+
+
+def _shown(value: float, measure: Measure) -> str:
+    """A value of a measure, of angles in degrees."""
+    if measure.dimension == DIMENSIONLESS:
+        return f"{round(math.degrees(value), 9) + 0.0:.4g} deg"
+    return f"{round(value, 9) + 0.0:.4g} {measure.dimension}"
 
 
 def _nearest(reference: NumericSystem, found: Fit, guess: Array) -> Fit:
