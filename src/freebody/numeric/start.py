@@ -298,7 +298,7 @@ def _with_values_that_fit(reference: NumericSystem, told: str) -> str:
     return Message("{told}. Leave out {values}", told=told, values=listed(fitting, "{first}, or {second}"))
 
 
-def _shown(value: float, measure: Measure) -> str:
+def _shown(value: float, measure: Measure | NonholonomicForm) -> str:
     """A value of a measure, of angles in degrees."""
     if measure.dimension == DIMENSIONLESS:
         return f"{round(math.degrees(value), 9) + 0.0:.4g} deg"
