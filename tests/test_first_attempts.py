@@ -631,3 +631,25 @@ def test_a_disc_clutch_by_its_torque_is_told_to_be_a_brake() -> None:
     clutch = "connections: {it: {disc_clutch: {between: [rod, ground], torque: 3 N m}}}"
     with pytest.raises(fb.ModelError, match=r"is brake: {between: \[drum, shaft\], torque: T}"):
         fb.System.from_text(f"{ROD}{clutch}")
+
+
+@pytest.mark.parametrize(
+    ("written", "point"),
+    [
+        ("connections: {c: {link: {between: [[1 m, 2 m], b]}}}", "A"),
+        ("loads: {c: {spring: {from: [1 m, 2 m], to: b, stiffness: 10 N/m, length: 1 m}}}", "A"),
+        ("connections: {c: {slider: {body: b, along: right, through: [1 m, 2 m]}}}", "A"),
+        ("parameters: {A: 1 m^2}\nconnections: {c: {pin: {between: [[1 m, 2 m], b]}}}", "B"),
+    ],
+)
+def test_coordinates_at_the_end_of_something_are_those_of_a_point_of_the_ground(written: str, point: str) -> None:
+    system = fb.System.from_text(f"bodies: {{b: {{rod: {{mass: 1 kg, length: 1 m}}}}}}\n{written}\n")
+    assert [evaluate(x, {}) for x in system.bodies["ground"].points[point]] == [1, 2]
+
+
+def test_coordinates_beside_the_body_on_which_something_is_guided_are_asked_for() -> None:
+    with pytest.raises(fb.ModelError, match="through takes a point by its name"):
+        fb.System.from_text(
+            "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}, b: {particle: {mass: 1 kg}}}\n"
+            "connections: {s: {slider: {body: b, on: a, along: a.x, through: [0, 1 m]}}}\n"
+        )

@@ -71,6 +71,8 @@ SAME: frozenset[str] = frozenset((
     "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
 ))  # fmt: skip
+# Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
+ENDS = ("first", "second", "between", "through", "center")
 _ModelClass: Any = type(BaseModel)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from freebody.connections.base import Connection
 from freebody.loads.base import Load
 from freebody.model.shapes.base import Shape
-from freebody.model.spec import Spec
+from freebody.model.spec import ENDS, Spec
 from freebody.model.written_kinds import words_also
 
 _FORMULA = {"type": ["string", "number"], "description": "an expression, or a quantity such as 3 kg"}
@@ -26,6 +26,12 @@ def _fields(kind: type[Spec]) -> dict[str, Any]:
     """Schema of the value under a kind: a mapping, a list by position, or its first field alone."""
     schema = kind.model_json_schema(by_alias=True)
     schema.pop("title", None)
+    for key in {info.alias or name for name, info in kind.model_fields.items() if name in ENDS}:
+        own = schema["properties"][key]
+        own = own.get("items", own)
+        kept = dict(own)
+        own.clear()
+        own["anyOf"] = [_PAIR, kept]
     _with_second_words(kind, schema)
     described = {"description": (kind.__doc__ or "").strip()}
     return {**described, "anyOf": [schema, {"type": "array"}, {"type": ["string", "number", "null"]}]}

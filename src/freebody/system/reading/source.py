@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from string import ascii_uppercase
 from typing import Any, TypeVar, cast
 
 from pydantic import ValidationError
@@ -16,11 +17,13 @@ from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
 from freebody.language.parser import in_ascii
 from freebody.language.sentences import Message, as_found, in_turn, listed
+from freebody.language.units import LENGTH
 from freebody.loads.base import Load
+from freebody.measures.geometry import GROUND
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Shape
-from freebody.model.spec import Spec
+from freebody.model.spec import ENDS, Spec
 from freebody.model.written_kinds import words_also, written_kind
 from freebody.system.unspecified import Unspecified
 
@@ -133,6 +136,7 @@ class Source:
         self.names = Names() if names is None else names
         self.data: dict[str, Any] = self._with_points(document.data)
         self.open = Unspecified(self.names, self.data)
+        self._words = set(re.findall(r"\w+", str(self.data)))
 
     def _with_points(self, value: Any, *path: str | int) -> Any:
         """What stands in a document, with points for the commas of `{gravity: 9,81 m/s^2}`, which are problems: so
@@ -211,7 +215,7 @@ class Source:
             self.names.problem(what, *path)
             return None
         try:
-            return kind.model_validate(kind.from_plain(value))
+            return kind.model_validate(self._with_ground_points(kind, kind.from_plain(value), *path))
         except ValidationError as error:
             faults = {place_of(fault): fault for fault in reversed(error.errors())}  # of a field the first
             absent = [str(place_of(fault)[0]) for fault in error.errors() if fault["type"] == "missing"]
@@ -244,6 +248,29 @@ class Source:
                     )
                 self.names.problem(message, *path, *where)
             return None
+
+    def _with_ground_points(self, kind: type[Spec], fields: dict[str, Any], *path: str | int) -> dict[str, Any]:
+        """Fields in which coordinates stand where points are named: those are points of the ground, with the next
+        letters that a file does not use for names. Beside `on` of a body they might be those of the body."""
+        if GROUND not in self.names.bodies or str(fields.get("on", GROUND)).partition(".")[0] != GROUND:
+            return fields
+        of_ends = {info.alias or name for name, info in kind.model_fields.items() if name in ENDS}
+        read = dict(fields)
+        for field, given in fields.items():
+            if field in of_ends and self._is_a_place(given):
+                read[field] = self._ground_point(given, *path, field)
+            elif field in of_ends and isinstance(given, list):
+                entries = enumerate(cast("list[Any]", given))
+                read[field] = [self._ground_point(e, *path, field, k) if self._is_a_place(e) else e for k, e in entries]
+        return read
+
+    def _ground_point(self, place: Any, *path: str | int) -> str:
+        points = self.names.bodies[GROUND].points
+        used = self._words | points.keys() | self.names.parameters.keys()
+        letter = next((one for one in ascii_uppercase if one not in used), None)
+        name = letter or f"P{len(points)}"
+        points[name] = self.names.components(place, LENGTH, *path)
+        return f"{GROUND}.{name}"
 
     def _is_a_place(self, value: Any) -> bool:
         """Whether somebody wrote coordinates where names of points stand."""
