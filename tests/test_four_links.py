@@ -512,3 +512,56 @@ measures: {s: distance from ground.C to bed.K}
 
 def test_a_loop_that_a_ram_drives_has_no_transmission_angle_of_a_crank() -> None:
     assert "here pump does" in posed(TIPPER, "transmission angle").reason
+
+
+RAM_BEHIND_A_ROCKER = """
+parameters: {a: 40 mm, b: 130 mm, c: 90 mm, d: 120 mm, L: 150 mm, q: 200 mm, h: 130 mm, w: 8 rad/s, m: 2 kg, F: 300 N}
+ground: {points: {A: [0, 0], D: [d, 0]}, lines: {way: {along: right, through: [0, h]}}}
+bodies:
+  crank: {rod: {length: a}}
+  coupler: {rod: {length: b}, near: {angle: 40 deg}}
+  rocker: {rod: {length: L}, near: {angle: 80 deg}, points: {C: [c - L/2, 0]}}
+  link: {rod: {length: q}, near: {angle: 0 deg}}
+  ram: {particle: {mass: m}, near: {at: [0.35 m, h]}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  B: {pin: [crank.end, coupler.start]}
+  C: {pin: [coupler.end, rocker.C]}
+  D: {pin: [ground.D, rocker.start]}
+  E: {pin: [rocker.end, link.start]}
+  G: {pin: [link.end, ram]}
+  way: {slider: {body: ram, along: way}}
+  motor: {driver: {measure: phi, follows: w*t}}
+loads: {work: {force: {at: ram, along: left, magnitude: F}}}
+measures: {phi: angle of crank, s: x of ram}
+"""
+
+
+def ram(phi: float) -> float:
+    """By the triangle of crank pin, coupler and rocker, then Pythagoras at the link."""
+    a, b, c, d, L, q, h = 0.04, 0.13, 0.09, 0.12, 0.15, 0.2, 0.13
+    x, y = a * math.cos(phi), a * math.sin(phi)
+    far = math.hypot(d - x, y)
+    at_pin = math.atan2(-y, d - x) + math.acos((b**2 + far**2 - c**2) / (2 * b * far))
+    psi = math.atan2(y + b * math.sin(at_pin), x + b * math.cos(at_pin) - d)
+    return d + L * math.cos(psi) + math.sqrt(q**2 - (h - L * math.sin(psi)) ** 2)
+
+
+def test_the_stroke_of_a_ram_behind_a_rocker_is_that_between_the_dead_points_of_the_rocker() -> None:
+    places = [ram(math.tau * k / 3600) for k in range(3600)]
+    found = posed(RAM_BEHIND_A_ROCKER, "stroke of s")
+    assert found.evidence is not None
+    assert found.value == pytest.approx(max(places) - min(places), rel=1e-5)
+    assert "between the dead points of rocker it has no extreme" in found.conditions
+
+
+@pytest.mark.parametrize("question", ["acceleration of s", "driving torque of motor"])
+def test_a_six_bar_is_answered_in_names_where_its_drive_has_led_it(question: str) -> None:
+    """Power of the drive: T w = F v + m v a."""
+    e, w, at = 1e-4, 8.0, math.pi / 3
+    slope = (ram(at + e) - ram(at - e)) / (2 * e)
+    acceleration = w**2 * (ram(at + e) - 2 * ram(at) + ram(at - e)) / e**2
+    torque = 300 * slope + 2 * acceleration * slope
+    found = posed(RAM_BEHIND_A_ROCKER, f"{question} when phi = 60 deg")
+    assert found.evidence is not None
+    assert found.value == pytest.approx(torque if "torque" in question else acceleration, rel=1e-5)

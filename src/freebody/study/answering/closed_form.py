@@ -97,7 +97,8 @@ class QuestionSolver:
         try:
             return self.finish(self._find())
         except FormulaTooLong:
-            found = answer_in_names(self.setup, self.question) or answer_by_energy(self.setup, self.question)
+            found = answer_in_names(self.setup, self.question, self._reached)
+            found = found or answer_by_energy(self.setup, self.question)
             if found is None:
                 raise
             return found

@@ -97,6 +97,17 @@ class SliderCrank:
 Linkage = FourBar | SliderCrank
 
 
+def at_ground(loop: Linkage) -> tuple[str, ...]:
+    """The links that a pin joins to the fixed one, that of the input first."""
+    if isinstance(loop, FourBar):
+        return loop.input, loop.output
+    return {
+        loop.guide: (loop.crank,),
+        loop.crank: (loop.rod, loop.guide),
+        loop.rod: (loop.crank, loop.guide),
+    }[GROUND]
+
+
 def linkages(system: System, input: str | None = None) -> tuple[Linkage, ...]:
     """All four-bar loops and slider-cranks. The frame is the ground, in a loop of moving bodies alone its first
     body; the input of a four-bar is the link named `input`, else the one whose angle is driven, started or

@@ -18,7 +18,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND
 from freebody.study.answering.draws import SEED, Draw, draw_parameters
 from freebody.study.mobility.grashof import dimensions, turning_by_lengths
-from freebody.study.mobility.linkages import FourBar, Linkage, linkages, turned_links
+from freebody.study.mobility.linkages import Linkage, at_ground, linkages, turned_links
 from freebody.study.mobility.loop_questions import path_round
 from freebody.study.setup import Setup
 from freebody.system.system import System
@@ -56,20 +56,9 @@ def has_open_lengths(system: System) -> bool:
 
 def _crank(system: System, loops: list[Linkage]) -> str | None:
     """The link that is driven, started or loaded, else the input of the loop, if there is but one."""
-    at_ground = [link for loop in loops for link in _at_ground(loop)]
-    turned = [link for link in turned_links(system) if link in at_ground]
-    return next(iter(turned or (at_ground if len(loops) == 1 else ())), None)
-
-
-def _at_ground(loop: Linkage) -> tuple[str, ...]:
-    """The links that a pin joins to the fixed one, that of the input first."""
-    if isinstance(loop, FourBar):
-        return loop.input, loop.output
-    return {
-        loop.guide: (loop.crank,),
-        loop.crank: (loop.rod, loop.guide),
-        loop.rod: (loop.crank, loop.guide),
-    }[GROUND]
+    meeting = [link for loop in loops for link in at_ground(loop)]
+    turned = [link for link in turned_links(system) if link in meeting]
+    return next(iter(turned or (meeting if len(loops) == 1 else ())), None)
 
 
 def _tried(setup: Setup, loops: list[Linkage], crank: str) -> Iterator[Draw]:
@@ -99,4 +88,4 @@ def _alone(loops: list[Linkage], crank: str, draw: Draw) -> bool:
     """Whether no other link at the ground turns fully with it."""
     meant = [loop for loop in loops if crank in loop.links]
     turning = {link for loop in meant for link in dimensions(loop, draw.reference, draw.q).turning}
-    return not turning & {link for loop in meant for link in _at_ground(loop)} - {crank}
+    return not turning & {link for loop in meant for link in at_ground(loop)} - {crank}
