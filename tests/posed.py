@@ -38,12 +38,20 @@ def _real(e: Expr, values: Mapping[str, float]) -> float | None:
         return None
 
 
-def is_formula(text: str, question: str, formula: str, factors: Sequence[float] = (1.0, 1.1, 0.93)) -> Answer:
-    """Asserts that the answer is a formula, at the model's numbers and near them, and has evidence."""
+def is_formula(
+    text: str,
+    question: str,
+    formula: str,
+    factors: Sequence[float] = (1.0, 1.1, 0.93),
+    numbers: Mapping[str, float] | None = None,
+) -> Answer:
+    """Asserts that the answer is a formula, at the model's numbers and near them, and has evidence. numbers: for what
+    the model leaves open."""
     found = posed(text, question)
     assert isinstance(found.expression, Expr), found.reason
     assert found.evidence is not None
     own = {p.name: p.value for p in System.from_text(text).parameters.values() if p.value is not None}
+    own |= numbers or {}
     wanted = parse(formula)
     for n, factor in enumerate(factors):
         # every parameter by a factor of its own, or formulas that differ by a power of units would agree

@@ -9,10 +9,11 @@ Mabie & Reinholtz, Mechanisms and Dynamics of Machinery, 4th ed. 1987, sec. 2.3;
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 
-from posed import is_derived, posed
+from posed import is_derived, is_formula, posed
 from thinned import thinned
 
 _BARS = """
@@ -399,3 +400,168 @@ def test_the_transmission_angle_of_a_kite_is_at_the_link_that_its_crank_drives()
     at_a = math.acos(diagonal / (2 * b)), math.acos(diagonal / (2 * a))
     assert found.value is not None, found.reason
     assert found.value in (pytest.approx(at_a[0] + at_a[1]), pytest.approx(abs(at_a[1] - at_a[0])))
+
+
+def letters(text: str, *names: str) -> str:
+    """A model in which lengths have no numbers."""
+    for name in names:
+        text = re.sub(rf"\b{name}: [0-9.]+ m\b", f"{name}: m", text)
+    return text
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("stroke of phi", "acos(((b - a)^2 - c^2 - d^2)/(2*c*d)) - acos(((a + b)^2 - c^2 - d^2)/(2*c*d))"),
+        ("least transmission angle", "acos((b^2 + c^2 - (d - a)^2)/(2*b*c))"),
+    ],
+)
+def test_a_four_bar_of_letters_is_taken_as_a_crank_rocker_with_that_as_its_condition(
+    question: str, formula: str
+) -> None:
+    """Random lengths seldom make one: of those tried the first that does is the case that is told."""
+    numbers = {"a": 0.1, "b": 0.32, "c": 0.25, "d": 0.3}
+    found = is_formula(letters(CRANK_ROCKER, *numbers), question, formula, numbers=numbers)
+    assert any("turn" in str(condition) for condition in found.conditions)
+
+
+def test_both_dead_points_of_a_four_bar_of_letters_are_told() -> None:
+    found = posed(letters(CRANK_ROCKER, *"abcd"), "dead points of phi")
+    assert isinstance(found.expression, tuple)
+    assert len(found.expression) == 2
+
+
+SIX_BAR = """
+parameters: {r: 0.04 m, d: 0.1 m, h: 0.18 m}
+ground: {points: {O: [0, d], P: [0, 0]}, lines: {way: {along: right, through: [0, h]}}}
+bodies:
+  crank: {rod: {length: r}}
+  lever: {body: {}, near: {angle: 80 deg}}
+  ram: {body: {}, near: {at: [0, h]}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  P: {pin: [ground.P, lever]}
+  block: {slot: {pin: crank.end, along: lever.x}}
+  fork: {slot: {pin: ram, along: lever.x}}
+  way: {slider: {body: ram, along: way}}
+  motor: {driver: {measure: phi, follows: t*3 rad/s}}
+measures: {phi: angle of crank, s: x of ram}
+"""
+
+
+def test_a_driven_crank_of_several_loops_is_told_to_turn_fully() -> None:
+    assert posed(SIX_BAR, "does the crank turn fully").verdict == "with the given numbers crank turns fully"
+    assert posed(letters(SIX_BAR, *"rdh"), "does the crank turn fully").conditions == ("crank turns fully if d > r",)
+
+
+def test_stroke_and_time_ratio_of_a_shaper_of_letters() -> None:
+    numbers = {"r": 0.04, "d": 0.1, "h": 0.18}
+    shaper = letters(SIX_BAR, *numbers)
+    is_formula(shaper, "stroke of s", "2*r*h/sqrt(d^2 - r^2)", numbers=numbers)
+    is_formula(shaper, "time ratio of s", "(pi - acos(r/d))/acos(r/d)", numbers=numbers)
+
+
+GENEVA = """
+parameters: {r: 0.05 m, w: 10 rad/s, J: 0.02 kg m^2}
+ground: {points: {O: [0, 0], P: [r*sqrt(2), 0]}}
+bodies:
+  driver: {rod: {length: r}, near: {angle: 0 deg}}
+  wheel: {body: {inertia: J}, near: {at: [r*sqrt(2), 0], angle: 180 deg}}
+connections:
+  O: {pin: [ground.O, driver.start]}
+  P: {pin: [ground.P, wheel]}
+  slot: {slot: {pin: driver.end, along: wheel.x}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: angle of driver, psi: angle of wheel}
+"""
+
+
+def test_stroke_and_time_ratio_by_the_dead_points_where_the_slope_has_no_closed_zeros() -> None:
+    assert posed(GENEVA, "time ratio of psi").value == pytest.approx(3.0)
+    assert posed(GENEVA, "stroke of psi").value == pytest.approx(math.pi / 2)
+
+
+def test_roots_of_two_and_three_in_one_pose_cancel_exactly() -> None:
+    """By hand w^2 L s (L^2 - 1)/(1 + L^2 - 2 L c)^2 with L = r/d of the wheel, turned the other way."""
+    L, angle = 1 / math.sqrt(2), math.radians(30)
+    by_hand = 100 * L * math.sin(angle) * (1 - L**2) / (1 + L**2 - 2 * L * math.cos(angle)) ** 2
+    assert posed(GENEVA, "angular acceleration of wheel when phi = 30 deg").value == pytest.approx(by_hand)
+
+
+def test_a_rate_that_a_loop_binds_is_told_beside_the_formula_with_it() -> None:
+    found = posed(GENEVA, "angular acceleration of wheel")
+    assert any("ψ' =" in str(note) for note in found.notes)
+
+
+TIPPER = """
+parameters: {a: 1 m, b: 0.8 m, s_0: 0.9 m}
+ground: {points: {O: [0, 0], C: [a, 0]}}
+bodies:
+  bed: {body: {mass: 1 kg}, points: {O: [0, 0], K: [b, 0]}}
+  barrel: {body: {}}
+  piston: {body: {}}
+connections:
+  O: {pin: [ground.O, bed.O]}
+  C: {pin: [ground.C, barrel.origin]}
+  K: {pin: [bed.K, piston.origin]}
+  ram: {slider: {body: piston, along: barrel.x}}
+  pump: {driver: {measure: s, follows: s_0 + t*0.1 m/s}}
+measures: {s: distance from ground.C to bed.K}
+"""
+
+
+def test_a_loop_that_a_ram_drives_has_no_transmission_angle_of_a_crank() -> None:
+    assert "here pump does" in posed(TIPPER, "transmission angle").reason
+
+
+RAM_BEHIND_A_ROCKER = """
+parameters: {a: 40 mm, b: 130 mm, c: 90 mm, d: 120 mm, L: 150 mm, q: 200 mm, h: 130 mm, w: 8 rad/s, m: 2 kg, F: 300 N}
+ground: {points: {A: [0, 0], D: [d, 0]}, lines: {way: {along: right, through: [0, h]}}}
+bodies:
+  crank: {rod: {length: a}}
+  coupler: {rod: {length: b}, near: {angle: 40 deg}}
+  rocker: {rod: {length: L}, near: {angle: 80 deg}, points: {C: [c - L/2, 0]}}
+  link: {rod: {length: q}, near: {angle: 0 deg}}
+  ram: {particle: {mass: m}, near: {at: [0.35 m, h]}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  B: {pin: [crank.end, coupler.start]}
+  C: {pin: [coupler.end, rocker.C]}
+  D: {pin: [ground.D, rocker.start]}
+  E: {pin: [rocker.end, link.start]}
+  G: {pin: [link.end, ram]}
+  way: {slider: {body: ram, along: way}}
+  motor: {driver: {measure: phi, follows: w*t}}
+loads: {work: {force: {at: ram, along: left, magnitude: F}}}
+measures: {phi: angle of crank, s: x of ram}
+"""
+
+
+def ram(phi: float) -> float:
+    """By the triangle of crank pin, coupler and rocker, then Pythagoras at the link."""
+    a, b, c, d, L, q, h = 0.04, 0.13, 0.09, 0.12, 0.15, 0.2, 0.13
+    x, y = a * math.cos(phi), a * math.sin(phi)
+    far = math.hypot(d - x, y)
+    at_pin = math.atan2(-y, d - x) + math.acos((b**2 + far**2 - c**2) / (2 * b * far))
+    psi = math.atan2(y + b * math.sin(at_pin), x + b * math.cos(at_pin) - d)
+    return d + L * math.cos(psi) + math.sqrt(q**2 - (h - L * math.sin(psi)) ** 2)
+
+
+def test_the_stroke_of_a_ram_behind_a_rocker_is_that_between_the_dead_points_of_the_rocker() -> None:
+    places = [ram(math.tau * k / 3600) for k in range(3600)]
+    found = posed(RAM_BEHIND_A_ROCKER, "stroke of s")
+    assert found.evidence is not None
+    assert found.value == pytest.approx(max(places) - min(places), rel=1e-5)
+    assert "between the dead points of rocker it has no extreme" in found.conditions
+
+
+@pytest.mark.parametrize("question", ["acceleration of s", "driving torque of motor"])
+def test_a_six_bar_is_answered_in_names_where_its_drive_has_led_it(question: str) -> None:
+    """Power of the drive: T w = F v + m v a."""
+    e, w, at = 1e-4, 8.0, math.pi / 3
+    slope = (ram(at + e) - ram(at - e)) / (2 * e)
+    acceleration = w**2 * (ram(at + e) - 2 * ram(at) + ram(at - e)) / e**2
+    torque = 300 * slope + 2 * acceleration * slope
+    found = posed(RAM_BEHIND_A_ROCKER, f"{question} when phi = 60 deg")
+    assert found.evidence is not None
+    assert found.value == pytest.approx(torque if "torque" in question else acceleration, rel=1e-5)

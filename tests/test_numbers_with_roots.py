@@ -83,3 +83,17 @@ def test_a_square_with_a_root_in_it_is_left_as_a_root_where_its_sign_is_open() -
 def test_the_root_of_a_square_over_that_square_goes_below_the_bar_without_its_sign() -> None:
     """sqrt((m - n)^2 m)/(m - n)^2 is sqrt(m)/|m - n|"""
     assert told("3*sqrt((m - n)^2*m)/(m - n)^2") == "3·√(m/(n - m)²)"
+
+
+def test_a_root_beside_those_of_its_factors_is_their_product_in_whatever_order_they_are_made() -> None:
+    for order in ((2, 3, 6), (6, 3, 2), (10, 15, 6)):
+        field = SignedField()
+        first, second, third = (field.sqrt(field.element(n)) for n in order)
+        product = first * second * third
+        assert product.fraction() ** 2 == math.prod(order)
+
+
+def test_a_number_over_a_sum_of_roots_stands_over_a_whole_number() -> None:
+    field = SignedField()
+    two, three = (field.sqrt(field.element(n)) for n in (2, 3))
+    assert field.lowest_terms((2 * two + 3) / (3 * three - 5)).denominator().fraction() == 2

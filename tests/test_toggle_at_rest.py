@@ -5,7 +5,11 @@ bearing is unstable; the stable one has turned over, where the loop could also c
 
 from __future__ import annotations
 
-from posed import is_formula
+import math
+
+import pytest
+
+from posed import is_formula, posed
 
 PRESS = """
 parameters: {L: 0.4 m, F: 200 N, P: 500 N, p0: 80 deg}
@@ -35,3 +39,36 @@ def test_the_height_of_the_ram_at_rest_follows_from_the_angle():
 def test_the_knee_presses_the_guide_with_half_its_force():
     # moments about the bearing and about the knee: the ram and the bearing share F
     assert is_formula(PRESS, "normal force of guide in equilibrium", "-F/2")
+
+
+CLAMP = """
+parameters: {F: N, C: N}
+ground: {points: {A: [0, 0], D: [40 mm, 0]}}
+bodies:
+  arm: {body: {}, at: [0, 0], angle: 0 deg, points: {B: [20 mm, 40 mm], T: [-80 mm, 20 mm]}}
+  handle: {body: {}, at: [20 mm, 40 mm], angle: 0 deg, points: {E: [30 mm, 5 mm], H: [120 mm, 40 mm]}}
+connections:
+  A: {pin: [ground.A, arm.origin]}
+  B: {pin: [arm.B, handle.origin]}
+  link: {link: [ground.D, handle.E]}
+loads:
+  hand: {force: {at: handle.H, along: down, magnitude: F}}
+  work: {force: {at: arm.T, along: up, magnitude: C}}
+"""
+
+
+@pytest.mark.parametrize("question", ["tension of link in equilibrium", "tension of link"])
+def test_a_massless_clamp_is_balanced_in_its_pose_by_the_load_that_is_open(question: str):
+    """Moments of the handle about B: the link, along (-10, -45) mm from E, takes 120 F on an arm of 1300/sqrt(2125)."""
+    found = is_formula(CLAMP, question, "-6*F*sqrt(85)/13", numbers={"F": 3.0})
+    assert found.notes[0] == "in the pose of the start, with the balance C = 17·F/52"
+
+
+def test_the_pin_of_a_clamp_and_its_pose_elsewhere():
+    is_formula(CLAMP, "horizontal reaction of A", "-12*F/13", numbers={"F": 3.0})
+    lever = CLAMP.replace("measures", "").replace("loads:", "measures: {p: angle of arm}\nstart: {p: 0}\nloads:")
+    lever = lever.replace("at: [0, 0], angle: 0 deg, points: {B", "at: [0, 0], points: {B")
+    lever = lever.replace("at: [20 mm, 40 mm], angle: 0 deg, points: {E", "near: {angle: 0 deg}, points: {E")
+    lever = lever.replace("link: {link: [ground.D, handle.E]}", "link: {link: [ground.D, handle.E, 46.0977 mm]}")
+    found = posed(lever, "x of arm.T when p = 5 deg")  # where nothing with mass moves the pose alone is meant
+    assert found.value == pytest.approx(-0.08 * math.cos(math.radians(5)) - 0.02 * math.sin(math.radians(5)))

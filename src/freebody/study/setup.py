@@ -50,12 +50,19 @@ _CLOSER = (1.0, 0.5, 0.2, 0.05)  # how far from the file's values draws on its b
 class Setup:
     """The symbolic model, the numeric draws, and what all questions share."""
 
-    def __init__(self, system: System, n_draws: int = N_DRAWS) -> None:
+    def __init__(self, system: System, n_draws: int = N_DRAWS, first: Draw | None = None) -> None:
+        """first: the first of the draws, where that shall be a certain one."""
         self.system = system
         try:
-            self.draws: list[Draw] = draws(system, n_draws)
+            self.draws: list[Draw] = draws(system, n_draws) if first is None else [first]
+            if first is not None:
+                self.draws += draws(system, n_draws - 1, near=first)
         except CannotAnswer as error:
             raise ModelError([Problem((), str(error))], system.file) from error
+
+    def beginning_with(self, first: Draw) -> Setup:
+        """The same system, with another first draw."""
+        return Setup(self.system, first=first)
 
     @property
     def model(self) -> SymbolicModel:
@@ -75,13 +82,13 @@ class Setup:
         try:
             n, model = len(self.draws), self._formulas()
             for widest in _CLOSER:  # a spring relaxed at the start is longer than then, or shorter, on one side only
-                kept = [d for d in self.draws if _is_on_branch(model, d, d.start())]
+                kept = [d for d in self.draws if self._fits(model, d)]
                 if len(kept) == n:
                     break
                 if not kept:
                     raise CannotAnswer(Message("at the start the formulas have no value, or another sign than nearby"))
                 near = draws(self.system, n, seed=SEED + _OTHER_WAY, widest=widest, near=kept[0])
-                self.draws = [*kept, *(d for d in near if _is_on_branch(model, d, d.start()))][:n]
+                self.draws = [*kept, *(d for d in near if self._fits(model, d))][:n]
                 model = self._formulas()
             self._check_freedoms(model)
         except CannotAnswer as error:
@@ -99,8 +106,18 @@ class Setup:
         model = SymbolicModel(self.system, [*starts, *general])
         with suppress(CannotAnswer):  # what the laws take to be positive is so for every question
             model.loads.wrenches  # noqa: B018
-        Closure(model).take_sides()
+        closure = Closure(model)
+        closure.take_sides()
+        self._sides = closure.sides
         return model
+
+    def _fits(self, model: SymbolicModel, draw: Draw) -> bool:
+        """Whether a draw starts on the branch of the formulas, its loops assembled as theirs are."""
+        start = draw.start()
+        if not _is_on_branch(model, draw, start):
+            return False
+        numbers = model.samples.numbers(draw.sample(start)) if self._sides else {}
+        return all(model.field.evaluate(x, numbers) > 0 for x in self._sides)
 
     def _check_freedoms(self, model: SymbolicModel) -> None:
         """The formulas must have the freedoms that the rank leaves. Fewer are left by angles of a body in space that
@@ -147,7 +164,8 @@ class Setup:
         """The draws, then more of them, ever closer to the file's values, for answers with narrow conditions."""
         yield from self.draws
         for k, widest in enumerate((0.5, 0.2, 0.05)):
-            yield from draws(self.system, n_more, seed=SEED + 10 + k, widest=widest, near=self.draws[0])
+            near = draws(self.system, n_more, seed=SEED + 10 + k, widest=widest, near=self.draws[0])
+            yield from (d for d in near if not self.has_model or self._fits(self.model, d))
 
     is_mode: ClassVar[bool] = False  # one mode of contacts and friction, kept: of what ends it the system knows nothing
 

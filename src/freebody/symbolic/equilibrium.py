@@ -96,7 +96,7 @@ def equilibria(
     rest = {c.speed: f.zero for c in (*model.coordinates, *model.dependent)} | stand_still(model)
     forces = [f.follow(F, rest) for F in model.dynamics.forcing_near_rest]
     at_start = {c.index: start.of(c.index) for c in model.coordinates}
-    at_start |= _bound_at(model, at_start, start)
+    at_start |= bound_at(model, at_start, start)
     first: ClosedFormRest | None = None
     linear = Linearised(model, at_start)
     if all(linear.vanishes(linear.here(F)) for F in forces):
@@ -106,7 +106,7 @@ def equilibria(
             return [first]
     zeros = _zeros(model, forces, list(model.coordinates)) or _zeros_through_loops(model, forces)
     zeros = zeros or _zeros_by_what_is_bound(model, forces)
-    zeros = [_bound_at(model, values, start) | values for values in zeros]
+    zeros = [bound_at(model, values, start) | values for values in zeros]
     others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
     if first is None and not others:
         others = [r for values in _at_zero(model, forces, start) if (r := _judged(model, values))]
@@ -126,7 +126,7 @@ def _at_zero(model: SymbolicModel, forces: Sequence[Ratio], start: StartState) -
     counted, may be an equilibrium of several of them where the equations cannot be solved one by one."""
     zero = {c.index: model.field.zero for c in model.coordinates}
     try:
-        values = zero | _bound_at(model, zero, start)
+        values = zero | bound_at(model, zero, start)
         linear = Linearised(model, values)
         return [values] if all(linear.vanishes(linear.here(F)) for F in forces) else []
     except (CannotAnswer, ZeroDivisionError):
@@ -146,13 +146,13 @@ def _at_parameters(model: SymbolicModel, forces: Sequence[Ratio], start: StartSt
     for chosen in islice(product(*choices), 1, _MOST_CHOICES):
         at = {c.index: value for c, value in zip(model.coordinates, chosen, strict=True)}
         with suppress(CannotAnswer, ZeroDivisionError):
-            place = at | _bound_at(model, at, start)
+            place = at | bound_at(model, at, start)
             if _balances(model, forces, place):
                 found.append(place)
     return found
 
 
-def _bound_at(model: SymbolicModel, at: dict[int, Ratio], start: StartState) -> dict[int, Ratio]:
+def bound_at(model: SymbolicModel, at: dict[int, Ratio], start: StartState) -> dict[int, Ratio]:
     """What closed loops bind at a place: in the pose of the start given by it, else by the loops where these have a
     solution."""
     bound = {d.index for d in model.dependent}

@@ -31,6 +31,7 @@ from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.symbolic.half_tangents import cancelled
 from freebody.symbolic.nested_roots import root_without_root
+from freebody.symbolic.numbers_with_roots import by_other_roots, in_roots
 from freebody.symbolic.polynomials import Poly, PolynomialRing, Terms, declaration_order, square_part
 from freebody.symbolic.values_of_terms import WhenAsked, sum_and_size, value_of, with_computed
 
@@ -227,6 +228,7 @@ class Field(PolynomialRing):
         self.last_long: tuple[Ratio, tuple[Terms, Terms]] | None = None
         self._rates: dict[int, Ratio] = {}
         self._atoms: dict[Any, int] = {}
+        self._number_roots: dict[Fraction, Ratio] = {}  # by what is under them
         self.acute_angles: set[int] = set()
         self.nonnegative: set[int] = set()  # parameters that may be zero, and not less
         self.no_angles: set[int] = set()  # what moves and is a length or a time
@@ -548,7 +550,10 @@ class Field(PolynomialRing):
         made = self.known(key)
         if made is not None:
             return made
-        positive = radicand.fraction() is not None
+        n = radicand.fraction()
+        positive = n is not None
+        if n is not None and (others := by_other_roots(n, self._number_roots)) is not None:  # sqrt(6) beside 2 and 3
+            return math.prod((self._number_roots[k] for k in others[1]), start=self.element(others[0]))
         shown = power(self.expression(radicand), number(Fraction(1, 2)))
         root = self.generator(
             Generator(
@@ -563,6 +568,8 @@ class Field(PolynomialRing):
         )
         index = self.index(root)
         self.bind(index, radicand.num)
+        if n is not None:
+            self._number_roots[n] = root
         if not radicand.is_constant():
             # (sqrt r)' = r'/(2 sqrt r)
             self._rates[index] = self.rate(radicand) / (2 * root)
@@ -596,9 +603,24 @@ class Field(PolynomialRing):
             x = shorter
         if x.den is None:
             return x
+        if self._number_roots and (plain := self._over_a_whole_number(x)) is not None:
+            return plain
         pairs = [p for p in self.pairs(self.used(x.den)) if self.generators[p[0]].kind == "cos"]
         found = cancelled(self, x.num, x.den, pairs)
         return x if found is None else self.quotient(*found)
+
+    def _over_a_whole_number(self, x: Ratio) -> Ratio | None:
+        """With a whole number below where there is a sum of roots of numbers: digits do not cancel in it. None where
+        something else stands there."""
+        below = x.denominator()
+        roots = {self.index(root) for root in self._number_roots.values()}
+        if not (used := below.generators()) or not used <= roots:
+            return None
+        inverse = in_roots(1 / below)
+        if inverse is None:
+            return None
+        parts = (self.element(a) * self.sqrt(self.element(n)) for n, a in inverse.items())
+        return x.numerator() * sum(parts, self.zero)
 
     def factor(self, poly: Poly, *, is_quick: bool = False) -> tuple[int, list[tuple[Ratio, int]]]:
         """Integer content and irreducible factors with exponents, as elements; a quick one leaves a long rest whole."""

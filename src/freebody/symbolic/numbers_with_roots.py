@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from freebody.symbolic.polynomials import Poly, square_part
 if TYPE_CHECKING:
     from freebody.symbolic.field import Field, Ratio
 
+_SMALL_PRIMES = [n for n in range(2, 1000) if all(n % k for k in range(2, math.isqrt(n) + 1))]
 Roots = Mapping[int, Fraction]  # coefficients by square-free numbers, 1 for what has no root
 
 
@@ -35,6 +36,40 @@ def rational_root(x: Fraction) -> Fraction | None:
         return None
     top, below = math.isqrt(x.numerator), math.isqrt(x.denominator)
     return Fraction(top, below) if top * top == x.numerator and below * below == x.denominator else None
+
+
+def by_other_roots(n: Fraction, known: Collection[Fraction]) -> tuple[Fraction, tuple[Fraction, ...]] | None:
+    """q and numbers k of those known with sqrt(n) = q times the product of their roots; None where there are none. The
+    exponents of primes, odd or even, are vectors over two elements: elimination tells which depend on others."""
+    basis: dict[int, tuple[frozenset[int], frozenset[Fraction]]] = {}  # by a prime in it
+
+    def reduced(primes: frozenset[int], used: frozenset[Fraction]) -> tuple[frozenset[int], frozenset[Fraction]]:
+        for prime, (own, parts) in basis.items():
+            if prime in primes:
+                primes, used = primes ^ own, used ^ parts
+        return primes, used
+
+    for k in known:
+        primes, used = reduced(_odd_primes(k), frozenset([k]))
+        if primes:
+            first = min(primes)
+            for prime, (own, parts) in basis.items():
+                if first in own:
+                    basis[prime] = own ^ primes, parts ^ used
+            basis[first] = primes, used
+    primes, used = reduced(_odd_primes(n), frozenset())
+    root = None if primes or not used else rational_root(n / math.prod(used))
+    return None if root is None else (root, tuple(sorted(used)))
+
+
+def _odd_primes(n: Fraction) -> frozenset[int]:
+    """The primes of which a number has an odd power; what is left beyond the first ones counts as one."""
+    found, left = set[int](), abs(n.numerator * n.denominator)
+    for prime in _SMALL_PRIMES:
+        while left % prime == 0:
+            left //= prime
+            found ^= {prime}
+    return frozenset(found ^ ({left} if left > 1 else set()))
 
 
 def _sum(field: Field, poly: Poly) -> Roots | None:

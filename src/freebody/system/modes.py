@@ -208,6 +208,21 @@ def _over_time(system: System) -> Iterator[Expr]:
     yield from (e for rub in system.brakes for e in (rub.static, rub.kinetic))
 
 
+def with_loads(system: System, values: Mapping[str, Expr]) -> System:
+    """The system with formulas for parameters in its loads."""
+    return replace(
+        system,
+        applied_loads=tuple(
+            replace(
+                push,
+                law=substitute(push.law, values),
+                general=None if push.general is None else substitute(push.general, values),
+            )
+            for push in system.applied_loads
+        ),
+    )
+
+
 def counted_from(system: System, instant: Expr) -> System:
     """The system with its time counted from an instant on: at t it is driven by what drives it at t + instant."""
     later = {_TIME: Symbol(_TIME) + instant}

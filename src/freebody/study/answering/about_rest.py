@@ -2,33 +2,46 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, n_operations
-from freebody.language.notation import joined, reworded, to_text
+from freebody.language.expression import ZERO, Symbol, free_symbols, n_operations
+from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, further
+from freebody.language.units import FORCE, TORQUE
 from freebody.measures.base import Measure
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.motion import OfMeasure
-from freebody.questions.reading import Question
+from freebody.questions.reading import Question, QuestionEvent
 from freebody.questions.small_motion import Equilibrium, RestValue, SmallOscillations
 from freebody.questions.turned_round import ValueFor
+from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Elements, Finding
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.decide import decide
-from freebody.symbolic.equilibrium import ClosedFormRest, StateOfRest, equilibria, find_equilibrium, lies_in_family
+from freebody.symbolic.equilibrium import (
+    ClosedFormRest,
+    StateOfRest,
+    bound_at,
+    equilibria,
+    find_equilibrium,
+    lies_in_family,
+)
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations, place_of_mode
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
-from freebody.system.modes import depends_on_time
+from freebody.system.modes import depends_on_time, with_loads
 from freebody.system.system import System
 
+_STEP = 0.1  # [SI] from pose to pose on the way to another one
+_SAME = 1e-6  # of the size: poses are one
+_MOST_SHOWN = 40  # operations of a load that is told
 _MOST_RESTS = 4  # that are named beside the one that is meant
 
 
@@ -177,11 +190,9 @@ def value_where_it_starts(setup: Setup, question: Question, q: Quantity) -> Find
     model = setup.model
     if q.scope != "instant" or not q.is_of_state or depends_on_time(setup.system):
         return None
-    start = setup.start.values
-    moving = (*model.coordinates, *model.dependent)
-    if not all(c.index in start and (c.speed not in start or start[c.speed].is_zero()) for c in moving):
+    at = _still_start(setup)
+    if at is None:
         return None
-    at = {c.index: start[c.index] for c in moving}
     state = StateOfRest(model, at)
     if not model.reactions.balance_at_rest(state.here):
         return None
@@ -190,6 +201,74 @@ def value_where_it_starts(setup: Setup, question: Question, q: Quantity) -> Find
     evidence = at_equilibrium.value_at_rest(setup, question.text, q, at, element, conditions)
     notes: list[str] = [Message("the loads balance in the pose of the start: it rests there")]
     return Finding(element, evidence, conditions, notes, is_complete=True)
+
+
+def placed_at(setup: Setup, question: Question) -> System | None:
+    """The same system that starts in the pose which the event of a question names, by the one coordinate; None where
+    that is something else."""
+    system, event = setup.system, question.event
+    if not isinstance(event, QuestionEvent) or event.order or len(setup.model.coordinates) != 1:
+        return None
+    (c,) = setup.model.coordinates
+    if c.name not in system.measures or system.measures[c.name] != event.measure or depends_on_time(system):
+        return None
+    if any(system.start_rates.values()) or system.all_start_rates:
+        return None
+    return replace(system, start={**system.start, c.name: event.value})
+
+
+def is_reached(setup: Setup, there: Setup) -> bool:
+    """Whether the loops of a system that is placed elsewhere are assembled as motion from the start leads them."""
+    (c,) = setup.model.coordinates
+    measure = setup.model.measure_of(c)
+    assert measure is not None
+    for draw in there.draws[:3]:
+        begin = Draw.of(setup.system, draw.values)
+        reference, q = begin.reference, begin.q
+        here, goal = (reference.snapshot(x, 0.0 * x).value(measure) for x in (q, draw.q))
+        n = max(1, math.ceil(abs(goal - here) / _STEP))
+        for k in range(1, n + 1):
+            q = reference.pose_near(q, [(measure, here + (goal - here) * k / n)])
+        if float(reference.sizes.relative(reference.frame.difference(q, draw.q)).max(initial=0.0)) > _SAME:
+            return False
+    return True
+
+
+def _still_start(setup: Setup) -> dict[int, Ratio] | None:
+    """The pose of the start, by generator; None where it is not told, or something moves there."""
+    model, start = setup.model, setup.start
+    moving = (*model.coordinates, *model.dependent)
+    if any(c.speed in start.values and not start.values[c.speed].is_zero() for c in moving):
+        return None
+    if not all(c.index in start.values for c in model.coordinates):
+        return None
+    at = {c.index: start.of(c.index) for c in model.coordinates}
+    at |= bound_at(model, at, start)
+    return at if all(c.index in at for c in moving) else None
+
+
+def balanced_by_a_load(setup: Setup) -> tuple[System, str] | None:
+    """The system with the load of which the size is open as it balances the others in the pose of the start, and what
+    is to be said of it; None where no load is open, or none can. Of several the one that is named last: a machine is
+    given what goes in, and asked for what comes out."""
+    system, model = setup.system, setup.model
+    if len(model.coordinates) != 1 or (at := _still_start(setup)) is None:
+        return None
+    f = model.field
+    still = at | {c.speed: f.zero for c in (*model.coordinates, *model.dependent)}
+    force = f.lowest_terms(f.follow(model.dynamics.generalized_force(model.coordinates[0]), still))
+    in_loads = {name for push in system.applied_loads for name in free_symbols(push.law)}
+    open_ones = [p for p in system.parameters.values() if p.value is None and p.form is None and p.name in in_loads]
+    for p in reversed([p for p in open_ones if p.dimension in (FORCE, TORQUE)]):
+        own = f.index(model.parameters[p.name])
+        parts = force.numerator().coefficients(own)
+        if len(parts) == 2 and own not in f.ingredients(parts[0]) | f.ingredients(parts[1]):
+            size = tidy(f.lowest_terms(-parts[0] / parts[1]))
+            told = Message("in the pose of the start, where {name} balances the other loads", name=p.name)
+            if n_operations(size) <= _MOST_SHOWN:
+                told = Message("in the pose of the start, with the balance {x}", x=compared(Symbol(p.name), "=", size))
+            return with_loads(system, {p.name: size}), told
+    return None
 
 
 def _other_rests(setup: Setup, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:

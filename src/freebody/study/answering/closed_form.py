@@ -97,7 +97,8 @@ class QuestionSolver:
         try:
             return self.finish(self._find())
         except FormulaTooLong:
-            found = answer_in_names(self.setup, self.question) or answer_by_energy(self.setup, self.question)
+            found = answer_in_names(self.setup, self.question, self._reached)
+            found = found or answer_by_energy(self.setup, self.question)
             if found is None:
                 raise
             return found
@@ -150,7 +151,12 @@ class QuestionSolver:
         if q.is_of_answers:
             return self._of_answers(q)
         if self.question.event is not None:
-            return self._at_event(q)
+            try:
+                return self._at_event(q)
+            except NothingWithMass:
+                if (found := self._in_given_pose(q)) is None:
+                    raise
+                return found
         needs_forces = not is_kinematic(self.setup, q)
         if needs_forces and self.model.dynamics.moves_no_mass and (found := self._where_it_starts(q)) is not None:
             return found
@@ -166,7 +172,36 @@ class QuestionSolver:
         found = about_rest.value_where_it_starts(self.setup, self.question, q)
         if found is not None:
             self.question = replace(self.question, at_start=True)
+            return found
+        return self._balanced(q) if self.model.dynamics.moves_no_mass else None
+
+    def _in_given_pose(self, q: Quantity) -> Finding | None:
+        """Where nothing with mass moves, an event names a pose, whatever leads there; None where it does not, or what
+        is asked is a rate."""
+        if q.kinematic_order not in (0, None) and not q.is_of_pose_in_motion:
+            return None
+        if (there := about_rest.placed_at(self.setup, self.question)) is None:
+            return None
+        setup = Setup(there)
+        if not about_rest.is_reached(self.setup, setup):
+            return None
+        solver = QuestionSolver(setup, replace(self.question, event=None, at_start=True))
+        found = solver._find()
+        self._look(solver.setup)
+        self.question, self._state = solver.question, solver._state
         return found
+
+    def _balanced(self, q: Quantity) -> Finding | None:
+        """In the pose of the start, where a load of which the size is open balances the others."""
+        if (balanced := about_rest.balanced_by_a_load(self.setup)) is None:
+            return None
+        setup = Setup(balanced[0])
+        found = about_rest.value_where_it_starts(setup, self.question, q)
+        if found is None:
+            return None
+        self._look(setup)
+        self.question = replace(self.question, at_start=True)
+        return replace(found, notes=[balanced[1]])
 
     def _of_answers(self, q: Quantity) -> Finding:
         """Made of what is found for each operand, each with its own conditions."""
@@ -518,7 +553,12 @@ class QuestionSolver:
 
     @_found.register(RestValue)
     def _value_at_rest(self, q: RestValue) -> Finding:
-        return about_rest.value(self.setup, self.question, q)
+        try:
+            return about_rest.value(self.setup, self.question, q)
+        except CannotAnswer:
+            if (found := self._balanced(q.of)) is None:
+                raise
+            return found
 
     # -- the answer ---------------------------------------------------------------------------
     def finish(self, found: Finding) -> Answer:

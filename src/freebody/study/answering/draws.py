@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -53,12 +54,15 @@ class Draw:
     turns: dict[Measure, list[tuple[float, Array]]] = field(
         default_factory=dict["Measure", "list[tuple[float, Array]]"]
     )
+    # whether its numbers stand for those that the file leaves open: others are drawn about them
+    is_typical: bool = False
 
     @classmethod
-    def of(cls, system: System, values: dict[str, float]) -> Draw:
-        """A system with these numbers. Raises CannotAnswer where it does not assemble."""
+    def of(cls, system: System, values: dict[str, float], **how: Any) -> Draw:
+        """A system with these numbers. how: as for `Reference.assemble`. Raises CannotAnswer where it does not
+        assemble."""
         reference = Reference(system, values)
-        return cls(values, reference, _assembled(reference))
+        return cls(values, reference, _assembled(reference, **how))
 
     @cached_property
     def regularity(self) -> float:
@@ -157,13 +161,23 @@ def _assembled(reference: Reference, **how: Any) -> Array:
     return q
 
 
-def draw_parameters(system: System, rng: random.Random, spread: float, *, lengths: bool = True) -> dict[str, float]:
+def draw_parameters(
+    system: System,
+    rng: random.Random,
+    spread: float,
+    *,
+    lengths: bool = True,
+    typical: Mapping[str, float] | None = None,
+) -> dict[str, float]:
     """Random values of all parameters; spread 0 gives the file's values. Without `lengths`, lengths and angles
-    keep theirs: a file that mixes symbols and numbers in its geometry fits together for these only."""
+    keep theirs: a file that mixes symbols and numbers in its geometry fits together for these only. typical: about
+    which those vary that the file leaves open."""
     values: dict[str, float] = {}
     for p in system.parameters.values():
         if p.form is not None:
             continue  # it follows from the others
+        if p.value is None and typical is not None and p.name in typical:
+            p = replace(p, value=typical[p.name])
         if not lengths and p.value is not None and p.dimension in (LENGTH, DIMENSIONLESS):
             values[p.name] = p.value
         elif p.acute:
@@ -187,17 +201,21 @@ def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near
     rng = random.Random(seed)
     found: list[Draw] = []
     first: CannotAnswer | None = None
+    typical = near.values if near is not None and near.is_typical else None
     for k in range(n):
         spread = 0.0 if k == 0 and near is None else widest
         for attempt in range(_TRIES):
             lengths = attempt < _TRIES // 2
             if attempt == _TRIES // 2:
                 spread = widest
-            values = draw_parameters(system, rng, 0.0 if k == 0 and near is None else spread, lengths=lengths)
+            own = 0.0 if k == 0 and near is None else spread
+            values = draw_parameters(system, rng, own, lengths=lengths, typical=typical)
             try:
                 # on the same branch as the file's own numbers: near its pose, or not at all
                 branch = near or (found[0] if found else None)
-                draw = Draw.of(system, values) if branch is None else branch.with_values(values, system)
+                is_random = not system.has_values and lengths  # lengths that do not fit are found out soon
+                how = {"n_starts": _NEARBY} if is_random else {}
+                draw = Draw.of(system, values, **how) if branch is None else branch.with_values(values, system)
                 if found:
                     draw.start()  # where what is put in numbers only just fits, velocities do not
                 if branch is not None and draw.regularity < _LEAST_REGULAR * branch.regularity:

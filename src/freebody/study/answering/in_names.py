@@ -9,31 +9,66 @@ from functools import partial
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
-from freebody.questions.reading import Question
+from freebody.questions.reading import AskedEvent, Question
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, made
 from freebody.study.answering.chain import chain_alone, inputs, is_assembled
 from freebody.study.answering.conditions import at_instant, is_kinematic
-from freebody.study.answering.crosscheck import NotReal, SaysNothing
+from freebody.study.answering.crosscheck import (
+    MOTION_TOLERANCE,
+    CrossCheck,
+    NotReal,
+    SaysNothing,
+    element_at,
+    holds,
+)
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.evidence import at_instants
 from freebody.study.answering.named_formulas import InNames
+from freebody.study.answering.numbers import at_event
 from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.reached import Reached
+from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.validity import texts, validity
 
 
-def answer_in_names(setup: Setup, question: Question) -> Answer | None:
-    """Of what is asked of an instant; None for other questions. Raises CannotAnswer where the chain has no formulas
-    either."""
+def answer_in_names(setup: Setup, question: Question, reached: Reached | None = None) -> Answer | None:
+    """Of what is asked of an instant, or of an event to which drives lead at a known time; None for other questions.
+    Raises CannotAnswer where the chain has no formulas either."""
     q = question.quantity
-    if question.event is not None or not q.is_of_state or q.wanted is not None or question.options:
+    if not q.is_of_state or q.wanted is not None or question.options:
         return None
+    if question.event is not None:
+        return None if reached is None else _led_to(setup, question, question.event, reached)
     state = setup.start_for(q) if question.at_start else setup.state
     found = chain_alone(setup, q, state)
     if found is None:
         return None
     exact = partial(in_numbers, setup, found)
     return told(setup, question, found, at_instants(setup, question.text, q, exact, at_start=question.at_start))
+
+
+def _led_to(setup: Setup, question: Question, event: AskedEvent, reached: Reached) -> Answer | None:
+    """Where drives leave nothing free, at the time at which they are there."""
+    q, time = question.quantity, reached.time
+    if setup.model.coordinates or time is None:
+        return None
+    state = SymbolicState(setup.model, setup.motion.known_at(reached))
+    found = chain_alone(setup, q, state)
+    if found is None:
+        return None
+    needs = [Condition(setup.state.here(x), relation, event.comes) for x, relation in reached.conditions]
+    check = CrossCheck(question.text, Message("numerical integration from the start to the event"), MOTION_TOLERANCE)
+
+    def compare(draw: Draw) -> None:
+        start = draw.start()
+        exact, until = in_numbers(setup, found, draw, start), 1.5 * element_at(setup, (time,), draw, start)[0]
+        if until > 0.0 and all(holds(setup, c, draw, start) for c in needs):
+            check.compare(draw, exact, at_event(setup, q, draw, start, until, event))
+
+    evidence = check.gather(setup.draw_stream(), compare).evidence()
+    return told(setup, question, found, evidence, [c.text() for c in validity(needs)])
 
 
 def told(setup: Setup, question: Question, found: InNames, evidence: Evidence, says: Sequence[str] = ()) -> Answer:

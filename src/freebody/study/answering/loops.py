@@ -58,21 +58,54 @@ def solved(setup: Setup, element: Elements, state: SymbolicState) -> tuple[Eleme
     on it; None where the loops have no short solution, or the formula becomes too long."""
     if not setup.model.loops or not bound_in(setup, element):
         return None
-    closure = Closure(setup.model)
+    closure, whole = Closure(setup.model), without_bound_rates(setup, element, state)
     try:
         values = closure.at(state.values)
-        found = _followed(element, values)
+        for form in (whole, element):  # else rates that loops bind are told beside it
+            found = _followed(form, values)
+            if (
+                not bound_in(setup, found)
+                and length(found) <= _longest(setup, element)
+                and n_terms(found) <= _MOST_TERMS
+            ):
+                rates = [] if form is whole else _rates(setup, found, state, values)
+                return None if rates is None else (found, [*branch(closure), *rates], closure.sides)
     except (CannotAnswer, ZeroDivisionError):
-        return None
-    is_angle = isinstance(element, Ratio) and any(
-        element == element.field.variable(d.index) for d in setup.model.dependent
-    )
-    if bound_in(setup, found) or n_terms(found) > _MOST_TERMS:
-        return None
-    longest = _LONGEST if is_angle else max(READABLE, _LONGER * length(element))
-    if length(found) > longest:
-        return None
-    return found, branch(closure), closure.sides
+        pass
+    return None
+
+
+def _longest(setup: Setup, element: Elements) -> float:
+    """How long a formula may become in which the angles of loops are put."""
+    angles = (setup.model.field.variable(d.index) for d in setup.model.dependent)
+    is_angle = isinstance(element, Ratio) and any(element == angle for angle in angles)
+    return _LONGEST if is_angle else max(READABLE, _LONGER * length(element))
+
+
+def _rates(setup: Setup, element: Elements, state: SymbolicState, values: dict[int, Ratio]) -> list[str] | None:
+    """What the rates in it are that loops bind; None where one of them is long."""
+    model, told = setup.model, list[str]()
+    parts = element if isinstance(element, tuple) else (element,)
+    inside = set[int]().union(*map(model.field.ingredients, parts))
+    for speed in (d.speed for d in model.dependent if d.speed in inside):
+        own = model.field.variable(speed)
+        rate = _followed(without_bound_rates(setup, own, state), values)
+        assert isinstance(rate, Ratio)
+        if length(rate) > _LONGEST or rate == own:
+            return None
+        told.append(compared(tidy(own), "=", tidy(rate)))
+    return [reworded(Message("with {zero}", zero=x), x) for x in told]
+
+
+def without_bound_rates(setup: Setup, element: Elements, state: SymbolicState) -> Elements:
+    """With the rates of what loops bind by those of the coordinates, or of drives."""
+    model = setup.model
+    rates = {d.speed for d in model.dependent}
+
+    def by_free(x: Ratio) -> Ratio:
+        return state.here(model.in_independent_speeds(x)) if rates & model.field.ingredients(x) else x
+
+    return tuple(map(by_free, element)) if isinstance(element, tuple) else by_free(element)
 
 
 def _followed(element: Elements, values: dict[int, Ratio]) -> Elements:
@@ -116,7 +149,8 @@ def loops_in(setup: Setup, element: Elements, state: SymbolicState | None, chain
     if found is None:
         return _equations(setup)
     formulas = [compared(tidy(model.field.variable(d)), "=", tidy(value)) for d, value in found.items()]
-    return [*(reworded(Message("with {zero}", zero=x), x) for x in formulas), *branch(closure)]
+    rates = [] if state is None else _rates(setup, element, state, {}) or []
+    return [*(reworded(Message("with {zero}", zero=x), x) for x in formulas), *rates, *branch(closure)]
 
 
 def _equations(setup: Setup) -> list[str]:

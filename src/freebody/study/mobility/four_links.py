@@ -37,10 +37,11 @@ from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
+from freebody.model.elements import NonholonomicForm
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.mobility.grashof import FourBarNumbers, dimensions
-from freebody.study.mobility.linkages import FourBar, Linkage, LoopJoint, SliderCrank
+from freebody.study.mobility.linkages import FourBar, Linkage, LoopJoint, SliderCrank, inner_measure
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
@@ -149,8 +150,12 @@ class FourLinks:
 
     def _length(self, link: str, a: LoopJoint, b: LoopJoint) -> Ratio:
         for row in self.setup.system.constraint_rows:
-            if row.connection == link and isinstance(row.measure, Distance) and row.target is not None:
-                return self.model.geometry.scalar(row.target)
+            if row.connection != link or isinstance(row.measure, NonholonomicForm):
+                continue
+            if isinstance(own := inner_measure(row.measure), Distance):
+                if row.target is not None:
+                    return self.model.geometry.scalar(row.target)
+                return self.setup.start_instant.value(own)  # as long as it is drawn
         x, y = self.between(link, a, b)
         return self.root(x * x + y * y)
 

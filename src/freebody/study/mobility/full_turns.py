@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import joined, reworded
-from freebody.language.sentences import Message, further
+from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import Pose
 from freebody.numeric.jets import Array
@@ -30,19 +30,31 @@ from freebody.study.mobility.linkages import FourBar
 from freebody.study.mobility.loop_questions import (
     answered,
     four_links,
+    is_single_loop,
     is_so,
+    looked_at_by,
     loop_draws,
     n_loops,
     path_round,
     refuse_pose,
 )
+from freebody.study.mobility.turning_case import has_open_lengths, with_full_turn
 from freebody.study.setup import Setup
+from freebody.study.steady.drive import without_drive
 from freebody.study.steady.extremes import ExtremaSearch
 from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
+
+_ROUTE = Message("the motion of the full system followed all round in numbers")
+
+
+@looked_at_by.register(FullTurn)
+def _(q: FullTurn, setup: Setup) -> Setup:
+    """A drive of another loop than one of four links is left out: its angle is the coordinate."""
+    return setup if is_single_loop(setup.system) else with_full_turn(without_drive(setup))
 
 
 @answered.register(FullTurn)
@@ -56,10 +68,8 @@ def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
     except CannotAnswer:
         return _full_turn_by_coordinate(q, setup, question)
     notes, verdict = _case(links), ""
-    does = Message("with the given numbers {link} turns fully", link=q.link)
-    does_not = Message("with the given numbers {link} does not turn fully", link=q.link)
-    if setup.has_values:
-        verdict = does if links.does_turn(q.link) else does_not
+    if not has_open_lengths(setup.system):
+        verdict = _verdict(q.link, so=links.does_turn(q.link))
     if turning.needs:
         notes.append(Message("what must not be negative; where it is zero the linkage passes a change point"))
     evidence = _turns_in_numbers(setup, question.text, q.link, turning.conditions)
@@ -75,7 +85,7 @@ def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
 
 def _case(links: FourLinks) -> list[str]:
     """Grashof's case at the model's own numbers."""
-    if not links.setup.has_values or not isinstance(links.loop, FourBar):
+    if has_open_lengths(links.setup.system) or not isinstance(links.loop, FourBar):
         return []
     draw = links.setup.draws[0]
     return [Message("with the given numbers: {case}", case=dimensions(links.loop, draw.reference, draw.q).case)]
@@ -130,20 +140,13 @@ def _coordinate(setup: Setup, link: str) -> Coordinate:
 def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> Finding:
     """Any loop that is solved by the angle of the link."""
     model = setup.model
-    turning = TurningAngle(model, _coordinate(setup, q.link))
     try:
+        turning = TurningAngle(model, _coordinate(setup, q.link))
         conditions = _all_round(setup, turning)
-    except CannotAnswer:
-        if not setup.has_values:
-            raise CannotAnswer(Message("a condition for a full turn of {link} was not found", link=q.link)) from None
-        so = turns_fully(setup.system, setup.draws[0].values, setup.draws[0].q, q.link)
-        told = (
-            Message("with the given numbers {link} turns fully", link=q.link)
-            if so
-            else Message("with the given numbers {link} does not turn fully", link=q.link)
-        )
-        why = Message("a condition for a full turn of {link} was not found", link=q.link)
-        raise CannotAnswer(further(told, why)) from None
+    except CannotAnswer as error:
+        if has_open_lengths(setup.system) or model.degrees_of_freedom != 1 or q.link not in setup.system.bodies:
+            raise
+        return _full_turn_in_numbers(q, setup, str(error))
     evidence = _turns_in_numbers(setup, question.text, q.link, conditions, only_if=True)
     told = joined(merged([Condition(c.element, c.relation) for c in conditions]))
     says = (
@@ -152,7 +155,7 @@ def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> F
         else Message("{link} turns fully for all lengths", link=q.link)
     )
     notes: list[str] = [*turning.notes]
-    verdict = Message("with the given numbers {link} turns fully", link=q.link) if setup.has_values else ""
+    verdict = "" if has_open_lengths(setup.system) else _verdict(q.link, so=True)
     if conditions:
         notes.append(Message("as it is assembled at the start; other lengths may allow it in another way"))
     needs = tuple(c.element for c in conditions)
@@ -160,6 +163,21 @@ def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> F
     return Finding(
         element, evidence, says=[says], notes=notes, verdict=verdict, unit="" if needs else "1", is_complete=True
     )
+
+
+def _full_turn_in_numbers(q: FullTurn, setup: Setup, why: str) -> Finding:
+    """At the given lengths alone. why: no condition is told."""
+    draw = setup.draws[0]
+    so = turns_fully(setup.system, draw.values, draw.q, q.link)
+    told = _verdict(q.link, so=so)
+    evidence = Evidence(1, 0.0, _ROUTE)
+    return Finding(Fraction(so), evidence, says=[told], notes=[why], verdict=told, unit="1", is_complete=True)
+
+
+def _verdict(link: str, *, so: bool) -> str:
+    if so:
+        return Message("with the given numbers {link} turns fully", link=link)
+    return Message("with the given numbers {link} does not turn fully", link=link)
 
 
 def _all_round(setup: Setup, turning: TurningAngle) -> list[Condition]:
@@ -180,8 +198,7 @@ def _turns_in_numbers(
     setup: Setup, question: str, link: str, conditions: Sequence[Condition], *, only_if: bool = False
 ) -> Evidence:
     """The motion is followed in numbers. only_if: draws that break a condition say nothing."""
-    route = Message("the motion of the full system followed all round in numbers")
-    check = CrossCheck(question, route, INSTANT_TOLERANCE)
+    check = CrossCheck(question, _ROUTE, INSTANT_TOLERANCE)
 
     def compare(draw: Draw) -> None:
         so = all(element_at(setup, c.element, draw, draw.start())[0] >= 0 for c in conditions)

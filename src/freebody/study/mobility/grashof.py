@@ -17,16 +17,17 @@ classes: Barker, Mechanism and Machine Theory 20, 1985, 535-554.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from freebody.language.expression import Expr, evaluate
 from freebody.measures.geometry import Point, position, unit
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
-from freebody.study.mobility.linkages import FourBar, Linkage, SliderCrank
+from freebody.study.mobility.linkages import FourBar, Linkage, LoopJoint, SliderCrank
 
 _PARALLEL = 1e-7  # the sine between links that are parallel, at poses as good as they were assembled
 EQUAL = 1e-9  # lengths are equal up to this part of their sum
@@ -103,6 +104,37 @@ def transmission_angle(linkage: Linkage, reference: Reference, q: Array, crank: 
         A, B, C, _D = (_place(reference, q, j.point) for j in linkage.joints)
         return _angle_between(_difference(C, B), _difference(A, B))
     return dimensions(linkage, reference, q).transmission_angle
+
+
+def turning_by_lengths(linkage: Linkage, values: Mapping[str, float]) -> tuple[str, ...] | None:
+    """Links that turn fully, by the parameters alone, whatever pose; None where these do not tell the lengths."""
+
+    def at(x: Expr) -> float:
+        return float(evaluate(x, values))
+
+    def span(link: str, first: LoopJoint, last: LoopJoint) -> Pair | None:
+        ends = first.on(link), last.on(link)
+        if ends[0] is None or ends[1] is None:
+            return None
+        a, b = ((at(p.offset[0]), at(p.offset[1])) for p in ends if p is not None)
+        return _difference(b, a)
+
+    if isinstance(linkage, FourBar):
+        A, B, C, D = linkage.joints
+        ends = (D, A), (A, B), (B, C), (C, D)
+        spans = [span(link, *pair) for link, pair in zip(linkage.links, ends, strict=True)]
+        lengths = [math.hypot(*x) for x in spans if x is not None]
+        if len(lengths) < len(ROLES):
+            return None
+        return tuple(getattr(linkage, role) for role in _turning(dict(zip(ROLES, lengths, strict=True))))
+    pivot, B, W = linkage.joints
+    through = LoopJoint("", linkage.through, (linkage.through,))
+    crank, rod, away = span(linkage.crank, pivot, B), span(linkage.rod, B, W), span(linkage.guide, pivot, through)
+    if crank is None or rod is None or away is None:
+        return None
+    along = [at(c) for c in linkage.along.components]
+    offset = abs(along[0] * away[1] - along[1] * away[0])
+    return _slider_crank_case(linkage, math.hypot(*crank), math.hypot(*rod), offset)[0]
 
 
 def _place(reference: Reference, q: Array, point: Point) -> Pair:

@@ -97,6 +97,17 @@ class SliderCrank:
 Linkage = FourBar | SliderCrank
 
 
+def at_ground(loop: Linkage) -> tuple[str, ...]:
+    """The links that a pin joins to the fixed one, that of the input first."""
+    if isinstance(loop, FourBar):
+        return loop.input, loop.output
+    return {
+        loop.guide: (loop.crank,),
+        loop.crank: (loop.rod, loop.guide),
+        loop.rod: (loop.crank, loop.guide),
+    }[GROUND]
+
+
 def linkages(system: System, input: str | None = None) -> tuple[Linkage, ...]:
     """All four-bar loops and slider-cranks. The frame is the ground, in a loop of moving bodies alone its first
     body; the input of a four-bar is the link named `input`, else the one whose angle is driven, started or
@@ -105,7 +116,7 @@ def linkages(system: System, input: str | None = None) -> tuple[Linkage, ...]:
         return ()
     graph = _Graph(system)
     preferred = [input] if input is not None else []
-    preferred += [*_turned(system), *(body.name for body in system.moving)]
+    preferred += [*turned_links(system), *(body.name for body in system.moving)]
     rank = {name: k for k, name in reversed(list(enumerate(preferred)))}
     found: dict[frozenset[int], Linkage] = {}
     for loop in [*_four_bars(graph, rank), *_slider_cranks(graph)]:
@@ -234,23 +245,23 @@ def distance_kept(rows: Sequence[ConstraintRow]) -> tuple[Point, Point] | None:
     """The ends of a single row that holds a distance."""
     if len(rows) != 1 or isinstance(rows[0].measure, NonholonomicForm):
         return None
-    m = _inner(rows[0].measure)
+    m = inner_measure(rows[0].measure)
     return (m.start, m.end) if isinstance(m, Distance) else None
 
 
-def _inner(measure: Measure) -> Measure:
+def inner_measure(measure: Measure) -> Measure:
     """What an incremental measure keeps at its start value."""
     return measure.terms[0][1] if isinstance(measure, Combination) and len(measure.terms) == 1 else measure
 
 
 def _angle(measure: Measure | NonholonomicForm) -> Angle | None:
-    inner = None if isinstance(measure, NonholonomicForm) else _inner(measure)
+    inner = None if isinstance(measure, NonholonomicForm) else inner_measure(measure)
     return inner if isinstance(inner, Angle) else None
 
 
 def _across(rows: Sequence[ConstraintRow]) -> Displacement | None:
     """The displacement across a straight guide: a row alone, or with one that holds the angle."""
-    measures = [_inner(row.measure) for row in rows if not isinstance(row.measure, NonholonomicForm)]
+    measures = [inner_measure(row.measure) for row in rows if not isinstance(row.measure, NonholonomicForm)]
     across = [m for m in measures if isinstance(m, Displacement)]
     others = [m for m in measures if not isinstance(m, Displacement)]
     if len(rows) != len(measures) or len(across) != 1 or not all(isinstance(m, Angle) for m in others):
@@ -309,7 +320,7 @@ def _slider_cranks(graph: _Graph) -> Iterator[SliderCrank]:
     yield from sorted(found, key=lambda loop: loop.guide != GROUND)
 
 
-def _turned(system: System) -> list[str]:
+def turned_links(system: System) -> list[str]:
     """Bodies whose angle is driven, then those whose angle is in the start, then those that a torque turns."""
     driven = [row.measure for row in system.constraint_rows if row.target is not None]
     started = [system.measures[name] for name in system.start]

@@ -22,7 +22,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference
+from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.at_dead_points import AtDeadPoints
 from freebody.questions.base import Quantity
 from freebody.questions.linkages import DeadPoints, TransmissionAngle
@@ -59,6 +59,7 @@ from freebody.study.mobility.loop_questions import (
     path_round,
     refuse_pose,
 )
+from freebody.study.mobility.turning_case import with_full_turn
 from freebody.study.setup import Setup
 from freebody.study.steady.extremes import extremes
 from freebody.symbolic.field import Ratio
@@ -92,7 +93,17 @@ def holds(q: Quantity, setup: Setup) -> Formula:
 def _(q: AtDeadPoints, setup: Setup) -> Setup:
     from freebody.study.mobility.at_dead_points import by_crank
 
-    return by_crank(setup, q, four_links)
+    return with_full_turn(by_crank(setup, q, four_links))
+
+
+@looked_at_by.register(DeadPoints)
+def _(q: DeadPoints, setup: Setup) -> Setup:
+    return with_full_turn(setup)
+
+
+@looked_at_by.register(TransmissionAngle)
+def _(q: TransmissionAngle, setup: Setup) -> Setup:
+    return with_full_turn(setup) if q.end else setup
 
 
 @number.register(AtDeadPoints)
@@ -192,6 +203,7 @@ def nearest(x: float, found: Sequence[float], *, is_angle: bool) -> float:
 @answered.register(TransmissionAngle)
 def _transmission(q: TransmissionAngle, setup: Setup, question: Question) -> Finding:
     links = four_links(setup)
+    _must_be_driven_by_crank(links)
     if q.end:
         refuse_pose(question)
         return _extreme_transmission(q, links, question)
@@ -201,14 +213,25 @@ def _transmission(q: TransmissionAngle, setup: Setup, question: Question) -> Fin
     route = Message("angle between the links of the full system in numbers")
     check = CrossCheck(question.text, route, INSTANT_TOLERANCE)
 
-    def compare(case: tuple[int, Draw]) -> None:
-        k, draw = case
-        seen = draw.start() if question.at_start or event is not None else setup.anywhere[k]
+    def compare(case: tuple[Draw, Snapshot]) -> None:
+        draw, seen = case
         check.compare(draw, element_at(setup, x, draw, seen), transmission_in_numbers(links, question, draw, seen.q))
 
-    check.gather(enumerate(setup.draws), compare)
+    is_given = question.at_start or event is not None
+    check.gather(((d, d.start()) for d in loop_draws(setup)) if is_given else setup.anywhere_stream(), compare)
     conditions = [*real(x), *(setup.closing(state) if event is None else ())]
     return Finding(x, check.evidence(), conditions, [_meant(links)], is_complete=True)
+
+
+def _must_be_driven_by_crank(links: FourLinks) -> None:
+    """Raises CannotAnswer where something else is driven, as the ram of a swinging block."""
+    for row in links.setup.system.constraint_rows:
+        if row.is_driven and not (isinstance(row.measure, Angle) and row.measure.of == links.crank):
+            told = Message(
+                "a transmission angle is told of a loop whose crank drives, and here {driver} does",
+                driver=row.connection,
+            )
+            raise CannotAnswer(told)
 
 
 def _crank_angle(links: FourLinks, question: Question) -> Ratio | None:

@@ -49,11 +49,15 @@ def n_loops(system: System) -> int:
     return len(holding) - len(system.moving)
 
 
+def is_single_loop(system: System) -> bool:
+    """Whether a system is a four-link loop and nothing else."""
+    return len(linkages(system)) == 1 and n_loops(system) == 1
+
+
 def only_loop(system: System) -> Linkage:
     """The four-link loop that a system is. Raises CannotAnswer where it is another mechanism."""
-    found = linkages(system)
-    if len(found) == 1 and n_loops(system) == 1:
-        return found[0]
+    if is_single_loop(system):
+        return linkages(system)[0]
     raise CannotAnswer(Message("the mechanism is no single loop of four links with pins and sliders"))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import singledispatch
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.sentences import Message
 from freebody.questions.arithmetic import refuse_vectors
 from freebody.questions.base import Quantity
@@ -19,7 +19,7 @@ from freebody.questions.steady import (
     extremes_in,
 )
 from freebody.study.answering.answer import Value
-from freebody.study.answering.finding import Finding
+from freebody.study.answering.finding import NO_FORM, Finding
 from freebody.study.setup import Setup
 
 
@@ -32,12 +32,13 @@ def find(setup: Setup, question: Question) -> Finding:
 
 def looked_at(setup: Setup, question: Question) -> Setup:
     """The system as a question looks at it: for what is so in the poses of a turn the drive is left out that turns it
-    evenly."""
+    evenly, and lengths that are open are such that it turns fully."""
     if not question.quantity.is_of_turn:
         return setup
+    from freebody.study.mobility.turning_case import with_full_turn
     from freebody.study.steady.drive import without_drive
 
-    return without_drive(setup)
+    return with_full_turn(without_drive(setup))
 
 
 @singledispatch
@@ -131,9 +132,18 @@ def _value(q: SteadyValue, setup: Setup, question: Question) -> Finding:
 
 @_find.register(Extremes)
 def _extremes(q: Extremes, setup: Setup, question: Question) -> Finding:
+    from freebody.study.mobility.over_a_turn import by_dead_points
     from freebody.study.steady.extremes import extremes
 
-    return extremes(setup, question, q)
+    try:
+        return extremes(setup, question, q)
+    except RoutesDisagree:
+        raise
+    except NO_FORM:
+        found = by_dead_points(setup, question, q)
+        if found is None:
+            raise
+        return found
 
 
 @_find.register(SpinStability)

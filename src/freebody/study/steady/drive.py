@@ -17,6 +17,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.questions.base import Quantity
+from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.unknowns import Coordinate
@@ -28,14 +29,18 @@ class FreeToTurn(Setup):
     the coordinate. It starts where the drive does: springs are preloaded there. driven: the system with it; rate: of
     the angle [rad/s]."""
 
-    def __init__(self, driven: System, drive: ConstraintRow, rate: Expr) -> None:
+    def __init__(self, driven: System, drive: ConstraintRow, rate: Expr, first: Draw | None = None) -> None:
         assert not isinstance(drive.measure, NonholonomicForm)
         name = next((n for n, m in driven.measures.items() if m == drive.measure), "turn")
         rows = tuple(row for row in driven.constraint_rows if row is not drive)
         measures = {name: drive.measure}
         begin = {name: substitute(drive.target or ZERO, {"t": ZERO})}
-        super().__init__(replace(driven, constraint_rows=rows, measures=measures, start=begin, start_rates={}))
+        free = replace(driven, constraint_rows=rows, measures=measures, start=begin, start_rates={})
+        super().__init__(free, first=first)
         self.driven, self.drive, self.rate = driven, drive, rate
+
+    def beginning_with(self, first: Draw) -> FreeToTurn:
+        return FreeToTurn(self.driven, self.drive, self.rate, first)
 
 
 def without_drive(setup: Setup) -> Setup:
