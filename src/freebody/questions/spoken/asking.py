@@ -240,6 +240,9 @@ def _of_two(names: Names, clause: Clause) -> Groups:
         if kind == "ratio" and _are_geared(names, first, second):  # sun to carrier
             first = Clause([Word("quantity", "angular velocity"), *first.words])
         own = [w for w in first.words if w.kind == "quantity"]
+        is_lent = len({first.has("quantity"), second.has("quantity")}) == 2
+        if is_lent and not (first.names and second.names):  # of the weight and the tension none is at the other
+            continue
         if not second.has("quantity"):  # the rope force on the left to that on the right
             joints = [w for w in first.words if w.kind == "name" and w.what in names.connections]
             carried = joints if second.has("pronoun", "that") else []
