@@ -407,6 +407,18 @@ MORE: dict[str, list[tuple[str, str]]] = {
         ("acceleration of the chain when half of it hangs over the edge", "acceleration of chain when x = L/2"),
     ],
 }
+MORE |= {
+    "letter_scale": [("moment of inertia of the sector about its pivot", "moment of inertia of sector about axle")],
+    "car_with_a_trailer": [("coupling force", "reaction of hitch")],  # and not the force that drives it
+    "steepest_road": [("Normalkräfte an Vorder- und Hinterachse", "normal force of front; normal force of rear")],
+    "hydraulic_lift": [("Kraft F im Gleichgewicht", "range of F that keeps it at rest")],
+    "rack_and_pinion_drive": [
+        (
+            "rack displacement per revolution of the pinion",
+            "2*pi * ratio of velocity of x to angular velocity of pinion",
+        ),
+    ],
+}
 SPOKEN |= {name: [*SPOKEN.get(name, ()), *pairs] for name, pairs in MORE.items()}
 SPOKEN["block_on_rough_incline"] += [("Verzögerung in g", "(|acceleration of x|)/g")]
 SPOKEN["loop_the_loop"] += [

@@ -43,7 +43,7 @@ from freebody.questions.spoken.suggesting import MOST, absent, not_understood, s
 from freebody.questions.spoken.symbols import parameter_asked, spelt_out
 from freebody.questions.spoken.wanted_unit import without_units
 from freebody.questions.spoken.weights import in_weights, without_gs
-from freebody.questions.spoken.words import Unknown, in_own_letters, respelt, words_of
+from freebody.questions.spoken.words import Unknown, in_own_letters, respelt, words_of, written_out
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -131,7 +131,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
-    if (put := _in_own_letters(names, text)) != text:
+    if (put := _in_own_letters(names, written_out(text))) != text:
         return understood(names, put, read)
     if (asked := without_context(names, elements_of(names), text)) != text:
         return understood(names, asked, read)
