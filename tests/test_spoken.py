@@ -411,6 +411,23 @@ MORE |= {
     "letter_scale": [("moment of inertia of the sector about its pivot", "moment of inertia of sector about axle")],
     "car_with_a_trailer": [("coupling force", "reaction of hitch")],  # and not the force that drives it
     "steepest_road": [("Normalkräfte an Vorder- und Hinterachse", "normal force of front; normal force of rear")],
+    "bouncing_ball": [
+        ("maximum height after the first bounce", "y when rate(y) = 0"),  # and not the height that it falls from
+        ("Mit welcher Geschwindigkeit springt der Ball zurück?", "velocity of ball after the impact"),
+        ("energy loss per bounce", "energy lost in the impact"),
+    ],
+    "atwood_machine": [
+        (
+            "Bestimme die Seilkräfte und die Beschleunigung der rechten Masse.",
+            "tension of rope at left; tension of rope at right; acceleration of right",
+        ),
+    ],
+    "falling_hinged_rod": [
+        ("Geschwindigkeit des Stabendes in der Senkrechten", "velocity of rod.end when theta = 90 deg"),
+    ],
+    "capstan": [("What holding force is required?", "range of F that keeps it at rest")],
+    "cart_and_pendulum": [("reaction left of the hinge", "")],
+    "dominoes": [("does the first domino knock over the second", "")],
     "hydraulic_lift": [("Kraft F im Gleichgewicht", "range of F that keeps it at rest")],
     "rack_and_pinion_drive": [
         (

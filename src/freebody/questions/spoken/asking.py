@@ -55,6 +55,8 @@ def quantities(names: Names, clause: Clause) -> Groups:
     )
     if clause.words and clause.words[-1] == Word("preposition", "and"):  # something is missing behind it
         return
+    if clause.has("quantity", "bounce height"):  # which is greatest behind the bounce, and not before it
+        clause = clause.without("degree", "greatest")
     if clause.has("relation") or clause.has("value") or clause.has("turns") or clause.has("other"):
         return
     if loaded := of_sections.greatest(names, clause):

@@ -268,6 +268,7 @@ _WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degre
 _FRICTION, _ROUGH = Word("quantity", "friction force"), Word("ask", "rough")
 _AXES = (Word("preposition", "along"), *(Word("updown", way) for way in ("up", "down")))
 _TURNS = (Word("preposition", "over"), Word("instant", "over a turn"), Word("instant", "for a full turn"))
+_OF_SIDE = [Word("preposition", side) for side in ("just before", "just behind", "left of", "right of")]
 _AT_REST = re.compile(r"^range of \w+ that keeps it at rest$")
 _MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
 _LIMITING = (  # of which one is said where it is asked how much of something is enough
@@ -290,7 +291,15 @@ def _pattern(kind: str, what: str) -> re.Pattern[str]:
 
 def dropped(words: Sequence[Word], text: str) -> list[Word]:
     """The words that nothing in words of the grammar expresses."""
-    others = (_of_a_turn, _without_end, _of_other_end, _up_to_what_was_before, _without_axis, _of_what_lasts)
+    others = (
+        _of_a_turn,
+        _without_end,
+        _of_other_end,
+        _up_to_what_was_before,
+        _without_axis,
+        _without_side,
+        _of_what_lasts,
+    )
     return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
 
 
@@ -362,6 +371,12 @@ def _without_axis(words: Sequence[Word], text: str) -> list[Word]:
     is_asked = any(word.kind == "quantity" and word.what.endswith(" momentum") for word in words)
     axes = [word for word in words if word in _AXES]
     return axes if is_asked and not re.search(r"\balong\b|generalized", text) else []
+
+
+def _without_side(words: Sequence[Word], text: str) -> list[Word]:
+    """Left of a point, or just before it, is one side of it."""
+    sides = [word for word in words if word in _OF_SIDE]
+    return sides if not re.search(r"\bjust (?:before|behind)\b|\bbetween\b", text) else []
 
 
 def _without_end(words: Sequence[Word], text: str) -> list[Word]:
