@@ -89,6 +89,19 @@ def test_at_the_dead_points(text: str, question: str, formulas: list[str]) -> No
     assert found.value == pytest.approx(values, rel=1e-9, abs=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("text", "question", "formula"),
+    [
+        (CRANK, "acceleration of x at the outer dead point", "-r*w^2*(1 + r/l)"),
+        (CRANK, "x at the inner dead point", "l - r"),
+        (BARS, "psi at the inner dead point of rocker", f"pi + {FOLDED}"),
+    ],
+)
+def test_at_one_of_both_dead_points(text: str, question: str, formula: str) -> None:
+    """Outer, where crank and coupler are stretched, and inner, where they are folded."""
+    is_formula(text, question, formula)
+
+
 def test_forces_at_dead_points_ask_for_a_drive() -> None:
     found = posed(BARS, "reaction of A at the dead points")
     assert "give it a driver" in found.reason
@@ -147,6 +160,7 @@ def test_a_ratio_that_changes_sign_with_the_sense_is_none_at_rest() -> None:
     ("text", "question"),
     [
         (CRANK, "acceleration of x at the dead points"),
+        (CRANK, "x at the inner dead point"),
         (CRANK, "horizontal reaction of B on piston at the dead points"),
         (BARS, "phi at the dead points"),
         (PRESS, "mechanical advantage of die to hand at start"),

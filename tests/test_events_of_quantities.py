@@ -204,6 +204,13 @@ def test_a_distance_is_gone_whichever_way_the_motion_begins(measure: str, asked:
     is_formula(model, f"angular velocity of wheel {asked}", "sqrt(n^2 - 2*F*d/J)")
 
 
+def test_a_distance_may_be_calculated_and_its_measure_need_no_name() -> None:
+    """Two times d is no distance d of which the speed is doubled."""
+    model = PRESS.replace("MEASURE", "height of punch").replace("RATE", "n")
+    is_formula(model, "angular velocity of wheel when y has moved d*2", "sqrt(n^2 - 4*F*d/J)")
+    is_formula(model, "angular velocity of wheel when angle of wheel has moved d/R", "sqrt(n^2 - 2*F*d/J)")
+
+
 def test_the_side_on_which_a_distance_is_gone_is_said() -> None:
     model = PRESS.replace("MEASURE", "height of punch").replace("RATE", "n")
     found = posed(model, "speed of punch when y has moved d")

@@ -343,6 +343,108 @@ SPOKEN["mass_on_spring"] += [
         "velocity of block when acceleration of y = 0",
     ),
 ]
+MORE: dict[str, list[tuple[str, str]]] = {
+    "crate_on_a_truck": [
+        (
+            "how fast is the truck after it has moved 1 m",
+            "speed of truck when travel of truck along right has moved 1 m",
+        ),
+    ],
+    "belt_drive": [
+        (
+            "how fast is the motor after it has turned once",
+            "angular velocity of motor when angle of motor has moved 1 * 2*pi",
+        ),
+    ],
+    "hoist": [
+        ("how far does the load rise when the drum turns twice", "change of y until angle of drum has moved 2 * 2*pi"),
+        (
+            "Wie weit steigt die Last, wenn sich die Trommel einmal dreht?",
+            "change of y until angle of drum has moved 1 * 2*pi",
+        ),
+    ],
+    "driven_slider_crank": [
+        ("acceleration of the piston at TDC", "acceleration of piston at the outer dead point"),
+        ("Kolbenbeschleunigung im unteren Totpunkt", "acceleration of piston at the inner dead point"),
+        ("max piston acceleration in g", "(greatest acceleration of piston)/(9.80665 m/s^2)"),
+        ("Kolbenweg über dem Kurbelwinkel", ""),  # which is no stroke
+    ],
+    "beam_with_overhang": [
+        ("For which load P does the beam lift off at A?", "value of P for which reaction of A along up = 0"),
+        ("Bei welcher Kraft P hebt der Balken bei A ab?", "value of P for which reaction of A along up = 0"),
+        ("shear force just left of B", "shear force of beam just before beam.B"),
+        ("Querkraft rechts von B", "shear force of beam just behind beam.B"),
+        ("Biegemoment kurz vor B", "bending moment of beam just before beam.B"),
+    ],
+    "screw_jack": [
+        (
+            "torque to raise the load and torque to lower the load",
+            "largest T so that it stays at rest; least T so that it stays at rest",
+        ),
+    ],
+    "ballistic_pendulum": [
+        ("Wie hoch schwingt der Block?", "change of height of block until rate(theta) = 0"),
+        ("common velocity immediately after the bullet hits", "speed of block at start"),
+    ],
+    "tower_crane": [
+        ("torque needed at the winch", "driving torque of hoisting"),
+        ("Welche Antriebskraft braucht die Laufkatze?", "driving force of travelling"),
+    ],
+    "spinning_balls_collide": [("closing speed", "-(velocity of distance from cue to target)")],
+    "belt_with_slip_limit": [("T_1/T_2", "(tight tension of belt)/(slack tension of belt)")],
+    "ladder_rough_wall": [("mu_min for equilibrium?", "least mu so that it stays at rest")],
+    "suspension_bridge": [("horizontal component of cable tension", "horizontal pull of cable")],
+    "wheel_that_locks": [("heat dissipated in the brake", "energy lost in brake until rate(x) = 0")],
+    "yo_yo": [
+        ("How much smaller is the tension than the weight?", "size of force of weight on yoyo - tension of string"),
+        ("Um wie viel ist die Seilkraft kleiner als das Gewicht?", ""),  # no difference of two pulls
+        ("speed of the yoyo after one turn", "speed of yoyo when angle of yoyo has moved 1 * 2*pi"),
+    ],
+    "crate_onto_a_preloaded_buffer": [
+        ("speed of the crate at impact with the buffer", "speed of crate when buffer is reached"),
+    ],
+    "chain_on_rough_table": [
+        ("acceleration of the chain when half of it hangs over the edge", "acceleration of chain when x = L/2"),
+    ],
+}
+MORE |= {
+    "letter_scale": [("moment of inertia of the sector about its pivot", "moment of inertia of sector about axle")],
+    "car_with_a_trailer": [("coupling force", "reaction of hitch")],  # and not the force that drives it
+    "steepest_road": [("Normalkräfte an Vorder- und Hinterachse", "normal force of front; normal force of rear")],
+    "bouncing_ball": [
+        ("maximum height after the first bounce", "y when rate(y) = 0"),  # and not the height that it falls from
+        ("Mit welcher Geschwindigkeit springt der Ball zurück?", "velocity of ball after the impact"),
+        ("energy loss per bounce", "energy lost in the impact"),
+    ],
+    "atwood_machine": [
+        (
+            "Bestimme die Seilkräfte und die Beschleunigung der rechten Masse.",
+            "tension of rope at left; tension of rope at right; acceleration of right",
+        ),
+    ],
+    "falling_hinged_rod": [
+        ("Geschwindigkeit des Stabendes in der Senkrechten", "velocity of rod.end when theta = 90 deg"),
+    ],
+    "capstan": [("What holding force is required?", "range of F that keeps it at rest")],
+    "cart_and_pendulum": [("reaction left of the hinge", "")],
+    "dominoes": [("does the first domino knock over the second", "")],
+    "hydraulic_lift": [("Kraft F im Gleichgewicht", "range of F that keeps it at rest")],
+    "rack_and_pinion_drive": [
+        (
+            "rack displacement per revolution of the pinion",
+            "2*pi * ratio of velocity of x to angular velocity of pinion",
+        ),
+    ],
+}
+SPOKEN |= {name: [*SPOKEN.get(name, ()), *pairs] for name, pairs in MORE.items()}
+SPOKEN["block_on_rough_incline"] += [("Verzögerung in g", "(|acceleration of x|)/g")]
+SPOKEN["loop_the_loop"] += [
+    (
+        "From what minimum height must the car start to complete the loop?",
+        "least h so that tension of track >= 0 when theta = 180 deg",
+    ),
+    ("Geschwindigkeit nach einer Vierteldrehung", "velocity of car when theta = 0.25 * 2*pi"),
+]
 TYPED = [  # a longer list, many of which are to be refused
     cast("tuple[str, str, str]", tuple(line.split("\t")))
     for line in (Path(__file__).parent / "spoken.tsv").read_text("utf-8").splitlines()

@@ -1,12 +1,13 @@
 """Quantities in the poses in which the output of a loop of four links reverses.
 
 driving torque of motor at the dead points        acceleration of x at the dead points of x
+acceleration of x at the outer dead point         driving torque of motor at the inner dead point
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
@@ -18,15 +19,17 @@ from freebody.questions.reading import read_quantity
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_DEAD = r"dead (?:points?|cent(?:er|re)s?|positions?)"
+_DEAD = r"(?:(?P<which>outer|inner) )?dead (?:points?|cent(?:er|re)s?|positions?)"
 
 
 @dataclass(frozen=True)
 class AtDeadPoints(OfLinkage, kind="at dead points"):
     """A quantity in the poses in which the output reverses, first where crank and coupler are stretched; while the
-    crank is driven evenly, where it depends on that."""
+    crank is driven evenly, where it depends on that. which: of both the outer one, stretched, or the inner one,
+    folded."""
 
     of: Quantity
+    which: Literal["", "outer", "inner"] = ""
 
     example = f"{FOUR_BAR}questions: {{it: y of coupler.end at the dead points}}\n"
 
@@ -44,7 +47,7 @@ class AtDeadPoints(OfLinkage, kind="at dead points"):
 
 
 @asked(
-    "QUANTITY at the dead points",
+    "QUANTITY at the dead points | at the outer | inner dead point",
     rf"(?P<of>.+?) (?:at|in) (?:the |both )?{_DEAD}(?: of (?:the )?(?P<output>{NAME}))?",
     rank=RANK + 1,
 )
@@ -58,6 +61,8 @@ def _at_dead_points(names: Names, found: Found, path: Path) -> Quantity | None:
         return None
     of = read_quantity(names, str(found["of"]), path)
     if of is None or of.scope == "instant":
-        return None if of is None else AtDeadPoints(of.sized(space=names.space))
+        which = found["which"]
+        side = "outer" if which == "outer" else "inner" if which == "inner" else ""
+        return None if of is None else AtDeadPoints(of.sized(space=names.space), side)
     names.problem(Message("'{text}' is no property of one instant", text=str(found["of"])), *path)
     return None

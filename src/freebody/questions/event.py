@@ -138,7 +138,7 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         turned = _measured(names, turning["what"], path)
         return None if turned is None else QuestionEvent(turned, 1, ZERO, text)
     changed = _CHANGED.match(text)
-    if changed is not None and (not changed["moves"] or changed["what"] in names.measures):
+    if changed is not None and (not changed["moves"] or is_measure(names, changed["what"])):
         moved = _measured(names, changed["what"], path)
         by = None if moved is None else names.formula(changed["by"], moved.dimension, *path)
         if moved is None or by is None:
@@ -206,7 +206,7 @@ def _extreme(names: Names, text: str, found: re.Match[str], path: Path) -> Extre
     if (several := _of_several(names, what)) is not None and several[1] == 0:
         what = what if re.fullmatch(r"\([^()]*\)", what) else f"({what})"
         return ExtremeEvent(several[0], 0, Symbol(""), text, end, what, None)
-    if what in names.measures or any(p.pattern.match(what) for p in PHRASES):
+    if is_measure(names, what):
         measure = measure_of(names, what, *path)
         return None if measure is None else ExtremeEvent(measure, 0, Symbol(""), text, end, what, None)
     of, measure = quantity_of_instant(names, what, what, path), next(iter(names.measures.values()), None)
@@ -217,6 +217,11 @@ def _extreme(names: Names, text: str, found: re.Match[str], path: Path) -> Extre
         names.problem(Message("give the place of the motion a name among the measures first"), *path)
         return None
     return ExtremeEvent(measure, 0, Symbol(""), text, end, what, of)
+
+
+def is_measure(names: Names, text: str) -> bool:
+    """Whether a text names a measure, or states one."""
+    return text in names.measures or any(phrase.pattern.match(text) for phrase in PHRASES)
 
 
 def _measured(names: Names, text: str, path: Path) -> Measure | None:
@@ -280,8 +285,7 @@ def _other_side(names: Names, text: str, order: int) -> tuple[str, str] | None:
     if found is None or text in names.parameters:
         return None
     of = next(x for key, x in found.groupdict().items() if key != "factor" and x).strip()
-    is_measure = of in names.measures or any(p.pattern.match(of) for p in PHRASES)
-    return (found["factor"] or "1", of) if is_measure else None
+    return (found["factor"] or "1", of) if is_measure(names, of) else None
 
 
 def _between(names: Names, measure: Measure, factor: str, of: str, path: Path) -> Measure | None:

@@ -98,7 +98,7 @@ def _goes_on(names: Names, tail: str) -> bool:
     of rod when theta = 0 / (m*g)`, or behind an event without a value."""
     if (turns := TURNS_BACK.match(tail)) is not None and _is_of_measures(names, turns["what"]):
         return False
-    has_value = re.search(r"=|\breaches\b|\bequals\b|\bis\b|\bby\b", tail)
+    has_value = re.search(r"=|\breaches\b|\bequals\b|\bis\b|\bby\b|\bmove[ds]\b", tail)
     if re.search(r"=\s*0\s*[-+*/^]", tail) or (has_value is None and len(_runs_of(tail)) > 1):
         return True
     behind = tail if has_value is None else tail[has_value.end() :]  # what stands before is what the event is of

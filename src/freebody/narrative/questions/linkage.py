@@ -102,7 +102,7 @@ def _derived(q: Quantity, context: Context, question: Question, answer: Answer) 
 def _(q: AtDeadPoints, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     """The angle of the crank at the dead points, and what is asked as a function of it."""
     before, watched = context.script(), q.of.watched
-    if watched is not None and not watched[1]:
+    if watched is not None and not watched[1] and not q.which:
         of_pose = DeadPoints(watched[0], q.of.kind)
         return _derived(of_pose, context, replace(question, quantity=of_pose), answer)
     looked = by_crank(context.setup, q, four_links)

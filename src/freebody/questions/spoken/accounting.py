@@ -48,7 +48,7 @@ _SAID = (
     (
         _PUSHES,
         re.compile(
-            r"\b(?:force|tension|reaction|impulse|moment|torque|opens|leaves|slack|contact is lost|phase lag)\b"
+            r"\b(?:force|tension|pull|reaction|impulse|moment|torque|opens|leaves|slack|contact is lost|phase lag)\b"
         ),
     ),
     (

@@ -55,6 +55,8 @@ def quantities(names: Names, clause: Clause) -> Groups:
     )
     if clause.words and clause.words[-1] == Word("preposition", "and"):  # something is missing behind it
         return
+    if clause.has("quantity", "bounce height"):  # which is greatest behind the bounce, and not before it
+        clause = clause.without("degree", "greatest")
     if clause.has("relation") or clause.has("value") or clause.has("turns") or clause.has("other"):
         return
     if loaded := of_sections.greatest(names, clause):
@@ -240,6 +242,9 @@ def _of_two(names: Names, clause: Clause) -> Groups:
         if kind == "ratio" and _are_geared(names, first, second):  # sun to carrier
             first = Clause([Word("quantity", "angular velocity"), *first.words])
         own = [w for w in first.words if w.kind == "quantity"]
+        is_lent = len({first.has("quantity"), second.has("quantity")}) == 2
+        if is_lent and not (first.names and second.names):  # of the weight and the tension none is at the other
+            continue
         if not second.has("quantity"):  # the rope force on the left to that on the right
             joints = [w for w in first.words if w.kind == "name" and w.what in names.connections]
             carried = joints if second.has("pronoun", "that") else []

@@ -83,7 +83,8 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     elif doing == {"reach"} and dimensions.is_angle(value) and not turns and (angles := _angles_at(names, who)):
         yield [f"{angle} = {value}" for angle in angles]  # the crank has reached 90 deg, the car is at 90 deg
     elif turns or doing == {"turn"}:
-        yield [lookup.gone_either_way(names, angle, value) for angle in joining.turned(names, who)]
+        turned = [lookup.gone_either_way(names, angle, value) for angle in joining.turned(names, who)]
+        yield turned or [f"{angle} has moved {value}" for angle in _unmeasured_angles(names, who)]
     elif doing == {"hang"}:
         yield strings.hung_down(names, who, value) if dimensions.is_length(value, names) else []
     elif doing == {"fall"}:
@@ -95,4 +96,24 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     elif doing <= {"reach"} and of and of[-1] in names.measures:
         yield [f"{of[-1]} = {value}"]
     elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:
-        yield [lookup.gone_either_way(names, way, value) for way in lookup.went(names, who)]
+        went = [lookup.gone_either_way(names, way, value) for way in lookup.went(names, who)]
+        yield went or [f"{way} has moved {value}" for way in _unmeasured_ways(names, who)]
+
+
+def _unmeasured_ways(names: Names, who: str) -> list[str]:
+    """The way of a body along the line of the ground that guides it, where no measure of the file is one."""
+    if lookup.places(names, who):
+        return []
+    return [f"travel of {body} along {along}" for body in _alone(names, who) for along in joining.guides(names, body)]
+
+
+def _unmeasured_angles(names: Names, who: str) -> list[str]:
+    """The angle by which a body in the plane turns, where no measure of the file is one."""
+    turning = [body for body in _alone(names, who) if body in lookup.turning(names)]
+    return [] if names.space or lookup.angles(names, who) else [f"angle of {body}" for body in turning]
+
+
+def _alone(names: Names, who: str) -> list[str]:
+    """The body that is named, or the only one that moves."""
+    moving = lookup.moving(names)
+    return [body for body in moving if who == body or (not who and len(moving) == 1)]

@@ -363,6 +363,8 @@ def ends(names: Names, sentence: Sentence) -> Groups:
             clutches = losing.clutches(names)
             stopping = [f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]]
             yield [f"slipping of {name} ends" for name in clutches] or stopping
+            if losing.braked(names) and not stopping:  # as far as what is braked comes
+                yield [f"rate({way}) = 0" for way in lookup.ways(names, "")]
             yield ["rolling begins"] if losing.comes_to_roll(names) else []
             yield ["it stops"] if losing.comes_to_rest(names) else []
         within = [value for before, value in sentence.main.values if before in ("in", "of")]

@@ -46,6 +46,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "at the bottom": rf"{_POSE}|bottom|lowest|least|greatest|start|equilibrium",
         "at the top of the loop": rf"{_END_OF_SWING}|start",
         "at the dead points": rf"{_POSE}|dead",
+        "at the outer dead point": rf"{_POSE}|dead",
+        "at the inner dead point": rf"{_POSE}|dead",
         "in equilibrium": rf"{_REST}|steady|static",
         "level": rf"{_POSE}|level|horizontal|start",
         "upright pose": rf"{_POSE}|upright|vertical|start",
@@ -54,7 +56,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "at separation": r"leav|open|contact|lost|lift|separat|taut|slack|relaxed",
         "after the impact": rf"{_IMPACT}|after|greatest|height|rate\(",
         "before the impact": rf"{_IMPACT}|before|value",
-        "at the impact": rf"{_IMPACT}|{_POSE}",
+        "at the impact": rf"{_IMPACT}|{_POSE}|is reached",
         "in the impact": rf"{_IMPACT}|{_POSE}",
     },
     "degree": {
@@ -120,6 +122,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "direction of motion": r"direction of velocity",
         "common speed": r"velocity|speed|rate",
         "relative velocity": r"velocity|speed|rate",
+        "closing speed": r"velocity of distance",
+        "tension ratio": r"tension",
         "slip speed": r"velocity|speed|rate|slip",
         "angular velocity": rf"velocity|speed|rate|{_CHOICE}|ratio|turns|[*]|time|steady|frequency|angular|does it",
         "spin rate": r"velocity|rate",
@@ -152,7 +156,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "period": rf"period|time|{_CHOICE}",
         "period of small oscillations": rf"period|{_CHOICE}",
         "period of the motion": rf"period|{_CHOICE}",
-        "tension": rf"tension|force|reaction|{_CHOICE}|theta when|speed of|slack|taut|ratio|conserved",
+        "tension": rf"tension|force|pull of|reaction|{_CHOICE}|theta when|speed of|slack|taut|ratio|conserved",
         "normal force": rf"normal|tension|contact|reaction|{_CHOICE}|leav|open|lost|speed of",
         "friction force": rf"friction|lost|work|slip|{_CHOICE}|does it|hold",
         "bending moment": r"bending moment",
@@ -264,6 +268,7 @@ _WHEN, _AFTER, _LEAST = Word("mark", "when"), Word("mark", "after"), Word("degre
 _FRICTION, _ROUGH = Word("quantity", "friction force"), Word("ask", "rough")
 _AXES = (Word("preposition", "along"), *(Word("updown", way) for way in ("up", "down")))
 _TURNS = (Word("preposition", "over"), Word("instant", "over a turn"), Word("instant", "for a full turn"))
+_OF_SIDE = [Word("preposition", side) for side in ("just before", "just behind", "left of", "right of")]
 _AT_REST = re.compile(r"^range of \w+ that keeps it at rest$")
 _MOTIONS = {"move", "fall", "rise", "slide", "roll", "turn", "fly"}
 _LIMITING = (  # of which one is said where it is asked how much of something is enough
@@ -286,7 +291,15 @@ def _pattern(kind: str, what: str) -> re.Pattern[str]:
 
 def dropped(words: Sequence[Word], text: str) -> list[Word]:
     """The words that nothing in words of the grammar expresses."""
-    others = (_of_a_turn, _without_end, _of_other_end, _up_to_what_was_before, _without_axis, _of_what_lasts)
+    others = (
+        _of_a_turn,
+        _without_end,
+        _of_other_end,
+        _up_to_what_was_before,
+        _without_axis,
+        _without_side,
+        _of_what_lasts,
+    )
     return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
 
 
@@ -358,6 +371,12 @@ def _without_axis(words: Sequence[Word], text: str) -> list[Word]:
     is_asked = any(word.kind == "quantity" and word.what.endswith(" momentum") for word in words)
     axes = [word for word in words if word in _AXES]
     return axes if is_asked and not re.search(r"\balong\b|generalized", text) else []
+
+
+def _without_side(words: Sequence[Word], text: str) -> list[Word]:
+    """Left of a point, or just before it, is one side of it."""
+    sides = [word for word in words if word in _OF_SIDE]
+    return sides if not re.search(r"\bjust (?:before|behind)\b|\bbetween\b", text) else []
 
 
 def _without_end(words: Sequence[Word], text: str) -> list[Word]:

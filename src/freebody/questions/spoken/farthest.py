@@ -40,7 +40,17 @@ def how_high(names: Names, main: Clause) -> Groups:
         if main.has("verb", "rise") and led:  # how high the cam lifts it
             yield [f"stroke of {name}" for name in led]
             return
+        if main.has("verb", "rise", "turn") and (risen := risen_from_below(names, who)):
+            yield risen
+            return
         yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]
+
+
+def risen_from_below(names: Names, who: str) -> list[str]:
+    """How much higher than at the start something comes that starts where it hangs straight down."""
+    if who not in lookup.moving(names) or not poses.begins_at(names, who, lowest=True):
+        return []
+    return [f"change of height of {who} until {turns}" for turns in poses.turning(names, who)]
 
 
 def after_bounce(names: Names, main: Clause, instant: str) -> Groups:
@@ -66,7 +76,8 @@ def how_far(names: Names, main: Clause) -> Groups:
     if set(main.all("verb")) == {"move"} and not joining.strikes(names) and lookup.flies(names, who):
         yield [f"{way} when {height} = 0" for way in lookup.level(names, who) for height in lookup.rising(names, who)]
     if up:
-        yield [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
+        sloping = [f"{way} when rate({way}) = 0" for way, sense in lookup.inclined(names, who) if sense > 0]
+        yield sloping or risen_from_below(names, who)
     elif (
         set(main.all("verb")) == {"move"}
         and lookup.rests(names)

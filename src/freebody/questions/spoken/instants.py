@@ -61,7 +61,8 @@ _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular
 _LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
 _BLOWS = ("after the impact", "before the impact")
 _NTH = re.compile(rf"(?P<side>after|before|at) the {NTH} impact")
-_TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", "at the dead points")}
+_DEAD = ("at the dead points", "at the outer dead point", "at the inner dead point")
+_TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", *_DEAD)}
 
 
 def timed(names: Names, sentence: Sentence) -> Groups:
@@ -157,6 +158,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         accelerates and set(main.all("verb")) <= {"start", *GOES_ON} and not others
     ):  # with what acceleration does it start to move
         main = Clause([*main.without("verb").words, Word("instant", "at start")])
+    if main.has("quantity", "common speed") and joining.is_struck_at_start_alone(names):  # after the bullet hits it
+        others = [(mark, own) for mark, own in others if not (mark in ("after", "when") and own.has("verb", "hit"))]
     if main.has("quantity", *_TERMINAL) and others:  # the final speed once it rolls
         main = Clause(
             [Word("quantity", _TERMINAL.get(w.what, w.what)) if w.kind == "quantity" else w for w in main.words]
@@ -281,8 +284,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         if instant == "at start":
             tails.append([" at start"])
         elif instant in _TIMED:
-            whose, main = _of_another(main, instant) if instant == "at the dead points" else ("", main)
-            tails.append([f"{_TIMED[instant]}{whose}"])
+            whose, main = _of_another(main, instant) if instant in _DEAD else ("", main)
+            is_one_of_both = instant in _DEAD and any(joining.guides(names, body) for body in lookup.moving(names))
+            tails.append([f"{_TIMED[instant if is_one_of_both or instant not in _DEAD else _DEAD[0]]}{whose}"])
         elif _NTH.fullmatch(instant):
             tails.append([f" {instant}"])
             main = main.without("instant", instant)
@@ -308,6 +312,12 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
             of = next((name for _, name in main.names), "")
             heights = lookup.rising(names, of) or lookup.falling(names, of)
+            caught = [name for _, name in main.names if name in lookup.catching(names, pulls=False)]
+            if caught:  # by a buffer
+                main = Clause([w for w in main.words if w != Word("name", caught[0])])
+                tails.append([f" when {caught[0]} is reached"])
+                main = main.without("instant", "in the impact")
+                continue
             landed = [[f"{height} = 0" for height in heights]] if heights else conditions(names, Clause([*_LANDS]))
             on_the_way = [] if joining.strikes(names) else landed
             tails.append([f" when {text}" for group in on_the_way for text in group] or [" when it hits"])

@@ -207,12 +207,23 @@ def keeps_height(names: Names, body: str) -> bool:
 
 
 def joints(names: Names, first: str, second: str, reaction: str) -> list[str]:
-    """Connections that are, or touch, each of two things (bodies, lines of the ground, connections), those that have
-    the reaction where any has."""
-    wanted = [thing.partition(".")[0] for thing in (first, second) if thing]
-    found = [name for name in names.connections if all(_is_of(names, name, thing) for thing in wanted)]
+    """Connections that are, or touch, each of two things (bodies, points and lines of the ground, connections), those
+    that have the reaction where any has."""
+    wanted = [thing for thing in (first, second) if thing]
+    found = [name for name in names.connections if all(touches(names, name, thing) for thing in wanted)]
+    found = [name for name in found if all(may_act_at(names, name, thing) for thing in wanted)]
     having = {row.connection for row in names.constraint_rows if row.reaction == reaction}
     return [name for name in found if name in having] or found
+
+
+def no_longer_pressed(names: Names, joints_: list[str], of: list[str]) -> list[str]:
+    """The conditions that nothing presses in joints that hold on both sides, where a body lifts off: at a pin of the
+    ground, if it is meant by all that is named, the force upwards."""
+    pressed = {row.connection for row in names.constraint_rows if row.reaction == "normal force"}
+    pins = [joint for joint in joints_ if pinned_at(names, joint) not in (joint, of[0]) and len(joints_) == 1]
+    return [f"normal force of {joint} = 0" for joint in joints_ if joint in pressed] or [
+        f"reaction of {joint} along up = 0" for joint in pins
+    ]
 
 
 def touches(names: Names, connection: str, thing: str) -> bool:

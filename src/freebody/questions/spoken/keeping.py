@@ -76,6 +76,7 @@ def loses_joint(names: Names, said: str, text: str) -> bool:
     return (
         bool(named and found)
         and not {*named} & {*found}
+        and not any({*joining.drives_of(names, joint)} & {*found} for joint in named)
         and not any(tells_apart(name.lower(), ENGLISH) for name in named)
     )
 

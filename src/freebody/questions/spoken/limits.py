@@ -243,6 +243,8 @@ def _end(names: Names, head: Clause, state: Clause, modal: set[str]) -> str:
     ends_rest = set(state.all("verb")) & _ENDS_REST
     is_denied = _is_denied(state)
     starts = bool(ends_rest) and not is_denied
+    if starts and len({"rise", "fall", "hold"} & {*state.all("verb")}) > 1:  # what raises it, and what holds it
+        return ""
     if state.has("part", "only") and is_denied and not degree:  # it just does not move
         named = [names.parameters[name] for _, name in head.names if name in names.parameters]
         pushes = all(kind.is_push for kind in given.KINDS for one in named if kind.dimension and kind.has(one))

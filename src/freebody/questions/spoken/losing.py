@@ -52,7 +52,13 @@ def comes_to_rest(names: Names) -> bool:
 def _slides_by_itself(names: Names) -> bool:
     one = len(lookup.massive(names)) == 1 and len(joining.rough(names, "")) == 1
     driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
-    return one and not lookup.rests(names) and not driven and not joining.goes_on(names)
+    return one and not lookup.rests(names) and not (driven or braked(names)) and not joining.goes_on(names)
+
+
+def braked(names: Names) -> bool:
+    """Whether a brake acts between something that moves and the ground."""
+    brakes = {name for name in names.connections if "brake" in names.called.get(name, ())}
+    return bool(brakes - {*clutches(names)})
 
 
 def clutches(names: Names) -> list[str]:

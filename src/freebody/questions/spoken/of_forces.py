@@ -24,6 +24,7 @@ _TRANSMITTED = (
 )
 _KINDS = {  # kinds of what is said so, by how likely they are meant
     "force": ("force", "reaction"),
+    "normal force": ("normal force", "contact force"),
     "contact force": ("contact force", "normal force", "tooth force", "reaction"),
     "torque": ("driving torque", "torque", "moment"),
     "moment": ("moment", "torque"),
@@ -34,6 +35,10 @@ _KINDS = {  # kinds of what is said so, by how likely they are meant
     "bearing reaction": ("bearing reaction", "reaction"),
 }
 _TORQUES = ("torque", "moment", "driving torque")
+_DRIVEN_BY = {
+    **dict.fromkeys(("torque", "driving torque"), ("driving torque",)),
+    "driving force": ("driving force",),
+}
 _GIVEN_BY_JOINTS = {
     **dict.fromkeys(("force", "driving force"), ("driving force",)),
     **dict.fromkeys(_TORQUES, ("driving torque", "friction torque")),
@@ -89,6 +94,10 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "friction force" and quantity not in own and in_space:
         yield from _along_surfaces(names, rest)
         return
+    sags = [name for _, name in rest.names] or strings.cables(names)
+    if quantity in ("tension", "force") and rest.all("part") == ["horizontal"] and {*sags} <= {*strings.cables(names)}:
+        yield [f"horizontal pull of {cable}" for cable in sags]
+        return
     if quantity == "tension" and (belts := _tightened(names, rest)):
         yield [JOINT.join(f"{run} tension of {belt}" for run in ("tight", "slack")) for belt in belts]
         return
@@ -114,9 +123,13 @@ def _transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         }  # with a pressure angle the whole force is that along the normal
         yield [f"{kind}tooth force of {m}" for m in meshes for kind in (("", "normal ") if m in angled else ("",))]
         return
-    if quantity in ("torque", "driving torque") and not joints:
-        driven = [name for _, name in rest.names for name in joining.drivers(names, name)]
-        yield [f"driving torque of {name}" for name in driven if rest.only("name", *SILENT) and len(rest.names) == 1]
+    pushes = _DRIVEN_BY.get(quantity, ())
+    if pushes and not joints and rest.only("name", *SILENT) and len(rest.names) == 1:
+        [(_, body)] = rest.names
+        driven = [f"{push} of {name}" for push in pushes for name in joining.drivers(names, body, push)]
+        yield driven
+        if driven and quantity.startswith("driving"):
+            return
     driving = [  # what a motor or a clutch gives
         row.reaction
         for row in names.constraint_rows
@@ -488,6 +501,19 @@ def _tightened(names: Names, rest: Clause) -> list[str]:
 
 
 _RUNS = 2  # of a string over a wheel
+
+
+@said_of("tension ratio")
+def _ratio(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The tension of the tight run over that of the slack one; of a string over a wheel which is which is not said."""
+    yield [f"(tight tension of {belt})/(slack tension of {belt})" for belt in _tightened(names, rest)]
+    of = [name for _, name in rest.names]
+    pulling = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "tension")
+    named = [name for name in pulling if of in ([], [name]) and rest.only("name", *SILENT)]
+    spans = strings.spans(names, named[0]) if len(named) == 1 else []
+    if len(spans) == _RUNS:
+        head = f"tension of {named[0]}"
+        yield [JOINT.join(f"ratio of {head} {one} to {head} {other}" for one, other in (spans, spans[::-1]))]
 
 
 @said_of("belt force")

@@ -180,6 +180,14 @@ def _relative(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"(velocity of {one} - velocity of {other})" for one, other in lookup.alike(names, of[0], of[1])]
 
 
+@said_of("closing speed")
+def _closing(names: Names, quantity: str, rest: Clause) -> Groups:
+    """How fast two things come nearer to each other: both that are named, or the only two that move."""
+    of = [name for _, name in rest.names] or lookup.massive(names)
+    if rest.only("name", *SILENT) and len(of) == 2 and {*of} <= {*names.bodies}:
+        yield [f"-(velocity of distance from {of[0]} to {of[1]})"]
+
+
 @said_of("common speed")
 def _common(names: Names, quantity: str, rest: Clause) -> Groups:
     """The speed of what a clutch, or a blow, has joined: of one of the bodies, for it is that of all."""

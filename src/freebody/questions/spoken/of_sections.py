@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from freebody.model.solids import ROD
@@ -12,6 +13,8 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_SIDES = ("just before", "just behind", "left of", "right of")
+_UPRIGHT = 1e-6  # cosine of the angle of a rod that has no left end
 _GREATEST = {"bending moment": "bending moment", "shear force": "shear force", "transverse force": "shear force"}
 
 
@@ -28,8 +31,22 @@ def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
     if not rest.only("name", *SILENT) or len(points) != 1 or of not in (points, [*named, *points], [*points, *named]):
         return
     rod = points[0].partition(".")[0]
-    if named in ([], [rod]):
-        yield [f"{quantity.replace('transverse', 'shear')} of {rod} at {points[0]}"]
+    if named in ([], [rod]) and (side := _side(names, rod, rest)):
+        yield [f"{quantity.replace('transverse', 'shear')} of {rod} {side} {points[0]}"]
+
+
+def _side(names: Names, rod: str, rest: Clause) -> str:
+    """On which side of a point: towards the start of the rod it is just before it; left and right are those of the
+    rod as it lies. Nothing where it stands upright."""
+    said = [before for before, _ in rest.names if before in _SIDES]
+    if not said or said[0].startswith("just "):
+        return said[0] if said else "at"
+    angle = names.bodies[rod].start.angle
+    way = None if angle is None else names.numeric(angle)
+    along = 0.0 if way is None else math.cos(way)
+    if abs(along) < _UPRIGHT:
+        return ""
+    return "just before" if (along > 0.0) == (said[0] == "left of") else "just behind"
 
 
 def greatest(names: Names, clause: Clause) -> list[str]:

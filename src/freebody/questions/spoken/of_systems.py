@@ -12,6 +12,7 @@ from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import given, joining, lookup, losing
 from freebody.questions.spoken.composing import ALONG, JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.keeping import n_freedoms
+from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.of_motion import motion
 from freebody.questions.spoken.words import Clause
 
@@ -72,6 +73,13 @@ def _inertia(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in named if name not in about]
     if not rest.only("name", "pronoun", *SILENT) or len(about) > 1 or any(before == "along" for before, _ in named):
         return
+    if Word("preposition", "about") in rest.words and not about and not rest.has("pronoun", "mass_center"):
+        bodies = of or lookup.massive(names)[:1]  # about its pivot
+        about = [
+            name for name in joining.axles(names) if names.connections[name].mentions(names) - {GROUND} == {*bodies}
+        ]
+        if len(about) != 1:
+            return
     own = [name.partition(".")[0] for name in about if name.partition(".")[0] in names.bodies]
     of = of or [name for name in own if name != GROUND] or lookup.massive(names)[:1]
     where = "".join(f" about {name}" for name in about)

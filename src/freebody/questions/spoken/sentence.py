@@ -53,16 +53,17 @@ def parted(words: list[Word]) -> Sentence | None:
 
 def told_who(names: Names, sentence: Sentence) -> Sentence:
     """The sentence with the body that `it` is: the only one that the main clause names, where several move. It is also
-    who does what nobody is said to do: after falling 1 m."""
+    who does what nobody is said to do: after falling 1 m, after 3 turns."""
     main = [name for _, name in sentence.main.names]
     who = [name for name in dict.fromkeys(main) if name in lookup.moving(names)]
-    if len(who) != 1 or len(lookup.massive(names)) < 2 or any(name in names.connections for name in main):
+    if len(who) != 1 or len(lookup.moving(names)) < 2 or any(name in names.connections for name in main):
         return sentence
     others: list[tuple[str, Clause]] = []
     for mark, own in sentence.others:
         is_open = not any(name in lookup.moving(names) or name in names.measures for _, name in own.names)
         words = [Word("name", who[0]) if word == _IT and is_open else word for word in own.words]
         is_doing = mark == "after" and own.has("verb") and own.has("value") and not own.has("quantity", "time")
+        is_doing |= mark == "after" and own.has("turns") and who[0] in lookup.turning(names)
         if is_doing and is_open and _IT not in own.words and Word("pronoun", "system") not in own.words:
             words = [Word("name", who[0]), *words]
         others.append((mark, Clause(words)))

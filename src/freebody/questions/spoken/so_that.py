@@ -119,7 +119,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
             joining.may_open(names, joint) and joining.touches(names, joint, who) for joint in names.connections
         )
         at = " at start" if clause.has("instant", "at start") else ""
-        yield [f"normal force of {joint} = 0{at}" for joint in held if joint not in bound and not opens]
+        held = [joint for joint in held if joint not in bound and not opens]
+        yield [f"{text}{at}" for text in joining.no_longer_pressed(names, held, of)]
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]

@@ -24,7 +24,15 @@ _DESCRIBES = {  # verbs that only say what the instant is like
     "roll",
     "exert",  # at what angle does one throw
 }
-_PLACES = ("at the top", "at the bottom", "at the impact", "in the impact", "at the dead points")
+_PLACES = (
+    "at the top",
+    "at the bottom",
+    "at the impact",
+    "in the impact",
+    "at the dead points",
+    "at the outer dead point",
+    "at the inner dead point",
+)
 _SPEEDS = ("speed", "velocity")
 
 

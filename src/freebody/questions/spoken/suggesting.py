@@ -78,6 +78,9 @@ _COMMON = frozenset(  # words that say nothing of what is meant
 _LIMIT = re.compile(
     r"\b(?:slip|slid|hold|rest\b|moves?\b|stay|tip|steep|rough|steil|\brau|rutsch|gleit|ruhe|kipp|hält)", re.IGNORECASE
 )
+_PLACE = re.compile(
+    r"\b(?:displacement|position|travel)\b|verschiebung|\b(?:\w+)?weg(?:es|s)?\b|\blage\b", re.IGNORECASE
+)
 _FASTEST = re.compile(r"\bfastest|(?:max\w*|top|greatest|highest) speed|schnellsten|höchstgeschw", re.IGNORECASE)
 _LIMIT_OF_REST = re.compile(r"\b(?:stays? at rest|keeps it at rest|not slip|does it hold|not tip)\b")
 _STABLE = re.compile(
@@ -101,7 +104,7 @@ def suggestions(names: Names, text: str, near: Iterable[str], read: Callable[[st
     others = sorted(askable, key=lambda question: -_likeness(typed, _words(question)))
     found: dict[str, object] = {}
     first = [*_time_ratios(names, text), *_ratios(names, text), *_advantages(names, text)]
-    first += [*_efficiencies(names, text), *_stability(names, text), *_fastest(names, text)]
+    first += [*_places(names, text), *_efficiencies(names, text), *_stability(names, text), *_fastest(names, text)]
     nearest = iter(near)
     leading = (*first, *islice(nearest, _LEADING), *_usual(names, text, typed), *nearest)
     for question in (*leading, *_limits(names, text), *_turning_points(names, text), *others):
@@ -192,6 +195,14 @@ def _turning_points(names: Names, text: str) -> Iterator[str]:
     if _FARTHEST.search(text) is not None:
         measures = list(names.measures)[: MOST // 2]
         yield from (f"{name} when rate({name}) = 0" for name in measures)
+
+
+def _places(names: Names, text: str) -> Iterator[str]:
+    """Measures, if it is about where something is: those of what it names first."""
+    if _PLACE.search(text) is not None:
+        typed = _words(text)
+        is_named = {name: any(body.lower() in typed for body in m.bodies()) for name, m in names.measures.items()}
+        yield from sorted(names.measures, key=lambda name: not is_named[name])[: MOST // 2]
 
 
 def _fastest(names: Names, text: str) -> Iterator[str]:

@@ -25,6 +25,7 @@ _FREQUENCIES = ("frequency", "frequenz")
 _OF_TURNING = ("omega", "ω", "alpha", "α")
 _SHORTEST_WORD = 3  # letters of an index that is written without a bar: vmax
 _AT_TIME = re.compile(r"\((?:t ?= ?)?(?P<time>\d[\d.]*(?: ?m?s)?)\)")
+_EXTREME = re.compile(r"(?<![\w.])(?P<name>[^\W\d_]\w*)_(?P<end>min|max)(?![\w(])")
 _ZERO = ("0", "0 s", "0s")
 
 
@@ -35,6 +36,7 @@ def spelt_out(elements: Elements, text: str, language: str) -> str:
     def said(found: re.Match[str]) -> str:
         return _in_words(elements, found, language) or found[0]
 
+    text = _EXTREME.sub(lambda found: _extreme(elements, found, language), text)
     alone = _alone(language).fullmatch(text)  # a symbol without an index is all that is asked for
     if alone and alone["symbol"] not in elements.exact and (alone["symbol"].lower(),) not in elements.spoken:
         return f"{alone['lead']}{meant[alone['symbol']][0].rsplit(' ', 1)[0]}"
@@ -47,6 +49,12 @@ def spelt_out(elements: Elements, text: str, language: str) -> str:
             head = meant[symbol][0]
             told = re.sub(rf"\b{before.rsplit(' ', 1)[0]} (?={head} )", "", told, flags=re.IGNORECASE)
     return told
+
+
+def _extreme(elements: Elements, found: re.Match[str], language: str) -> str:
+    """The least mu, for mu_min, where the model has a mu, and no mu_min."""
+    is_known = found["name"] in elements.exact and found[0] not in elements.exact
+    return f"{indices(language, 'before')[found['end']]} {found['name']}" if is_known else found[0]
 
 
 def _in_words(elements: Elements, found: re.Match[str], language: str) -> str:

@@ -147,13 +147,12 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
         is_one = is_one and chosen[0] in joining.drive_parameters(names)
         yield [f"largest {chosen[0]} so that it does not slip"] if is_one else []
         return
-    joints = [joint for joint in names.connections if all(joining.touches(names, joint, thing) for thing in things)]
+    joints = joining.joints(names, things[0], things[-1], "")
     bound = [name for name in joints if joining.may_open(names, name)]
     if chosen[0] in joining.drive_parameters(names):
         yield [f"largest {chosen[0]} so that {joint} stays on" for joint in bound]
     elif joining.is_still(names) or not bound:  # what holds on both sides lifts off where nothing presses
-        pressed = {row.connection for row in names.constraint_rows if row.reaction == "normal force"}
-        yield [f"value of {chosen[0]} for which normal force of {joint} = 0" for joint in joints if joint in pressed]
+        yield [f"value of {chosen[0]} for which {text}" for text in joining.no_longer_pressed(names, joints, things)]
 
 
 def _without_leaving(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:

@@ -42,8 +42,8 @@ from freebody.questions.spoken.several import each_of, of_rivals, paired, parts,
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked, spelt_out
 from freebody.questions.spoken.wanted_unit import without_units
-from freebody.questions.spoken.weights import in_weights
-from freebody.questions.spoken.words import Unknown, in_own_letters, respelt, words_of
+from freebody.questions.spoken.weights import in_weights, without_gs
+from freebody.questions.spoken.words import Unknown, in_own_letters, respelt, words_of, written_out
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -76,6 +76,7 @@ _WHAT_IS = re.compile(
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 _LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
+_SHORTEST_WORD = 4  # letters of a word that may not be a symbol
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
 _OF_EVERY_TURN = ("repeated motion", "small motion", "structure")
@@ -130,12 +131,14 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
-    if (put := _in_own_letters(names, text)) != text:
+    if (put := _in_own_letters(names, written_out(text))) != text:
         return understood(names, put, read)
     if (asked := without_context(names, elements_of(names), text)) != text:
         return understood(names, asked, read)
     if (counted := as_third(text)) is not None and (later := _at_later_impact(names, *counted, read)):
         return later
+    if (in_gs := without_gs(names, text)) is not None and (multiple := _in_multiples(names, *in_gs, read)):
+        return multiple
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
@@ -157,6 +160,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, passing, read)
     if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
         return []
+    strange = {*not_understood(names.parameters, elements_of(names), text)} & _unknown_parameters(told)
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
@@ -167,7 +171,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(slips, "find")
     elif (
         instead
-        or (_is_specific(told) and not (_is_of_kinds(names, told) or _condition_in_words(told)))
+        or (_is_specific(told) and not (_is_of_kinds(names, told) or _condition_in_words(told)) and not strange)
         or _is_misspelt(told, text)
     ):
         names.problems += (
@@ -239,6 +243,15 @@ def _at_later_impact(names: Names, text: str, n: int, read: Callable[[str], Aske
         return []
     each = [(asked, said) for said in words if said is not None and (asked := read(said)) is not None]
     return each if len(each) == len(words) else []
+
+
+def _in_multiples(names: Names, text: str, unit: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What a text asks for, over what it is to be told in."""
+    with names.quietly():
+        found = understood(names, text, read)
+    each = [(_read_quietly(names, words, read), words) for words in (f"({said})/({unit})" for _asked, said in found)]
+    read_all = [(one, words) for asked, words in each if not isinstance(asked, Unread) for one in asked]
+    return read_all if len(read_all) == len(found) else []
 
 
 def _compared(
@@ -458,6 +471,13 @@ def _is_of_an_instant(found: tuple[AskedT, ...] | Unread) -> bool:
 def _is_specific(problems: list[Problem]) -> bool:
     """Whether they say more than that nothing of a text can be read."""
     return any(not (isinstance(p.message, Message) and _GENERAL & p.message.arguments.keys()) for p in problems)
+
+
+def _unknown_parameters(problems: list[Problem]) -> set[str]:
+    """Words that they take for parameters, which the file lacks: after lunch. What is too short for a word is none."""
+    told = [p.message for p in problems if isinstance(p.message, Message) and " is not a parameter" in p.message]
+    named = {str(message.arguments.get("name", "")) for message in told}
+    return {name for name in named if name.isalpha() and name.islower() and len(name) >= _SHORTEST_WORD}
 
 
 def _leave_open(problems: list[Problem]) -> bool:

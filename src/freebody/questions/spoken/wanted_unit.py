@@ -29,6 +29,7 @@ _EACH_MINUTE = re.compile(
     r"\b(?:(?P<english>per|a|each|every)|pro|je|in der)) minute\b",
     re.IGNORECASE,
 )
+ACCELERATES = re.compile(r"(?:ac|de)celerat|brak(?:e|ing)|beschleunig|verzöger|brems", re.IGNORECASE)  # told in g
 _STOP = ".:"  # behind a unit, and no part of it
 _WORD = re.compile(r"[^\W\d_]+")
 _POWER = re.compile(r"(?<=[a-z])(?P<power>[23])(?!\w)")  # m/s2
@@ -57,7 +58,8 @@ def without_units(text: str, named: Container[str]) -> tuple[str, tuple[str, ...
         for n in range(len(words), 0, -1):
             said = " ".join(words[:n]).rstrip(_STOP)
             is_numbered = words[n:][:1] == words[-1:] and words[-1].isdigit()  # the force in bar 1
-            if not is_numbered and (unit := _unit(said, named)):
+            is_gravity = said.lower() == "g" and ACCELERATES.search(text) is not None
+            if not (is_numbered or is_gravity) and (unit := _unit(said, named)):
                 text, at = f"{text[: found.start()]}{text[at + len(said) :]}", found.start()
                 units.append(unit)
                 break

@@ -11,6 +11,7 @@ from freebody.language.units import ACCELERATION
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import languages
 from freebody.questions.spoken.naming import Elements, linked, plain_names
+from freebody.questions.spoken.wanted_unit import ACCELERATES
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -33,11 +34,15 @@ _MULTIPLE = re.compile(
 )
 
 
-_ACCELERATES = re.compile(r"accelerat|brak(?:e|ing)|beschleunig|verzöger|brems", re.IGNORECASE)
 _IN_GS = re.compile(
     r"(?P<before>\b(?:with|at|by|mit|bei|um|is|=|(?:accelera|decelera)tion(?: of)?|"
     r"(?:beschleunig|verzöger)ung(?: von)?) ?)"
     r"(?P<count>\d+(?:[.,]\d+)?) ?g\b(?! ?[*/])",
+    re.IGNORECASE,
+)
+_TOLD_IN_GS = re.compile(
+    r",? (?:(?:measured |expressed |given )?in (?:units |multiples )?(?:of )?g(?:[’']?s)?|as (?:a )?multiples? of g|"
+    r"in vielfachen von g|als vielfaches von g)(?=[ ,.?!]*$)",
     re.IGNORECASE,
 )
 _STANDARD = 9.80665  # m/s^2, of free fall
@@ -46,9 +51,17 @@ _STANDARD = 9.80665  # m/s^2, of free fall
 def in_weights(names: Names, elements: Elements, text: str) -> str:
     """A text in which multiples of the weight of a body, and accelerations told in g, are products of the file's
     parameters, or numbers."""
-    if _ACCELERATES.search(text) is not None:
+    if ACCELERATES.search(text) is not None:
         text = _IN_GS.sub(lambda found: f"{found['before']}{_accelerated(names, found['count'])}", text)
     return _MULTIPLE.sub(lambda found: _value(names, elements, found) or found[0], text)
+
+
+def without_gs(names: Names, text: str) -> tuple[str, str] | None:
+    """A question after an acceleration without what says that it is to be told in g, and what g is; None where nothing
+    says so."""
+    if ACCELERATES.search(text) is None or (found := _TOLD_IN_GS.search(text)) is None:
+        return None
+    return text[: found.start()] + text[found.end() :], _accelerated(names, "1").removeprefix("1*")
 
 
 def _accelerated(names: Names, count: str) -> str:

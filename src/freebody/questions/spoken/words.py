@@ -53,6 +53,7 @@ _BARE = ("verb", "filler")  # kinds of words that no adjective is
 _NO_WORD = "\0"  # stands for names, values and words that are taken
 _TURNS = re.compile(r"(?:turn|revolution|rotation|umdrehung|rev)", re.IGNORECASE)
 _LEAST_LIKE = 0.8  # of a word to one that is misspelt
+_SHORTENED = re.compile(r"(?<![\w-])(?P<first>[^\W\d_]{2,})- (?P<joint>und|oder|and|or) (?P<second>[^\W\d_]{5,})")
 _NO_UNITS = ("", "in", "a", "as", "at")
 _KEYBOARD = ("qwertyuiop", "qwertzuiopü", "asdfghjklöä", "zxcvbnm", "yxcvbnm")
 _LONG = 9  # letters of a word in which two may be wrong
@@ -332,6 +333,21 @@ def _with_letters_in_order(word: str, words: Container[str]) -> str:
     swapped = {f"{word[:k]}{word[k + 1]}{word[k]}{word[k + 2 :]}" for k in range(len(word) - 1)}
     right = [other for other in sorted(swapped) if other in words]
     return right[0] if len(right) == 1 else word
+
+
+def written_out(text: str) -> str:
+    """The text with a word that ends with the next one written out: Vorder- und Hinterachse."""
+
+    def told(found: re.Match[str]) -> str:
+        first, joint, second = found["first"], found["joint"], found["second"]
+        whole = (first + second[k:] for k in range(2, len(second) - 2))
+        meant = next(
+            (word for word in whole if _is_thing(word) or any(word.lower() in vocabulary(own) for own in languages())),
+            None,
+        )
+        return found[0] if meant is None else f"{meant} {joint} {second}"
+
+    return _SHORTENED.sub(told, text) if "- " in text else text
 
 
 def in_own_letters(text: str, language: str, taken: Container[str]) -> str:

@@ -54,14 +54,15 @@ def values_there(links: FourLinks, q: AtDeadPoints) -> list[tuple[DeadPoint, Rat
     measure = model.measure_of(c)
     if q.of.watched is not None and not q.of.watched[1] and measure is not None:
         with suppress(CannotAnswer):  # what the triangle of the dead point tells reads best
-            pairs = zip(dead_points(links, measure, c.name), dead_points(links, q.of.watched[0], ""), strict=True)
+            there = dead_points(links, q.of.watched[0], "", q.which)
+            pairs = zip(dead_points(links, measure, c.name, q.which), there, strict=True)
             return [(point, own.value) for point, own in pairs]
     value = followed(links.setup, q.of)
     if measure is None or isinstance(value, tuple):
         raise CannotAnswer(Message("a vector at dead points is told by its size, or by a component along a direction"))
     x = explicit(model, f.lowest_terms(f.element(value)))
     found: list[tuple[DeadPoint, Ratio]] = []
-    for point in dead_points(links, measure, c.name):
+    for point in dead_points(links, measure, c.name, q.which):
         try:
             found.append((point, f.lowest_terms(f.follow(x, {c.index: point.value}))))
         except ZeroDivisionError:
@@ -110,4 +111,4 @@ def numbers_there(links: FourLinks, q: AtDeadPoints, draw: Draw) -> tuple[float,
         element_at(links.setup, n.element, draw, draw.start())[0] > 0 for n in needs_of(links)
     ):
         raise CannotAnswer(Message("the crank does not turn fully"))
-    return _there(links, q, draw, dead_points(links, measure, c.name))
+    return _there(links, q, draw, dead_points(links, measure, c.name, q.which))

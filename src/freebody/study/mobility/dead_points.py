@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -22,16 +23,19 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import atan2, cos_sin
 
 CLEAR = 1e-9  # of the size: a side on which something is
+_SIDES: tuple[Literal["outer"], Literal["inner"]] = ("outer", "inner")  # stretched and folded
 
 
 @dataclass(frozen=True)
 class DeadPoint:
     """A pose in which the output reverses. reach: from the crank's pivot to the far end of the coupler, along the
-    crank; of a lever with a slot the crank, on the side of the slot on which it is."""
+    crank; of a lever with a slot the crank, on the side of the slot on which it is. which: the outer one, stretched,
+    or the inner one, folded; none of a lever with a slot."""
 
     value: Ratio
     where: Message
     reach: Ratio
+    which: Literal["", "outer", "inner"] = ""
 
 
 @dataclass(frozen=True)
@@ -95,9 +99,9 @@ class _Values:
         )
 
 
-def dead_points(links: FourLinks, measure: Measure, name: str) -> list[DeadPoint]:
-    """Stretched first, then folded; of a lever with a slot where it is farthest to either side. Raises CannotAnswer
-    where the output does not reverse."""
+def dead_points(links: FourLinks, measure: Measure, name: str, which: str = "") -> list[DeadPoint]:
+    """Stretched first, then folded, or the one of them that is meant; of a lever with a slot where it is farthest to
+    either side. Raises CannotAnswer where the output does not reverse."""
     values = _Values(links, measure, name)
     loop = links.loop
     if isinstance(loop, FourBar):
@@ -109,7 +113,11 @@ def dead_points(links: FourLinks, measure: Measure, name: str) -> list[DeadPoint
     real = [point for point in found if is_real(links, point.value) and not _is_branching(links, point.reach)]
     if not real:
         raise CannotAnswer(Message("with these lengths no pose has crank and coupler in line: there is no dead point"))
-    return real
+    if not (meant := [point for point in real if which in ("", point.which)]):
+        raise CannotAnswer(
+            Message("it has no dead point in which crank and coupler are stretched, or folded: ask at the dead points")
+        )
+    return meant
 
 
 def _is_branching(links: FourLinks, reach: Ratio) -> bool:
@@ -233,7 +241,7 @@ def _of_bars(links: FourLinks, values: _Values) -> list[DeadPoint]:
             bars.output: frame + gamma - links.angle_in(bars.output, D, C),
         }
         where = _in_line(bars.crank, bars.coupler)[k]
-        found.append(DeadPoint(f.lowest_terms(values.at(angles)), where, rho))
+        found.append(DeadPoint(f.lowest_terms(values.at(angles)), where, rho, _SIDES[k]))
     return found
 
 
@@ -265,7 +273,7 @@ def _on_guide(links: FourLinks, values: _Values, loop: SliderCrank) -> list[Dead
         angles = {loop.crank: guide + beta - links.angle_in(loop.crank, P, B)}
         at = from_x + x * gx - e * gy, from_y + x * gy + e * gx
         where = _in_line(loop.crank, loop.rod)[k]
-        found.append(DeadPoint(f.lowest_terms(values.at(angles, (W, at))), where, rho))
+        found.append(DeadPoint(f.lowest_terms(values.at(angles, (W, at))), where, rho, _SIDES[k]))
     return found
 
 
