@@ -7,8 +7,6 @@ import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
-from pydantic import ValidationError
-
 from freebody.connections.base import Connection
 from freebody.errors import ModelError
 from freebody.language.document import Document
@@ -20,7 +18,7 @@ from freebody.loads.base import Load
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Shape
-from freebody.model.spec import Spec
+from freebody.model.spec import Spec, WrongFields
 from freebody.model.written_kinds import words_also, written_kind
 from freebody.system.unspecified import Unspecified
 
@@ -212,7 +210,8 @@ class Source:
             return None
         try:
             return kind.model_validate(kind.from_plain(value))
-        except ValidationError as error:
+        except WrongFields as wrong:
+            error = wrong.found
             faults = {place_of(fault): fault for fault in reversed(error.errors())}  # of a field the first
             absent = [str(place_of(fault)[0]) for fault in error.errors() if fault["type"] == "missing"]
             strange = [str(where[0]) for where, fault in faults.items() if fault["type"] == "extra_forbidden"]
