@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
 import freebody as fb
 from freebody.language.expression import evaluate
 from freebody.loads.base import Load
+from freebody.model.elements import RigidBody
 
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
 BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
@@ -117,15 +119,74 @@ MISTAKES = {
         "what belongs to spring stands inside of it, not beside it: between, so spring: {first: ground, second: block, "
         "stiffness: 50 N/m}",
     ),
-    "where a body is": (
-        "bodies: {ball: {particle: {mass: 1 kg}, position: [0, 1 m]}}",
-        "a body has no position. Did you mean at?",
+    "where a body starts": (
+        "bodies: {ball: {particle: {mass: 1 kg}, start: [0, 1 m]}}",
+        "a body has no start. Did you mean at?",
     ),
-    "how fast it turns": (
-        "bodies: {w: {disk: {mass: 1 kg, radius: 1 m}, omega: 3 rad/s}}",
-        "a body has no omega. Did you mean angular_velocity?",
+    "how fast it spins": (
+        "bodies: {w: {disk: {mass: 1 kg, radius: 1 m}, spin: 3 rad/s}}",
+        "a body has no spin. Did you mean angular_velocity?",
     ),
-    "a weight": ("bodies: {b: {block: {weight: 20 N}}}", "particle has no weight. Did you mean mass?"),
+    "a weight": (
+        "bodies: {b: {block: {weight: 20 N}}}",
+        "particle has no weight: a weight is a force, and what has the weight W has the mass W/g: {mass: W/g}",
+    ),
+    "a velocity by its size and angle": (
+        "parameters: {v: 3 m/s, beta: 40 deg}\n"
+        "bodies: {b: {particle: {mass: 1 kg}, velocity: {magnitude: v, angle: beta}}}",
+        "expected two components [x, y], found {'magnitude': 'v', 'angle': 'beta'}, e.g. [v*cos(beta), v*sin(beta)]",
+    ),
+    "a place along a rod": (
+        f"{ROD}loads: {{F: {{force: {{at: rod.start + 0.2 m, along: up, magnitude: 1 N}}}}}}",
+        "rod.start + 0.2 m is no point: declare one in rod, by its place from center: rod: {points: {P: [x, y]}}, and "
+        "write rod.P",
+    ),
+    "nodes of a truss": (
+        "nodes: {A: [0, 0], B: [1 m, 0]}\nbodies: {bar: {rod: {from: A, to: B}}}",
+        "nodes are points of the ground or of a body: {ground: {points: {A: [0, 0], B: [1 m, 0]}}}",
+    ),
+    "a bar between points that there are not": (
+        "ground: {points: {A: [0, 0]}}\nbodies: {bar: {rod: {from: A, to: [1 m, 0]}}, tie: {rod: {from: A, to: B}}}",
+        "there is no point B of the ground: ground: {points: {B: [x, y]}}",
+    ),
+    "a damper by its damping ratio": (
+        f"{BLOCK}loads: {{d: {{damper: {{from: ground, to: block, damping_ratio: 0.1}}}}}}",
+        "damper has no damping_ratio: it has a damping c, which is 2*zeta*sqrt(k*m) for a mass on a spring: {damping: "
+        "2*zeta*sqrt(k*m)}",
+    ),
+    "a parameter by an equals sign": (
+        f"parameters:\n  k: 1 N/m\n  m = 2 kg\n  g: 9.81 m/s^2\n{BLOCK}",
+        "a colon is missing after m: m: 2 kg",
+    ),
+    "a rate with a dot": (
+        f"parameters: {{k: 1 N m}}\n{ROD}measures: {{phi: angle of rod}}\n"
+        "loads: {t: {torque: {on: rod, magnitude: -k*phi_dot}}}",
+        "the rate of phi is written rate(phi)",
+    ),
+    "a driver of a joint": (
+        f"{ROD}connections: {{h: {{pin: [ground, rod.start]}}, d: {{driver: {{joint: h, speed: 1 rad/s}}}}}}",
+        "driver has no joint: it leads the angle of a body, or a measure: {body: arm, speed: w}",
+    ),
+    "a driver of a coordinate": (
+        f"{BLOCK}connections: {{d: {{driver: {{body: block, y: 1 m}}}}}}",
+        "driver has no y: it leads a measure: {measure: y of cart, follows: Y*sin(Omega*t)}",
+    ),
+    "a direction that is misspelt under a rope": (
+        f"{BLOCK.replace('bodies: {', 'bodies: {load: {particle: {mass: 1 kg}}, p: {disk: {radius: 1 m}}, ')}"
+        "connections: {a: {pin: [ground, p]}, s: {slider: {body: block, along: Right}}, "
+        "r: {string: {from: block, over: p, to: load}}}",
+        "Right is no direction. Did you mean right? Write right, left, up, down, an angle such as 30 deg, components "
+        "[1, 2], a line, or body.x",
+    ),
+    "a roller of two points": (
+        f"ground: {{points: {{A: [0, 0]}}}}\n{ROD}connections: {{r: {{roller: [rod.end, rod.start]}}}}",
+        "rod.start is no direction: it is a point. Write right, left, up, down, an angle such as 30 deg, components "
+        "[1, 2], a line, or body.x",
+    ),
+    "the axis of a body in space": (
+        "space: true\nbodies: {b: {body: {mass: 1 kg, inertia: [1 kg m^2, 1 kg m^2, 1 kg m^2], axis: x}}}",
+        "body has no axis: its moments of inertia are those about its axes x, y and z: inertia: [Ixx, Iyy, Izz]",
+    ),
     "what is in a shape beside it": (
         "bodies: {w: {mass: 4 kg, inertia: 2 kg m^2, disk: {radius: 1 m}}}",
         "what belongs to disk stands inside of it, not beside it: mass and inertia, so disk: {radius: 1 m, mass: 4 kg, "
@@ -268,7 +329,8 @@ def test_a_mistake_is_one_message_that_says_what_to_write(mistake: str) -> None:
 
 ON_A_FLOOR = (
     "ground: {points: {A: [0, 2 m]}, lines: {floor: {along: right}}}\n"
-    "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}, angle: 30 deg}, ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}\n"
+    "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}, angle: 30 deg}, ball: {sphere: {mass: 1 kg, radius: 0.1 m}}, "
+    "ring: {ring: {mass: 1 kg, radius: 0.2 m}, at: [1 m, 0]}}\n"
 )
 SAME = {
     "a contact of what lies on something": ("contact: {body: ball, on: floor}", "contact: {between: [ball, floor]}"),
@@ -333,6 +395,17 @@ SAME = {
     "a torque by its sense": (
         "torque: {on: rod, magnitude: 5 N m, sense: counter-clockwise}", "torque: {on: rod, magnitude: 5 N m}"
     ),
+    "a force by the way it points": (
+        "force: {at: rod.end, down: 3 N}", "force: {at: rod.end, along: down, magnitude: 3 N}"
+    ),
+    "a contact of two bodies": ("contact: {bodies: [ball, floor]}", "contact: {between: [ball, floor]}"),
+    "a torque on a body": ("torque: {body: rod, value: 5 Nm}", "torque: {on: rod, magnitude: 5 N m}"),
+    "a belt round its pulleys": (
+        "belt: {pulleys: [ball, ring]}", "belt: {first: ball, second: ring}",
+    ),
+    "a driver by its angular velocity": (
+        "driver: {body: rod, angular_velocity: 3 rad/s}", "driver: {body: rod, speed: 3 rad/s}"
+    ),
     "a force on a point": (
         "force: {on: rod.end, direction: down, value: 3 N}", "force: {at: rod.end, along: down, magnitude: 3 N}"
     ),
@@ -353,6 +426,48 @@ def _read(entry: str) -> list[str]:
     system = fb.System.from_text(f"{ON_A_FLOOR}{section}: {{it: {{{entry}}}}}")
     held = [*system.constraint_rows, *system.applied_loads, *system.contacts, *system.dry_friction]
     return [*map(str, held)]
+
+
+SAME_BODIES = {
+    "by letters": ("{disk: {m: 2 kg, R: 0.1 m}}", "{disk: {mass: 2 kg, radius: 0.1 m}}"),
+    "by its diameter": ("{disk: {mass: 2 kg, diameter: 20 cm}}", "{disk: {mass: 2 kg, radius: 0.1 m}}"),
+    "by its radius of gyration": (
+        "{body: {m: 2 kg, radius_of_gyration: 30 cm}}",
+        "{body: {mass: 2 kg, inertia: 0.18 kg m^2}}",
+    ),
+    "by where it starts": (
+        "{particle: {m: 1 kg}, position: [1 m, 0], initial_velocity: [2 m/s, 0]}",
+        "{particle: {mass: 1 kg}, at: [1 m, 0], velocity: [2 m/s, 0]}",
+    ),
+    "by its ends": ("{bar: {from: A, to: [1 m, 2 m]}}", "{rod: , at: {start: A, end: [1 m, 2 m]}}"),
+    "by how fast it turns": (
+        "{gear: {radius: 1 m, J: 2 kgm^2}, omega: 3 rad/s}",
+        "{gear: {radius: 1 m, inertia: 2 kg m^2}, angular_velocity: 3 rad/s}",
+    ),
+}
+
+
+@pytest.mark.parametrize("words", SAME_BODIES)
+def test_words_for_a_body_that_can_mean_one_thing_only_are_read_as_it(words: str) -> None:
+    ground = "ground: {A: [0, 2 m]}", "ground: {points: {A: [0, 2 m]}}"
+    texts = (f"{own}\nbodies: {{it: {body}}}" for own, body in zip(ground, SAME_BODIES[words], strict=True))
+    written, meant = (fb.System.from_text(text).bodies["it"] for text in texts)
+    assert _in_numbers(written) == pytest.approx(_in_numbers(meant))
+
+
+def _in_numbers(body: RigidBody) -> list[float]:
+    """What the places, masses and speeds of a body come to."""
+    start = body.start
+    of_start = (*(start.at or ("", ()))[1], *(start.velocity or ()), start.angle, start.angular_velocity)
+    return [evaluate(x, {"pi": math.pi}) for x in (body.mass, body.inertia, body.radius, *of_start) if x is not None]
+
+
+def test_a_cone_may_be_given_by_its_half_angle() -> None:
+    cone = "space: true\nbodies: {{it: {{cone: {{mass: 2 kg, height: 3 m, {}}}}}}}"
+    by_angle, by_radius = (fb.System.from_text(cone.format(x)) for x in ("half_angle: 45 deg", "radius: 3 m"))
+    assert evaluate(by_angle.bodies["it"].inertia, {"pi": math.pi}) == pytest.approx(
+        evaluate(by_radius.bodies["it"].inertia, {})
+    )
 
 
 def test_a_body_goes_before_a_point_of_the_ground_of_its_name() -> None:
@@ -396,6 +511,35 @@ def test_one_wheel_of_a_string_needs_no_list_in_python() -> None:
     model.measure("y", "y of a")
     model.ask("acceleration of y")
     assert model.system().solve().answers[0].value == pytest.approx(9.81 / 3.5)
+
+
+def test_words_that_a_file_may_have_are_read_in_python_too() -> None:
+    spring = fb.Spring("ground.A", "block", k="20 N/m", rest_length="1 m")
+    assert spring == fb.Spring("ground.A", "block", stiffness="20 N/m", length="1 m")
+    assert fb.Disk(m="1 kg", diameter="2 m") == fb.Disk("1 kg", "(2 m)/2")
+
+
+@pytest.mark.parametrize(
+    ("shape", "fields", "told"),
+    [
+        (
+            fb.Spring,
+            {"first": "ground", "second": "b", "stiff": "1 N/m"},
+            "Spring has no stiff. Did you mean stiffness?",
+        ),
+        (fb.Gravity, {}, "Gravity needs strength; it takes strength, along"),
+        (
+            fb.Rod,
+            {"length": "1 m", "points": {"C": [0, 0]}},
+            "What is no field of a shape stands beside it: model.body(name, Rod(...), points=...)",
+        ),
+        (fb.Particle, {"weight": "3 N"}, "what has the weight W has the mass W/g"),
+    ],
+)
+def test_a_field_that_there_is_not_is_told_as_python_does(shape: Any, fields: dict[str, Any], told: str) -> None:
+    with pytest.raises(TypeError) as found:
+        shape(**fields)
+    assert told in str(found.value)
 
 
 def test_what_has_to_be_called_says_so() -> None:
@@ -449,6 +593,26 @@ questions: {there: x of crank.end at t = 0.5 s}
         text = model.replace("DRIVER", driver).replace("ANGLE", angle).replace("START", start)
         (answer,) = fb.System.from_text(text).solve().answers
         assert answer.value == pytest.approx(0.2 * math.cos(math.radians(40) + 1.5), rel=1e-12), driver
+
+
+@pytest.mark.parametrize("turned", ["-phi_0 about y", "phi_0 about -y"])
+def test_a_driver_in_space_goes_on_from_where_its_body_is_turned_at_the_start(turned: str) -> None:
+    """An arm is raised about -y while its column turns: the height of its end is L sin(phi_0 + w t)."""
+    system = fb.System.from_text(f"""
+space: {{up: z}}
+parameters: {{L: 0.8 m, w: 1 rad/s, phi_0: 30 deg}}
+bodies:
+  column: {{cylinder: {{mass: 10 kg, radius: 0.1 m, length: 0.5 m}}}}
+  arm: {{rod: {{mass: 5 kg, length: L}}, turned: {turned}}}
+connections:
+  base: {{revolute: {{first: ground.O, second: column, axis: z}}}}
+  shoulder: {{revolute: {{first: column, second: arm.start, axis: y}}}}
+  one: {{driver: {{body: column, speed: 2 rad/s}}}}
+  other: {{driver: {{body: arm, speed: -w}}}}
+questions: [height of arm.end above arm.start at t = 0.5 s]
+""")
+    (answer,) = system.solve().answers
+    assert answer.value == pytest.approx(0.8 * math.sin(math.radians(30) + 0.5), rel=1e-12)
 
 
 @pytest.mark.parametrize(

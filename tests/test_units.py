@@ -132,8 +132,7 @@ def test_usual_units_do_not_import_pint():
         ("3 cd", "luminosity"),
         ("3 kgg", "perhaps kg is meant"),
         ("3 newtn", "perhaps newton is meant"),
-        ("3 Nm", "write N m"),
-        ("3 kNm", "write kN m"),
+        ("3 Ns", "write N, or N s"),
         ("3 ftlb", "write ft lb"),
         ("3 m/s2", r"write s\^2"),
         ("3 N m/rad s", "two ways"),
@@ -169,6 +168,21 @@ def test_usual_units_do_not_import_pint():
 def test_what_is_no_mechanical_quantity_is_refused_with_a_reason(text, part):
     with pytest.raises(UnitError, match=part):
         parse_quantity(text)
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("3 Nm", "3 N m"),
+        ("3 kNm", "3 kN m"),
+        ("2 kgm^2", "2 kg m^2"),
+        ("5 Nmm/rad", "5 N mm/rad"),
+        ("2 Nms", "2 N m s"),
+    ],
+)
+def test_units_that_are_written_together_are_read_where_they_mean_one_thing(written: str, meant: str) -> None:
+    assert parse_quantity(written).value == parse_quantity(meant).value
+    assert parse_quantity(written).dimension == parse_quantity(meant).dimension
 
 
 @pytest.mark.parametrize(

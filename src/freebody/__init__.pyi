@@ -247,7 +247,8 @@ class BevelGears(_BevelGears):
 
 class Body(_Body):
     """A body given by mass, moment of inertia about its mass centre, and the mass centre's place in the body's
-    own frame, whose origin is the reference point `origin`. A `radius` makes its rim a circle about the origin.
+    own frame, whose origin is the reference point `origin`; `radius_of_gyration: k` in place of the inertia. A `radius`
+    makes its rim a circle about the origin.
 
     In space `inertia` is the three moments about its axes, [Ixx, Iyy, Izz], or the tensor as three rows, about the mass
     centre, or `about: origin`, or another place by components."""
@@ -374,8 +375,8 @@ class Composite(_Composite):
 
 class Cone(_Cone):
     """A homogeneous cone from its `apex` along its `axis` (z) to the middle of its `base`, its mass centre at three
-    quarters of the height: I = 3/10 m R^2 about the axis, 3/80 m (4 R^2 + h^2) across, about the mass centre. The
-    reference point is the apex. For models in space."""
+    quarters of the height; `half_angle` in place of the radius is that at the apex. I = 3/10 m R^2 about the axis,
+    3/80 m (4 R^2 + h^2) across, about the mass centre. The reference point is the apex. For models in space."""
 
     def __init__(
         self,

@@ -121,7 +121,9 @@ connections:
             names.problem(Message("roller_radius goes with form: roller"), "roller_radius")
             return None
         if self.form == "flat" and self.along is None:
-            names.problem(Message("along is the normal of a flat face, e.g. along: up"))
+            names.problem(
+                Message("a flat face needs its normal, e.g. along: up; a roller its form and radius, form: roller")
+            )
             return None
         return cam, point, None if self.along is None else names.direction(self.along, "along")
 

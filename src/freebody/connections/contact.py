@@ -88,7 +88,7 @@ class Contact(Connection, kind="contact"):
 
     elsewhere: ClassVar[Mapping[str, str]] = {
         **dict.fromkeys(
-            ("body", "bodies", "with", "on", "surface", "first", "second", "from", "to"),
+            ("body", "with", "on", "surface", "first", "second", "from", "to"),
             Message("what touches stands together: between: [ball, ground.floor]"),
         ),
         **dict.fromkeys(

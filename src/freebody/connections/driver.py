@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection, as_written
-from freebody.connections.standing import begun_by
-from freebody.language.expression import ZERO, Expr, Symbol, add, multiply, substitute
+from freebody.connections.standing import begun_by, is_parallel, same_way
+from freebody.language.expression import ZERO, Expr, Symbol, add, multiply, negate, substitute
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, Direction, Point
+from freebody.measures.turn import Turn
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.phrases import measure_of
+from freebody.model.polynomials import cross, polynomial
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -30,6 +32,18 @@ class Driver(Connection, kind="driver"):
 
     called: ClassVar[tuple[str, ...]] = ("drive", "motor")
     also: ClassVar[tuple[str, ...]] = ("drive", "motor")
+
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "joint": Message("it leads the angle of a body, or a measure: {{body: arm, speed: w}}"),
+        "rpm": Message("the unit stands behind the number: {{body: crank, speed: 1000 rpm}}"),
+        **dict.fromkeys(
+            ("angular_acceleration", "acceleration"), Message("a law in the time says it: {{follows: a*t^2/2}}")
+        ),
+        **dict.fromkeys(
+            ("x", "y", "z", "phi", "theta"),
+            Message("it leads a measure: {{measure: y of cart, follows: Y*sin(Omega*t)}}"),
+        ),
+    }
 
     measure: str | dict[str, Any] | None = None
     follows: Formula | None = None
@@ -89,7 +103,7 @@ parameters: {w: 2 rad/s}
         """Where the file lets it start: at the value of its name, at the angle of its body, else at zero."""
         named = (value for name, value in names.placed_at_start.items() if names.measures.get(name) == measure)
         turned = (names.known(body).start.angle for body in measure.bodies() if measure == Angle(body))
-        return next((value for value in (*named, *turned) if value is not None), ZERO)
+        return next((value for value in (*named, *turned, _turned(names, measure)) if value is not None), ZERO)
 
     def bears_at(self, names: Names, point: Point, normal: Direction) -> Expr | None:
         """Where what it leads starts, at t = 0."""
@@ -111,3 +125,18 @@ parameters: {w: 2 rad/s}
 
     def _rate(self, text: str) -> str:
         return f"{text}'" if text.isidentifier() else f"rate of {text}"
+
+
+def _turned(names: Names, measure: Measure) -> Expr | None:
+    """In space: how far a body is turned at the start against one that is not, about the axis of its angle alone."""
+    if not isinstance(measure, Turn) or measure.of.components != measure.start.components or measure.reference != ZERO:
+        return None
+    body, base = names.known(measure.of.body), names.known(measure.start.body)
+    if base.start.turned or body.start.turned is None or len(body.start.turned) != 1:
+        return None
+    (rotation,) = body.start.turned
+    start, side = ([polynomial(c) for c in each.components] for each in (measure.start, measure.side))
+    axis = Direction(GROUND, tuple(c.expression() for c in cross(start, side)))
+    if not is_parallel(names, axis, own := Direction(GROUND, rotation.axis)):
+        return None
+    return rotation.by if same_way(names, axis, own) else negate(rotation.by)

@@ -44,6 +44,8 @@ if TYPE_CHECKING:
 
 def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: BodyPlane) -> list[ConstraintRow]:
     """The rows of rolling on a plane, by the form of the body."""
+    if body.is_placeholder:
+        return []
     if body.name == plane.normal.body:
         names.problem(Message("{body} cannot roll on a plane of its own", body=body.name))
         return []

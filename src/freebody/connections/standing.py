@@ -161,7 +161,8 @@ def distance_between(names: Names, first: Point, second: Point) -> float | None:
 
 def ground_guide_of(names: Names, body: str, *, turning: bool) -> Direction | None:
     """The direction of the ground along which a connection guides a body. turning: also where it may turn."""
-    found = (connection.guide_of(names, body, turning=turning) for connection in names.connections.values())
+    with names.quietly():  # of a guide they are told where it stands
+        found = [connection.guide_of(names, body, turning=turning) for connection in names.connections.values()]
     return next((along for along in found if along is not None), None)
 
 

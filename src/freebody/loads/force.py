@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH
@@ -19,6 +19,9 @@ from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+
+_WAYS = ("right", "left", "up", "down")
 
 
 def pushed_along(names: Names, point: Point, heading: Heading) -> Measure | NonholonomicForm:
@@ -43,6 +46,7 @@ class Force(Load, kind="force"):
     at_most: Formula | None = None
 
     is_chosen = True
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(_WAYS, ("along", "magnitude"))
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("x", "y", "z", "components", "vector"),
         Message("it has a direction and a magnitude: {{along: [3, 4], magnitude: 5 N}}"),
@@ -51,6 +55,15 @@ class Force(Load, kind="force"):
 bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
 """
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`down: F` is `along: down, magnitude: F`."""
+        given = super().from_plain(value)
+        ways = [way for way in _WAYS if way in given]
+        if len(ways) == 1 and not {"along", "magnitude"} & given.keys():
+            given |= {"along": ways[0], "magnitude": given.pop(ways[0])}
+        return given
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         pushed = pushed_along(names, names.point(self.at, "at"), self.along)

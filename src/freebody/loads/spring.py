@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from freebody.language.expression import ZERO, Call, Expr, Symbol, divide, multiply, negate, number
@@ -115,6 +115,11 @@ class Damper(Load, kind="damper"):
 
     called: ClassVar[tuple[str, ...]] = ("dashpot", "shock absorber")
     also: ClassVar[tuple[str, ...]] = ("dashpot",)
+
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("damping_ratio", "zeta"),
+        Message("it has a damping c, which is 2*zeta*sqrt(k*m) for a mass on a spring: {{damping: 2*zeta*sqrt(k*m)}}"),
+    )
 
     first: str
     second: str

@@ -42,12 +42,15 @@ class Couple(Load):
     """What turns a body one way or the other: counter-clockwise, or `clockwise: true`, for which a file may write
     `direction: clockwise`."""
 
-    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(("direction", "sense"), ("clockwise",))
+    ways: ClassVar[tuple[str, ...]] = ("direction", "sense")
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {**dict.fromkeys(ways, ("clockwise",)), "body": ("on",)}
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
         given = super().from_plain(value)
-        for word in cls.more_words:
+        if "body" in given and "on" not in given:
+            given["on"] = given.pop("body")
+        for word in cls.ways:
             told = str(given.get(word, "")).replace("-", "").lower()
             if "clockwise" not in given and told in ("clockwise", "counterclockwise", "anticlockwise"):
                 del given[word]

@@ -190,6 +190,10 @@ class Formulas(Noting):
             message = Message("{name} is a body; here stands a number, or a formula in parameters", name=unknown[0])
             return self._quantity(value, dimension, path, message)
         if unknown:
+            of, ending = unknown[0].removesuffix("_dot"), unknown[0].endswith("_dot")
+            if ending and of in known and of not in self.parameters:
+                message = Message("the rate of {name} is written rate({name})", name=of)
+                return self._quantity(value, dimension, path, message)
             message = _not_a_parameter(unknown[0], value, dimension, did_you_mean(unknown[0], known))
             self.undeclared.setdefault(unknown[0], message)
             return self._quantity(value, dimension, path, message)
@@ -380,6 +384,8 @@ class Formulas(Noting):
                 self.problem(told, *path)
                 return self.origin
             hint = Message(". For a model in space write space: true") if len(items) == 3 else ""
+            if (example := _by_components(value)) and not self.space:
+                hint = Message(", e.g. {example}", example=example)
             if not items and isinstance(value, (str, int, float)):
                 example = f"[{', '.join(str(each) for each in (value, *[0] * (len(self.origin) - 1)))}]"
                 hint = Message(", e.g. {example}", example=example)
@@ -427,6 +433,16 @@ def _decimal_comma(items: list[Any]) -> Message | None:
         if type(n) is int and isinstance(rest, str) and re.match(r"\d+(e[-+]?\d+)?\s*[^\W\d]", rest):
             return Message("a comma separates entries; write a point: {n}.{rest}", n=n, rest=rest)
     return None
+
+
+def _by_components(value: Any) -> str:
+    """`{magnitude: v, angle: alpha}` by its components in the plane; nothing where it is no such thing."""
+    given = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+    turned = next((key for key in ("angle", "direction", "along") if key in given), "")
+    if len(given) != 2 or not turned:
+        return ""
+    size = next(each for key, each in given.items() if key != turned)
+    return f"[{size}*cos({given[turned]}), {size}*sin({given[turned]})]"
 
 
 def quantity_expression(quantity: Any) -> Expr:

@@ -304,6 +304,17 @@ class Names(Formulas):
         if body_name == GROUND:
             self.free_ground_points.setdefault(point_name, (*self._path, *path))
             return Point(GROUND, self.origin, text.strip())
+        if not re.fullmatch(r"\w+", point_name):
+            told = Message(
+                "{text} is no point: declare one in {body}, by its place from {middle}: {body}: {{points: {{P: "
+                "{example}}}}}, and write {body}.P",
+                text=text.strip(),
+                body=body_name,
+                middle=body.default_point,
+                example=self._example,
+            )
+            self.problem(told, *path)
+            return body.point()
         self.problem(
             Message(
                 "{body_name} has no point {point_name}.{hint} Points of your own: {body_name}: {{points: "
@@ -390,6 +401,14 @@ class Names(Formulas):
                 return self.compass["right"]
             word = text.removeprefix("-").strip()
             if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", word) and word not in self.parameters and word != "pi":
+                if word.partition(".")[2] in self.bodies.get(word.partition(".")[0], placeholder("")).points:
+                    told = Message(
+                        "{text} is no direction: it is a point. Write right, left, up, down, an angle such as 30 deg, "
+                        "components [1, 2], a line, or body.x",
+                        text=text,
+                    )
+                    self.problem(told, *path)
+                    return self.compass["right"]
                 known = [*self.compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
                 known += [f"{b.name}.{line}" for b in self.bodies.values() for line in (*b.lines, *b.sides)]
                 self.problem(

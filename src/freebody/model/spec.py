@@ -7,12 +7,16 @@ A description can be given by position or by name, in Python (`Pin("ground.axle"
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
 from inspect import Parameter, Signature
-from typing import Any, ClassVar, Literal, cast, get_origin
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast, get_origin
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, ValidationError
 
 from freebody.language.written import as_text
+
+if TYPE_CHECKING:
+    from pydantic_core import ErrorDetails
 
 # What stands for a number: an expression in the parameters, a quantity with unit, or a plain SI number.
 Formula = str | int | float
@@ -28,11 +32,12 @@ _TYPES: tuple[tuple[Any, FieldType], ...] = (
 )
 
 
+PAIRS = ("between", "around", "bodies", "pulleys")  # words for a list, of as many as there are fields for it
 # What people write for a field, whatever has it.
 MEANT: Mapping[str, tuple[str, ...]] = {
     "from": ("first", "start"),
     "to": ("second",),
-    **dict.fromkeys(("between", "around"), ("first", "second", "body", "on", "reacts_on")),
+    **dict.fromkeys(PAIRS, ("between", "first", "second", "body", "on", "reacts_on")),
     "direction": ("along",),
     "axis": ("along", "about"),
     "along": ("about",),
@@ -40,10 +45,10 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "rest_length": ("length",),
     **dict.fromkeys(("natural_length", "free_length", "unstretched_length"), ("length",)),
     **dict.fromkeys(("center", "com", "centre_of_mass"), ("center_of_mass",)),
-    "initial_position": ("at",),
+    **dict.fromkeys(("initial_position", "start"), ("at",)),
     **dict.fromkeys(("k", "constant", "spring_constant", "spring_rate"), ("stiffness",)),
     **dict.fromkeys(("c", "damping_constant", "coefficient"), ("damping",)),
-    "value": ("magnitude", "strength", "intensity"),
+    **dict.fromkeys(("value", "F"), ("magnitude", "strength", "intensity")),
     "force": ("magnitude",),
     "torque": ("magnitude",),
     "g": ("strength",),
@@ -55,25 +60,43 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "place": ("at",),
     "location": ("at",),
     **dict.fromkeys(("speed", "initial_velocity", "v0"), ("velocity",)),
-    "omega": ("angular_velocity",),
+    **dict.fromkeys(("omega", "initial_angular_velocity", "spin"), ("angular_velocity", "speed")),
+    "initial_angle": ("angle",),
+    "weight": ("mass",),
     "orientation": ("angle",),
     "rotation": ("angle",),
-    "weight": ("mass",),
     "mu": ("friction",),
     "e": ("restitution",),
-    "r": ("radius",),
-    "m": ("mass",),
-    "l": ("length",),
+    **dict.fromkeys(("r", "R"), ("radius",)),
+    **dict.fromkeys(("m", "M"), ("mass", "magnitude")),
+    **dict.fromkeys(("l", "L"), ("length",)),
+    **dict.fromkeys(("J", "I"), ("inertia",)),
+    **dict.fromkeys(("angular_velocity", "angular_speed"), ("speed",)),
+    "in": ("inside",),
+    "q": ("intensity",),
+    "diameter": ("radius",),
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
     "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "g", "center", "com",
     "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
+    "position", "initial_position", "initial_angle", "initial_velocity", "initial_angular_velocity",
+    "r", "R", "m", "M", "l", "L", "F", "J", "I", "diameter", "angular_velocity", "angular_speed", "in", "q", "bodies",
 ))  # fmt: skip
 # Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
 ENDS = ("first", "second", "between", "through", "center")
+# Of these the words for another size, with the formula that makes the field of it.
+SIZES: Mapping[str, str] = {"diameter": "({})/2"}
 _ModelClass: Any = type(BaseModel)
+
+
+class WrongFields(TypeError):
+    """Fields of a description are wrong. It says so as Python does; found is what readers of files tell of."""
+
+    def __init__(self, kind: Any, found: ValidationError) -> None:
+        super().__init__("; ".join(dict.fromkeys(_told_in_python(kind, fault) for fault in found.errors())))
+        self.found = found
 
 
 class _Described(_ModelClass):
@@ -92,6 +115,13 @@ class _Described(_ModelClass):
             parameters.append(Parameter(name, kind, default=default, annotation=info.annotation))
             has_default = has_default or not info.is_required()
         return Signature(parameters)
+
+    def __call__(self, *args: Any, **named: Any) -> Any:
+        """A description. Raises WrongFields where a field is not there, is left out or holds something else."""
+        try:
+            return super().__call__(*args, **named)
+        except ValidationError as error:
+            raise WrongFields(self, error) from None
 
     @__signature__.setter
     def __signature__(self, found: object) -> None:
@@ -113,6 +143,8 @@ class Spec(BaseModel, metaclass=_Described):
     is_chosen: ClassVar[bool | None] = None
     # fields that people give it and that are another kind's: what to write there
     elsewhere: ClassVar[Mapping[str, str]] = {}
+    # where in Python what belongs beside such a thing stands
+    beside: ClassVar[str] = ""
     # words of the kind's own under which a file may name what its fields say, by these fields; `from_plain` reads them
     more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {}
 
@@ -123,8 +155,9 @@ class Spec(BaseModel, metaclass=_Described):
             raise TypeError(f"{called} takes {', '.join(fields)}")
         if twice := set(fields[: len(args)]) & set(named):
             raise TypeError(f"{called} is given {', '.join(sorted(twice))} twice")
-        given = dict(zip(fields, args, strict=False)) | named
-        super().__init__(**{name: self._as_list(name, as_text(value)) for name, value in given.items()})
+        given = {key: as_text(value) for key, value in (dict(zip(fields, args, strict=False)) | named).items()}
+        meant = [pair for key, value in given.items() for pair in self._meant(key, value, given)]
+        super().__init__(**{name: self._as_list(name, value) for name, value in meant})
 
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
@@ -158,7 +191,10 @@ class Spec(BaseModel, metaclass=_Described):
             return list(zip(fields, items, strict=True))
         others = {field for other in beside if other != key for field in ({other} & known or cls.meant(other))}
         is_same = key in SAME and key not in cls.elsewhere and not {*fields} & others
-        return [(fields[0], value)] if len(fields) == 1 and is_same else [(key, value)]
+        if len(fields) != 1 or not is_same:
+            return [(key, value)]
+        is_formula = isinstance(value, Formula)
+        return [(fields[0], SIZES[key].format(value) if key in SIZES and is_formula else value)]
 
     @classmethod
     def _as_list(cls, key: str, value: Any) -> Any:
@@ -174,10 +210,10 @@ class Spec(BaseModel, metaclass=_Described):
 
     @classmethod
     def meant(cls, key: str) -> tuple[str, ...]:
-        """The fields that people mean by a word: the two of `between` or `around`, else the first that there is."""
+        """The fields that people mean by a word: two of a pair, such as `between`, else the first that there is."""
         known = [field.alias or name for name, field in cls.model_fields.items()]
         found = tuple(field for field in MEANT.get(key, ()) if field in known)
-        return found[: 2 if key in ("between", "around") else 1]
+        return found[: 2 if key in PAIRS else 1]
 
     @classmethod
     def second_words(cls) -> dict[str, tuple[str, ...]]:
@@ -211,6 +247,21 @@ class Spec(BaseModel, metaclass=_Described):
     def to_plain(self) -> dict[str, Any]:
         """The fields that differ from their defaults, as plain data."""
         return self.model_dump(exclude_defaults=True)
+
+
+def _told_in_python(kind: Any, fault: ErrorDetails) -> str:
+    """What is wrong with a field of a description made in Python."""
+    field = ".".join(map(str, fault["loc"]))
+    takes = ", ".join(kind.model_fields)
+    if fault["type"] == "missing":
+        return f"{kind.__name__} needs {field}; it takes {takes}"
+    if fault["type"] != "extra_forbidden":
+        return f"{kind.__name__}: {field}: {fault['msg']}"
+    if (instead := kind.elsewhere.get(field)) is not None:
+        return f"{kind.__name__} has no {field}: {instead}"
+    near = kind.meant(field) or get_close_matches(field, kind.model_fields, n=1, cutoff=0.6)
+    hint = f" Did you mean {near[0]}?" if near else kind.beside.format(kind=kind.__name__, field=field)
+    return f"{kind.__name__} has no {field}.{hint} It takes {takes}"
 
 
 def _type_of(annotation: Any) -> FieldType:

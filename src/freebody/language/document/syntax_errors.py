@@ -17,7 +17,8 @@ from freebody.errors import Problem
 from freebody.messages import Message
 
 _BARE_NAME = re.compile(r"\s*(?:- )?(\w+)\s+([{\[].*?)\s*(?:#.*)?$")  # an entry of a mapping without its colon
-_BARE_TEXT = re.compile(r"(\w+)\s+([^\s#].*?)\s*(?:#.*)?$")  # of such an entry, its value a text
+_EQUALS = re.compile(r"(\w+)\s*=\s*([^\s#].*?)\s*(?:#.*)?$")
+_BARE_TEXT = re.compile(r"(\w+)\s+(?:=\s*)?([^\s#].*?)\s*(?:#.*)?$")  # of such an entry, its value a text
 
 
 def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
@@ -95,7 +96,9 @@ def _line_without_colon(text: str, mark: Any) -> Problem:
     line = text[mark.index :].split("\n", 1)[0].strip()
     squeezed = squeezed_colon(line)
     message = Message("a space is missing after the colon in '{squeezed}'", squeezed=squeezed)
-    if not squeezed:
+    if equal := _EQUALS.match(line):
+        message = Message("a colon is missing after {name}: {name}: {rest}", name=equal[1], rest=equal[2])
+    elif not squeezed:
         message = Message(
             "'{line}' has no colon; write 'name: value', or indent it to continue the line above", line=line[:40]
         )

@@ -73,6 +73,9 @@ class _UnitReader:
         if superscript := found["superscript"]:
             return ["^", *re.findall("-|[0-9]", superscript.translate(_SUPERSCRIPTS))]
         word = found.group().strip()
+        parts = _RUN_TOGETHER.fullmatch(word)
+        if parts and parts[1] and (parts[2] != "s" or parts[3]):  # kgm^2 is kg m^2; Ns may be newtons, a pound a force
+            return [part for part in parts.groups() if part]
         return [{"**": "^", "·": "*", "⋅": "*", "−": "-"}.get(word, word)]
 
     @property
@@ -172,7 +175,7 @@ def _named_unit(name: str, *, with_rare: bool = True) -> Unit:
         if prefix is not None and rest is not None:
             return replace(rest, factor=rest.factor * Fraction(10) ** prefix)
     if parts := _RUN_TOGETHER.fullmatch(name):
-        if parts[2] == "s" and not parts[3]:
+        if parts[1]:
             raise UnitError(
                 Message(
                     "the unit '{name}' is not known: write {unit}, or {unit} s for {unit} times seconds",
@@ -181,9 +184,7 @@ def _named_unit(name: str, *, with_rare: bool = True) -> Unit:
                 )
             )
         raise UnitError(
-            Message(
-                "the unit '{name}' is not known: write {names}", name=name, names=" ".join(filter(None, parts.groups()))
-            )
+            Message("the unit '{name}' is not known: write {names}", name=name, names=f"{parts[4]} {parts[5]}")
         )
     if not with_rare:
         raise UnitError(Message("the unit '{name}' is not known", name=name))

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import PI, Call, Expr, divide, number, power
+from freebody.language.sentences import Message
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.elements import BodyPart, Edge, SolidPart, Teeth
 from freebody.model.kinds import Kinds
@@ -55,7 +56,13 @@ class Build:
 class Shape(Spec):
     """Base of the shapes; a subclass is found by its `kind`."""
 
+    beside: ClassVar[str] = " What is no field of a shape stands beside it: model.body(name, {kind}(...), {field}=...)."
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "weight": Message("a weight is a force, and what has the weight W has the mass W/g: {{mass: W/g}}")
+    }
     kinds: ClassVar[Kinds[type[Shape]]] = Kinds("freebody.model.shapes")
+    # points between which it lies, where a file may say `from: A, to: B`
+    ends: ClassVar[tuple[str, ...]] = ()
     # lengths that may be left open, with the points that depend on them; () where the whole body does
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {}
     # its fields with values, as a file has them: for documentation and for random models
@@ -67,6 +74,7 @@ class Shape(Spec):
         super().__init_subclass__(**rest)
         if kind:
             cls.kind = kind
+            cls.elsewhere = {**Shape.elsewhere, **cls.elsewhere}
             Shape.kinds.register(kind, cls)
 
     def lengths_left_open(self) -> Mapping[str, tuple[str, ...]]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, cast
 
-from pydantic import Field, ValidationError
+from pydantic import Field
 
 from freebody.language.expression import Call, Expr, negate
 from freebody.language.sentences import Message
@@ -18,6 +18,7 @@ from freebody.model.elements import BodyPart, Edge, SolidPart
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT, Columns, applied, columns_of
 from freebody.model.shapes.base import Build, Shape, circle
+from freebody.model.spec import WrongFields
 from freebody.model.tensors import moved, turned
 from freebody.model.written_kinds import written_kind
 
@@ -182,7 +183,8 @@ def _part(names: Names, value: Any) -> tuple[Build, Components, Columns] | None:
     kind = Shape.kinds[written[kinds[0]] or ""]
     try:
         shape = kind.model_validate(kind.from_plain(entry[kinds[0]]))
-    except ValidationError as error:
+    except WrongFields as wrong:
+        error = wrong.found
         fault = error.errors()[0]
         names.problem(
             Message("{kind}: {fault}", kind=kind.kind, fault=fault["msg"]),

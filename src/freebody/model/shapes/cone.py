@@ -5,7 +5,8 @@ Moment of inertia: Beer, Johnston & Cornwell, Vector Mechanics for Engineers: Dy
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import divide, number
 from freebody.language.units import LENGTH, MASS
@@ -21,10 +22,12 @@ if TYPE_CHECKING:
 
 class Cone(Shape, kind="cone"):
     """A homogeneous cone from its `apex` along its `axis` (z) to the middle of its `base`, its mass centre at three
-    quarters of the height: I = 3/10 m R^2 about the axis, 3/80 m (4 R^2 + h^2) across, about the mass centre. The
-    reference point is the apex. For models in space."""
+    quarters of the height; `half_angle` in place of the radius is that at the apex. I = 3/10 m R^2 about the axis,
+    3/80 m (4 R^2 + h^2) across, about the mass centre. The reference point is the apex. For models in space."""
 
     space_only = True
+
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {"half_angle": ("radius",)}
 
     mass: Formula = 0
     radius: Formula
@@ -32,6 +35,14 @@ class Cone(Shape, kind="cone"):
     axis: Heading = "z"
 
     example = "{mass: 1 kg, radius: 0.1 m, height: 0.3 m, axis: z}"
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`half_angle: alpha` beside its height says the radius."""
+        given = super().from_plain(value)
+        if "half_angle" in given and "height" in given and "radius" not in given:
+            given["radius"] = f"({given['height']})*tan({given.pop('half_angle')})"
+        return given
 
     def build(self, names: Names) -> Build:
         m, r, h = (names.positive(self, f, d) for f, d in (("mass", MASS), ("radius", LENGTH), ("height", LENGTH)))

@@ -31,6 +31,8 @@ class Gear(Shape, kind="gear"):
     called: ClassVar[tuple[str, ...]] = ("disk", "gear wheel", "cog", "pinion")
     also: ClassVar[tuple[str, ...]] = ("pinion",)
 
+    elsewhere: ClassVar[Mapping[str, str]] = {"m": Message("m may be its mass or its module: write mass, or module")}
+
     mass: Formula = 0
     teeth: Formula | None = None
     module: Formula | None = None

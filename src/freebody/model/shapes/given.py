@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.sentences import Message
 from freebody.language.units import INERTIA, LENGTH, MASS
@@ -17,7 +18,8 @@ if TYPE_CHECKING:
 
 class Body(Shape, kind="body"):
     """A body given by mass, moment of inertia about its mass centre, and the mass centre's place in the body's
-    own frame, whose origin is the reference point `origin`. A `radius` makes its rim a circle about the origin.
+    own frame, whose origin is the reference point `origin`; `radius_of_gyration: k` in place of the inertia. A `radius`
+    makes its rim a circle about the origin.
 
     In space `inertia` is the three moments about its axes, [Ixx, Iyy, Izz], or the tensor as three rows, about the mass
     centre, or `about: origin`, or another place by components."""
@@ -27,6 +29,14 @@ class Body(Shape, kind="body"):
         *("pulley", "gear", "plate", "platform", "crate", "shaft"),
     )
 
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "axis": Message("its moments of inertia are those about its axes x, y and z: inertia: [Ixx, Iyy, Izz]"),
+        "radius_of_gyration": Message(
+            "it is told beside the mass, and in place of the inertia: {{mass: m, radius_of_gyration: k}}"
+        ),
+    }
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {"radius_of_gyration": ("inertia",)}
+
     mass: Formula = 0
     inertia: Formula | list[Formula] | list[list[Formula]] = 0
     center_of_mass: list[Formula] | None = None
@@ -34,6 +44,14 @@ class Body(Shape, kind="body"):
     about: str | list[Formula] = "mass_center"
 
     example = "{mass: 1 kg, inertia: 0.1 kg m^2, center_of_mass: [0.1 m, 0], radius: 0.2 m}"
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`radius_of_gyration: k` beside the mass is the moment of inertia m k^2."""
+        given = super().from_plain(value)
+        if "radius_of_gyration" in given and "mass" in given and "inertia" not in given:
+            given["inertia"] = f"({given['mass']})*({given.pop('radius_of_gyration')})^2"
+        return given
 
     def build(self, names: Names) -> Build:
         mass = names.positive(self, "mass", MASS)

@@ -5,9 +5,11 @@ Moment of inertia: Beer, Johnston & Cornwell, Vector Mechanics for Engineers: Dy
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.language.expression import divide, multiply, negate, number, power
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
 from freebody.measures.geometry import ZERO
 from freebody.model.shapes.base import Build, Shape, half
@@ -23,6 +25,11 @@ class Rod(Shape, kind="rod"):
 
     called: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "link", "crank", "stick", "pole", "arm")
     also: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "crank", "stick", "pole", "arm")
+
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("from", "to"), Message("its ends are put beside the shape: {{rod: , at: {{start: A, end: B}}}}")
+    )
+    ends: ClassVar[tuple[str, ...]] = ("start", "end")
 
     mass: Formula = 0
     length: Formula | None = None

@@ -16,7 +16,7 @@ from freebody.model.elements import BodyPart, BodyPlane, Edge, Line, RigidBody, 
 from freebody.model.names import placeholder
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Build, Shape
-from freebody.model.spec import MEANT
+from freebody.model.spec import MEANT, SAME
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.body_start import POSE_KEYS, start_of_body
 from freebody.system.reading.copies import copied_names
@@ -91,12 +91,26 @@ class BodySections:
                 )
                 self.names.problem(told, "ground", key)
                 self.names.broken.add(key)
-        entry = {key: value for key, value in entry.items() if key not in self.names.broken}
+        entry = self._with_points({key: value for key, value in entry.items() if key not in self.names.broken}, known)
         known_keys(self.names, entry, known, "ground", "ground")
         with self.names.at("ground"):
             points = self.source.open.points(entry.get("points"), GROUND, ground.points.__contains__) or {}
             for name, value in points.items():
                 ground.points[name] = self.names.components(value, LENGTH, "points", name)
+
+    def _with_points(self, entry: dict[str, Any], known: Collection[str]) -> dict[str, Any]:
+        """`ground: {A: [0, 0]}` with its places among the points of the ground."""
+        n = len(self.names.origin)
+        own = {
+            key: value
+            for key, value in entry.items()
+            if key not in known and isinstance(value, list) and len(cast("list[Any]", value)) in (2, n)
+        }
+        points = entry.get("points") or {}
+        if not own or not isinstance(points, dict) or own.keys() & cast("dict[str, Any]", points).keys():
+            return entry
+        rest = {key: value for key, value in entry.items() if key not in own}
+        return rest | {"points": {**cast("dict[str, Any]", points), **own}}
 
     def _is_line(self, key: str, value: Any) -> bool:
         """Whether an entry of the ground is one of its lines, without the section in which these stand."""
@@ -119,7 +133,7 @@ class BodySections:
         if not isinstance(value, dict):
             names.problem(Message("say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}", name=name))
             return None
-        entry = cast("dict[str, Any]", value)
+        entry = self._with_ends(self._as_options(cast("dict[str, Any]", value)))
         shape, word = self._shape(name, entry)
         if shape is None:
             with names.quietly():  # the angles that it would name
@@ -176,6 +190,26 @@ class BodySections:
             inner=build.inner,
             faces=build.faces,
         )
+
+    def _as_options(self, entry: dict[str, Any]) -> dict[str, Any]:
+        """What stands beside the shape, by the names of it where the file has other words: `position` is `at`."""
+        options = SPATIAL_OPTIONS if self.names.space else PLANAR_OPTIONS
+        read: dict[str, Any] = {}
+        for key, value in entry.items():
+            meant = [field for field in MEANT.get(key, ()) if field in options and key in SAME and key not in options]
+            read[meant[0] if len(meant) == 1 and meant[0] not in (*entry, *read) else key] = value
+        return read
+
+    def _with_ends(self, entry: dict[str, Any]) -> dict[str, Any]:
+        """`{bar: {from: A, to: B}}` as the same with the places of its ends beside the shape."""
+        for word, value in entry.items():
+            fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+            if "at" in entry or not {"from", "to"} <= fields.keys() or (kind := self._kind(word, fields)) is None:
+                continue
+            if ends := Shape.kinds[kind].ends:
+                own = {key: each for key, each in fields.items() if key not in ("from", "to")}
+                return {**entry, word: own or None, "at": dict(zip(ends, (fields["from"], fields["to"]), strict=True))}
+        return entry
 
     def _kind(self, word: str, value: Any) -> str | None:
         return written_kind(word, value, Shape.kinds, space=self.names.space)

@@ -96,6 +96,12 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
         return Message(
             "{key} stand under ground or under a body: {entry}", key=key, entry=flow_text({"ground": {key: value}})
         )
+    if key == "nodes":
+        return Message(
+            "{key} are points of the ground or of a body: {entry}",
+            key=key,
+            entry=flow_text({"ground": {"points": value}}),
+        )
     begun, space, rest = key.partition(" ")
     if space and begun in SECTIONS and rest.startswith("{"):
         return Message("a colon is missing after {name}: {name}: {rest}", name=begun, rest="{...}")

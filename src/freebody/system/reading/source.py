@@ -8,8 +8,6 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from string import ascii_uppercase
 from typing import Any, TypeVar, cast
 
-from pydantic import ValidationError
-
 from freebody.connections.base import Connection
 from freebody.errors import ModelError
 from freebody.language.document import Document
@@ -23,7 +21,7 @@ from freebody.measures.geometry import GROUND
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Shape
-from freebody.model.spec import ENDS, Spec
+from freebody.model.spec import ENDS, Spec, WrongFields
 from freebody.model.written_kinds import words_also, written_kind
 from freebody.system.unspecified import Unspecified
 
@@ -216,7 +214,8 @@ class Source:
             return None
         try:
             return kind.model_validate(self._with_ground_points(kind, kind.from_plain(value), *path))
-        except ValidationError as error:
+        except WrongFields as wrong:
+            error = wrong.found
             faults = {place_of(fault): fault for fault in reversed(error.errors())}  # of a field the first
             absent = [str(place_of(fault)[0]) for fault in error.errors() if fault["type"] == "missing"]
             strange = [str(where[0]) for where, fault in faults.items() if fault["type"] == "extra_forbidden"]

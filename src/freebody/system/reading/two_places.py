@@ -34,6 +34,15 @@ def place_of_point(names: Names, value: Any, *path: str | int) -> Components:
     name = value.removeprefix(f"{GROUND}.") if isinstance(value, str) else ""
     if name in names.bodies[GROUND].points:
         return names.bodies[GROUND].points[name]
+    if name.isidentifier() and name not in names.parameters:
+        told = Message(
+            "there is no point {name} of the ground: ground: {{points: {{{name}: {example}}}}}",
+            name=name,
+            example="[x, y]",
+        )
+        if not names.is_cut_short:
+            names.problem(told, *path)
+        return names.origin
     return names.components(value, LENGTH, *path)
 
 
@@ -49,7 +58,10 @@ def distance_of_ends(names: Names, at: Any) -> Expr | None:
 def angle_by_two(names: Names, at: Mapping[str, Any], points: Mapping[str, Components]) -> Expr | None:
     """The angle of a body, two of whose points are given; None, and a problem, where these cannot be there."""
     first, second = at
+    n_before = len(names.problems)
     there = [place_of_point(names, at[point], "at", point) for point in at]
+    if names.is_cut_short or len(names.problems) > n_before:
+        return None
     outside, inside = _way(*there), _way(points[first], points[second])
     told = None
     if outside == (ZERO, ZERO) or inside == (ZERO, ZERO):
