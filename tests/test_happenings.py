@@ -348,3 +348,22 @@ def test_what_comes_to_rest_and_stays_there_does_not_turn_back(question: str, by
     answer = posed(SHOVED, question)
     assert answer.value == pytest.approx(by_hand)
     assert told in answer.to_text()
+
+
+def test_what_does_not_slip_on_a_wedge_that_nothing_holds() -> None:
+    """Pushed with a = P/(M + m): sin - mu cos <= (cos + mu sin) a/g and sin + mu cos >= (cos - mu sin)
+    a/g. It was refused, as a wedge that nothing resists does not rest."""
+    text = """
+parameters: {m: 2 kg, M: 6 kg, alpha: 30 deg, mu: 0.2, L: 1 m, P: 60 N, g: 9.81 m/s^2}
+bodies: {wedge: {wedge: {mass: M, angle: alpha, length: L}}, block: {particle: {mass: m}}}
+connections:
+  floor: {slider: {body: wedge, along: right}}
+  face: {contact: {between: [block, wedge.face], friction: mu}}
+loads: {weight: {gravity: g}, push: {force: {at: wedge, along: left, magnitude: P}}}
+measures: {x: x of wedge}
+"""
+    c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
+    ends = 8 * 9.81 * (s - 0.2 * c) / (c + 0.2 * s), 8 * 9.81 * (s + 0.2 * c) / (c - 0.2 * s)
+    assert posed(text, "range of P for which nothing slips").value == pytest.approx(ends)
+    assert posed(text, "largest P so that the block does not slip").value == pytest.approx(ends[1])
+    assert "nothing resists wedge" in posed(text, "largest P so that nothing moves").reason
