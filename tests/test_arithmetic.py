@@ -171,3 +171,20 @@ loads: {w: {gravity: g}, pull: {force: {at: box, along: right, magnitude: P}}}
 def test_frictions_of_which_only_the_sum_is_determined_are_added(question: str, formula: str) -> None:
     is_formula(BOX, question, formula)
     assert posed(BOX, "friction force of l - friction force of r").expression is None
+
+
+def test_what_is_calculated_in_brackets_is_meant_at_their_instant() -> None:
+    """|a| = g sin(alpha) at the start and 2 g (1 - cos(alpha)) at the bottom are alike for tan(alpha/2) = 1/2; the
+    tension grows from m g cos(alpha) to m g (3 - 2 cos(alpha))."""
+    pendulum = """
+parameters: {m: 2 kg, L: 0.5 m, alpha: 35 deg, g: 9.81 m/s^2}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of line from ground.O to bob from down}
+start: {theta: alpha, rate(theta): 0}
+"""
+    alike = "value of alpha for which |acceleration of bob| at start = |acceleration of bob| when theta = 0"
+    is_formula(pendulum, alike, "2*atan(1/2)")
+    grows = "(tension of rod/(m*g) when theta = 0) - (tension of rod/(m*g) at start)"
+    is_formula(pendulum, grows, "3 - 3*cos(alpha)")

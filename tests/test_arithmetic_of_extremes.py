@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import pytest
 
 import freebody as fb
-from posed import is_derived, is_formula
+from posed import is_derived, is_formula, posed
 
 HUNG = """
 parameters: {m: 2 kg, k: 80 N/m, g: 9.81 m/s^2, v: SPEED}
@@ -97,3 +98,51 @@ def test_without_a_greatest_value_there_is_no_greatest_change() -> None:
 def test_brackets_around_one_quantity_change_nothing(said: str) -> None:
     """v0 = A sqrt(k/m), so k = m v0^2/A^2."""
     is_formula(ON_SPRING, f"value of k for which {said} = 0.1 m", "100*m*v0^2")
+
+
+FALLING_ROD = """
+parameters: {m: 2 kg, L: 1.5 m, theta_0: 20 deg, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {foot: {pin: [ground.F, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of line from rod.start to rod.end from up clockwise}
+start: {theta: theta_0, rate(theta): 0}
+"""
+
+
+def _pushed(theta: float) -> tuple[float, float]:
+    """A rod falls about its foot, over m g: H = 3 sin (3 cos - 2 cos_0)/4, V = (1 + 9 cos^2 - 6 cos_0 cos)/4."""
+    c, c0 = math.cos(theta), math.cos(math.radians(20))
+    return 3 * math.sin(theta) * (3 * c - 2 * c0) / 4, (1 + 9 * c * c - 6 * c0 * c) / 4
+
+
+def _less(h: float, v: float) -> float:
+    return (v - h) * 2 * 9.81
+
+
+def _over(h: float, v: float) -> float:
+    return abs(h) / v
+
+
+@pytest.mark.parametrize(
+    ("question", "by_hand"),
+    [
+        ("greatest vertical reaction of foot - horizontal reaction of foot until theta = 60 deg", _less),
+        ("greatest |horizontal reaction of foot|/vertical reaction of foot until theta = 60 deg", _over),
+    ],
+)
+def test_the_extreme_until_an_event_is_one_of_all_that_is_calculated(
+    question: str, by_hand: Callable[[float, float], float]
+) -> None:
+    """The first quantity had its extreme in all of the motion, and the other its value at the event."""
+    angles = [math.radians(20 + 40 * k / 4000) for k in range(4001)]
+    most = max(by_hand(*_pushed(theta)) for theta in angles)
+    assert posed(FALLING_ROD, question).value == pytest.approx(most, rel=1e-6)
+
+
+@pytest.mark.parametrize(("when", "theta"), [("at start", 20), ("when theta = 30 deg", 30)])
+@pytest.mark.parametrize("bottom", ["vertical reaction of foot", "|vertical reaction of foot|"])
+def test_a_ratio_of_sizes_is_meant_at_one_instant(when: str, theta: float, bottom: str) -> None:
+    h, v = _pushed(math.radians(theta))
+    answer = posed(FALLING_ROD, f"ratio of |horizontal reaction of foot| to {bottom} {when}")
+    assert answer.value == pytest.approx(h / v)

@@ -287,3 +287,83 @@ def test_the_least_pressure_of_several_feet_is_that_of_all() -> None:
     # A Omega^2 < g: the table presses with m (g - A Omega^2) at least
     found = posed(BOX_ON_A_SHAKER.replace("A: 6 mm", "A: 2 mm"), "least normal force of lies")
     assert found.value == pytest.approx(0.1 * (9.81 - 2e-3 * 50**2), rel=1e-6)
+
+
+FLYWHEELS = """
+parameters: {J: 3.9 kg m^2, I: 1.6 kg m^2, w: 99 rad/s, T: 9 N m, M: 3 N m}
+bodies: {one: {body: {inertia: J}, angular_velocity: w}, two: {body: {inertia: I}}}
+connections: {a: {pin: [ground.A, one]}, b: {pin: [ground.A, two]}, clutch: {brake: {between: [one, two], torque: T}}}
+loads: {motor: {torque: {on: one, magnitude: M}}}
+measures: {x: angle of one, y: angle of two}
+start: {x: 0, y: 0, rate(x): w, rate(y): 0}
+"""
+
+
+def test_a_clutch_that_takes_minutes_to_engage() -> None:
+    """The slip w - ((T - M)/J + T/I) t ends with T > M I/(I + J), shortly above that after a long time."""
+    for question in ("least T so that slipping ends", "range of T for which the clutch sticks"):
+        assert posed(FLYWHEELS, question).value == pytest.approx(3 * 1.6 / 5.5)
+
+
+BRAKED_IN_FRONT = """
+parameters: {m: 1200 kg, a: 1.2 m, b: 1.5 m, h: 0.6 m, mu: 0.8, v0: 20 m/s, g: 9.81 m/s^2}
+ground: {lines: {road: {along: right}}}
+bodies: {car: {body: {mass: m, inertia: 1500 kg m^2}, points: {front: [a, -h], rear: [-b, -h]}}}
+connections:
+  front: {contact: {between: [car.front, road], friction: mu}}
+  rear: {contact: {between: [car.rear, road]}}
+loads: {weight: {gravity: g}}
+measures: {x: x of car}
+start: {x: 0, rate(x): v0}
+"""
+
+
+def test_a_range_beyond_which_no_state_of_contacts_is_known() -> None:
+    """N_rear = m g (h mu - a)/(h mu - a - b) >= 0; with mu above (m a^2 + I)/(m a h) no force is consistent."""
+    answer = posed(BRAKED_IN_FRONT, "largest mu so that the rear keeps touching")
+    assert answer.value == pytest.approx(2)
+    assert "it is not known what happens" in answer.to_text()
+
+
+SHOVED = """
+parameters: {m: 1 kg, mu: 0.3, F: 5 N, v0: 3 m/s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {b: {particle: {mass: m}}}
+connections: {c: {contact: {between: [b, floor], friction: mu}}}
+loads: {weight: {gravity: g}, push: {force: {at: b, along: left, magnitude: F}}}
+measures: {d: x of b}
+start: {d: 0, rate(d): v0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "by_hand", "told"),
+    [
+        ("range of mu for which d turns back", 5 / 9.81, "μ < F/(m·g)"),
+        ("least mu so that d never turns back", 5 / 9.81, "μ ≥ F/(m·g)"),
+        ("largest F so that d never turns back", 0.3 * 9.81, "F ≤ m·μ·g"),
+    ],
+)
+def test_what_comes_to_rest_and_stays_there_does_not_turn_back(question: str, by_hand: float, told: str) -> None:
+    answer = posed(SHOVED, question)
+    assert answer.value == pytest.approx(by_hand)
+    assert told in answer.to_text()
+
+
+def test_what_does_not_slip_on_a_wedge_that_nothing_holds() -> None:
+    """Pushed with a = P/(M + m): sin - mu cos <= (cos + mu sin) a/g and sin + mu cos >= (cos - mu sin)
+    a/g. It was refused, as a wedge that nothing resists does not rest."""
+    text = """
+parameters: {m: 2 kg, M: 6 kg, alpha: 30 deg, mu: 0.2, L: 1 m, P: 60 N, g: 9.81 m/s^2}
+bodies: {wedge: {wedge: {mass: M, angle: alpha, length: L}}, block: {particle: {mass: m}}}
+connections:
+  floor: {slider: {body: wedge, along: right}}
+  face: {contact: {between: [block, wedge.face], friction: mu}}
+loads: {weight: {gravity: g}, push: {force: {at: wedge, along: left, magnitude: P}}}
+measures: {x: x of wedge}
+"""
+    c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
+    ends = 8 * 9.81 * (s - 0.2 * c) / (c + 0.2 * s), 8 * 9.81 * (s + 0.2 * c) / (c - 0.2 * s)
+    assert posed(text, "range of P for which nothing slips").value == pytest.approx(ends)
+    assert posed(text, "largest P so that the block does not slip").value == pytest.approx(ends[1])
+    assert "nothing resists wedge" in posed(text, "largest P so that nothing moves").reason

@@ -14,6 +14,7 @@ from scipy.integrate import quad
 
 from freebody.api import System
 from freebody.narrative.explain import explain
+from posed import posed
 
 COLLAR = """
 parameters: {m: 0.4 kg, k: 90 N/m, l: 0.3 m, Omega: 6 rad/s}
@@ -153,3 +154,39 @@ def test_a_controller_of_speed_is_stable_up_to_a_gain_although_no_angle_matters(
     ]
     assert "not stable with the given numbers" not in verdicts[0]
     assert "not stable with the given numbers" in verdicts[1]
+
+
+LEANING = """
+space: {up: z}
+parameters: {g: 9.81 m/s^2, m: 0.5 kg, l: 0.06 m, A: 8e-4 kg m^2, C: 5e-4 kg m^2, n: 200 rad/s, beta: 50 deg}
+bodies:
+  top:
+    body: {mass: m, inertia: [A, A, C]}
+    points: {tip: [0, 0, -l]}
+    turned: [psi about z, theta about x, phi about z]
+connections: {tip: {spherical: [ground.O, top.tip]}}
+loads: {w: {gravity: g}}
+start: {psi: 0, theta: beta, phi: 0, rate(psi): 0, rate(theta): 0, rate(phi): n}
+"""
+LEAST_SPIN = 2 * math.sqrt(0.5 * 9.81 * 0.06 * (8e-4 + 0.5 * 0.06**2 - 5e-4) * math.cos(math.radians(50))) / 5e-4
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "range of n for which the steady motion exists when theta = beta",
+        "least n so that there is a steady motion when theta = 50 deg",
+        "range of n for which there is no steady motion",
+    ],
+)
+def test_a_top_that_leans_precesses_steadily_above_a_spin(question: str) -> None:
+    """(A' - C) cos(beta) psi'^2 - C n psi' + m g l = 0 with A' = A + m l^2 has real roots for
+    C^2 n^2 >= 4 m g l (A' - C) cos(beta). Source: Goldstein, Poole & Safko 2002, sec. 5.7."""
+    answer = posed(LEANING, question)
+    assert answer.value == pytest.approx(LEAST_SPIN)
+    assert answer.evidence is not None
+
+
+def test_a_top_that_hangs_precesses_steadily_with_any_spin() -> None:
+    """Below a right angle cos(theta) < 0, and the roots are real."""
+    assert "for every" in posed(LEANING, "range of n for which the steady motion exists when theta = 120 deg").reason

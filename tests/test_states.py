@@ -271,3 +271,20 @@ def test_what_damped_cars_settle_at_is_derived_though_their_motion_has_no_formul
     text = terminal_text(system.explain("y as t grows").report, width=100)
     assert "There is no derivation" not in text
     assert "All λ have negative real parts" in text
+
+
+def test_a_controlled_system_has_no_natural_frequency_of_its_masses_and_springs() -> None:
+    """J s^3 + k_d s^2 + k_p s + k_i: sqrt(k_p/J), that of the motion without the integral, was told in numbers."""
+    text = """
+parameters: {J: 0.1 kg m^2, k_p: 2 N m, k_d: 0.3 N m s, k_i: 1 N m/s, w: 0.5}
+bodies: {rotor: {body: {inertia: J}}}
+connections: {axle: {pin: [ground.O, rotor]}}
+measures: {phi: angle of rotor}
+states: {z: phi - w}
+loads: {motor: {torque: {on: rotor, magnitude: -k_p*(phi - w) - k_d*rate(phi) - k_i*z}}}
+start: {phi: 0, rate(phi): 0}
+"""
+    for question in ("natural frequencies", "period of small oscillations"):
+        answer = fb.System.from_text(text).solve(question).answers[0]
+        assert answer.value is None
+        assert "states of a controller" in answer.reason

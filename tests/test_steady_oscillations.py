@@ -16,7 +16,7 @@ import pytest
 import freebody as fb
 from posed import is_derived
 from test_spoken import meaning
-from test_stable_steady_motion import BOB, HOOP, TOP
+from test_stable_steady_motion import BOB, HOOP, LEANING, TOP
 from test_steady import COIN, ON_A_TURNING_ROD
 from test_steady import HOOP as DAMPED_HOOP
 
@@ -183,3 +183,12 @@ def test_people_say_it_otherwise() -> None:
 @pytest.mark.parametrize("text", [BOB, HOOP, TOP, TABLE])
 def test_frequencies_are_derived(text: str) -> None:
     is_derived(text, "frequencies of small oscillations about steady motion")
+
+
+def test_a_level_top_nods_about_the_precession_that_its_spin_makes() -> None:
+    """With a level axis psi' = m g l/(C n), whatever the start has for psi', and the nutation has
+    w^2 = (C n/A')^2 + psi'^2."""
+    level = LEANING.replace("beta: 50 deg", "beta: 80 deg")
+    inertia, spin = 8e-4 + 0.5 * 0.06**2, 5e-4 * 200
+    by_hand = math.hypot(spin / inertia, 0.5 * 9.81 * 0.06 / spin)
+    assert asked(level, f"{ABOUT} when theta = 90 deg").value == pytest.approx(by_hand)

@@ -32,6 +32,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.answering.places_of_quantities import placed
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
+from freebody.study.friction.answers import of_motion
 from freebody.study.given import each
 from freebody.study.steady.open_balls import with_open_balls
 from freebody.study.worded import in_words
@@ -156,7 +157,7 @@ def _derived(
     busy_with(f"deriving {question.id}: {question.text}")
     if answer.holds_once:
         question = replace(question, event=None, at_start=True)
-    told_of, question = question, _at_its_turn(context, question)
+    told_of, question = question, _at_its_turn(context, of_motion(context.system, question))
     derive = derivation_of(context.system, question)
     here = context.of_question(question) if answer.is_answered else context
     stages, reason = _attempt(here, question, answer, method, derive)

@@ -19,7 +19,7 @@ from freebody.questions.base import NAME, Quantity
 from freebody.questions.course import Transition
 from freebody.questions.event import AskedEvent
 from freebody.questions.final_values import share_said
-from freebody.questions.operands import TIME_ALONE, Operand, Operands, between_bars
+from freebody.questions.operands import TIME_ALONE, Operand, Operands, between_bars, without_bars
 from freebody.questions.reading_when import Meant
 from freebody.questions.sudden import IMPACT, NTH
 
@@ -152,6 +152,8 @@ def read_at_events(
         if placed is None:
             return None
         quantity = between_bars(names, operands, k, placed.quantity)
+        if getattr(quantity, "size", False) is True:
+            operands = without_bars(operands, k)
         read[k] = AtEvent(quantity, placed.event, placed.at_start, placed.transition)
     quantity = read_calculated(names, phrase, read, ("find",), operands.runs)
     return None if quantity is None else Meant(quantity)

@@ -242,7 +242,7 @@ _WORDS: tuple[tuple[str, TransitionKind], ...] = (
     ),
     (rf"(?:slip|slipping|sliding)(?: of {_NAME})? {_ENDS}", "slip ends"),
     (rf"slip of {_NAME} ?= ?0", "slip ends"),
-    (rf"{_SUBJECT} stops (?:slipping|sliding)", "slip ends"),
+    (rf"{_SUBJECT} (?:stops (?:slipping|sliding)|sticks)", "slip ends"),
     (rf"(?:the )?(?:bouncing|rebounds?)(?: of {_NAME})? {_ENDS}", "bounces end"),
     (rf"{_SUBJECT} (?:stops?|ceases?|has (?:stopped|ceased)) (?:bouncing|to bounce|rebounding)", "bounces end"),
     (rf"{_SUBJECT} (?P<last>(?:finally|eventually) )?(?P<rests>stops|comes to rest)(?P<stays> for good)?", "slip ends"),

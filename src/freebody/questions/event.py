@@ -40,6 +40,11 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
+class TurnsBack(QuestionEvent):
+    """A measure comes to rest and goes back, where it could stay at rest as well."""
+
+
+@dataclass(frozen=True)
 class Meeting(QuestionEvent):
     """A body gets to the place to which a connection leads it: what is between them vanishes."""
 

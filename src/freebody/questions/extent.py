@@ -16,7 +16,7 @@ from freebody.questions.base import Described, Found, Path, Quantity, angular_un
 from freebody.questions.ends import GREATEST, LEAST
 from freebody.questions.event import Peak, QuestionEvent
 from freebody.questions.motion import OfMeasure
-from freebody.questions.reading import read_quantity
+from freebody.questions.reading import read_calculation
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -182,7 +182,7 @@ def extreme(names: Names, found: Found, path: Path) -> Quantity | None:
         measure = composed(names, summed[1], *path)
         return None if measure is None else Extent(measure, of, end)
     if of not in names.measures and not any(phrase.pattern.match(of) for phrase in PHRASES):
-        quantity = read_quantity(names, of, path)
+        quantity = read_calculation(names, of, path)
         if quantity is not None and quantity.is_of_parameters:
             told = Message("{of} follows from the parameters alone and is the same throughout the motion", of=of)
             names.problem(told, *path)

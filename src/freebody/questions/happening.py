@@ -17,8 +17,9 @@ from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
 from freebody.questions.base import NAME, Path, Quantity
-from freebody.questions.course import Transition, connections_of, names_line, read_transition
-from freebody.questions.event import AskedEvent, read_event
+from freebody.questions.course import Transition, can_change, connections_of, names_line, read_transition
+from freebody.questions.event import AskedEvent, QuestionEvent, TurnsBack, read_event
+from freebody.questions.operands import TURNS_BACK
 from freebody.questions.turned_round import reached_in
 
 if TYPE_CHECKING:
@@ -86,6 +87,13 @@ class StableSteadyMotion(Happening):
     scope = "steady motion"
 
 
+@dataclass(frozen=True)
+class ExistingSteadyMotion(Happening):
+    """Whether there is a steady motion in a place."""
+
+    scope = "steady motion"
+
+
 # -- words ------------------------------------------------------------------------------------
 _SUBJECT = rf"(?:it|the motion|the system|(?:the )?(?P<of>{NAME}))"
 _STAYS = r"(?:always )?(?:stays?|remains?|keeps?|is always)(?: always)?"
@@ -135,6 +143,10 @@ _STABLE = re.compile(
 
 
 _STEADY = re.compile(r"^(?:the |this |its )?steady (?:motion|rotation|precession|state) is (?P<not>un|not )?stable$")
+_EXISTS = re.compile(
+    r"^(?:(?:the |this |a |such a )?steady (?:motion|rotation|precession|turning) (?:exists|is (?:there|possible))"
+    r"|there is (?P<none>no |a |such a )?steady (?:motion|rotation|precession|turning))$"
+)
 
 
 def read_happening(names: Names, text: str, path: Path) -> Happening | None:
@@ -146,6 +158,8 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
         return StableSteadyMotion(None, whole, is_so=steady["not"] is None)
     if (fails := _FAILS.match(whole)) is not None:
         return _fails_first(names, whole, fails, path)
+    if (exists := _EXISTS.match(whole)) is not None:
+        return ExistingSteadyMotion(None, whole, is_so=exists["none"] != "no ")
     parts = _BEFORE.match(whole)
     head, limit = (parts["what"], parts["before"]) if parts is not None else (whole, None)
     at_once = _AT_ONCE.match(head)
@@ -212,8 +226,13 @@ def _stated(
     never = _NEVER.match(text)
     if never is not None:
         stated = f"{never['who']} {_third_person(never['verb'])}{never['rest']}"
-        inner = _stated(names, stated, path, timed=True)
+        goes_back = TURNS_BACK.match(stated) is not None and can_change(names)
+        inner = _stated(names, stated, path, timed=not goes_back)
         return None if inner is None else (inner[0], not inner[1])
+    if not timed and can_change(names) and (turns := TURNS_BACK.match(text)) is not None:
+        event = read_event(names, text, path)
+        is_one = isinstance(event, QuestionEvent) and turns["what"] in names.measures
+        return (TurnsBack(event.measure, event.order, event.value, event.text), True) if is_one else None
     transition = read_transition(names, text, path)
     if transition is not None:
         return transition, True

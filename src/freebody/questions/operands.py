@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from freebody.errors import UnitError
@@ -35,7 +35,8 @@ _OPERATORS = re.compile(
 )
 _END = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) ")
 _OF_BLOW = re.compile(r"\b(?:energy lost|loss of (?:kinetic )?energy) in\b|\bimpuls(?:e|ive reaction)\b")
-_OF_WHOLE = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?\([^()]*\)")  # least (x2 - x1)
+_OF_WHOLE = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?\(")  # least (x2 - x1)
+_UNTIL = re.compile(rf"^(?P<end>(?:the )?(?:{GREATEST}|{LEAST}) )(?:value )?(?:of )?(?P<of>.+)(?P<until> until .+)$")
 
 
 @dataclass(frozen=True)
@@ -74,6 +75,9 @@ def ratio_as_quotient(names: Names, phrase: str) -> str:
     if _OF_BLOW.search(top) or _END.match(top):  # no state has it: what is said of an instant is said of the other
         is_timed = is_timed or _START.search(bottom) is not None or any(word in bottom for word in _EVENTS)
     is_calculated = any(not _is_quantity(names, event_at_end(names, part)[0]) for part in (top, without_start(bottom)))
+    if is_calculated and not is_timed:  # what is said of an instant is said of all of it
+        plain = without_start(event_at_end(names, bottom)[0])
+        return f"({top})/({plain}){bottom[len(plain) :]}"
     return f"({top})/({bottom})" if is_timed or is_calculated else phrase
 
 
@@ -122,7 +126,7 @@ def _is_of_measures(names: Names, text: str) -> bool:
 def operands_of(names: Names, phrase: str) -> Operands | None:
     """What a phrase calculates with; None where it is one quantity. Notes a problem where the sense is open."""
     found = _operands(names, phrase)
-    if len(found.runs) < 2 or not found.phrases or _OF_WHOLE.fullmatch(phrase):
+    if len(found.runs) < 2 or not found.phrases or _is_of_whole(phrase):
         return None
     first = next(k for k, run in enumerate(found.runs) if run not in _OPERATOR_SIGNS)
     if first in found.phrases and not _is_quantity(names, found.phrases[first].phrase):
@@ -144,6 +148,25 @@ def operands_of(names: Names, phrase: str) -> Operands | None:
     return found
 
 
+def _is_of_whole(phrase: str) -> bool:
+    """Whether it is the extreme of what stands in brackets."""
+    found = _OF_WHOLE.match(phrase)
+    return found is not None and _closing(phrase, found.end() - 1) == len(phrase) - 1
+
+
+def extreme_until(names: Names, phrase: str) -> tuple[str, list[str]]:
+    """`greatest A/B until E` with brackets, and the quantities A and B, of which none says itself when it is meant; the
+    phrase as it is where it asks for nothing of the kind."""
+    found = _UNTIL.match(phrase)
+    if found is None or _is_of_whole(f"{found['end']}{found['of']}"):
+        return phrase, []
+    parts = _operands(names, found["of"]).phrases.values()
+    said = [o for o in parts if o.condition is not None or o.at_start or _END.match(o.phrase)]
+    if len(parts) < 2 or said:
+        return phrase, []
+    return f"{found['end']}({found['of']}){found['until']}", [o.phrase for o in parts]
+
+
 def has_quantities(names: Names, text: str) -> bool:
     """Whether quantities stand in it, and not numbers and parameters alone."""
     return any(_is_quantity(names, operand.phrase) for operand in _operands(names, text).phrases.values())
@@ -160,12 +183,33 @@ def _is_drawn_in(names: Names, phrase: str, following: tuple[str, ...]) -> bool:
 
 
 def _operands(names: Names, text: str) -> Operands:
-    runs = _runs_with_events(names, text)
+    runs = _runs_with_events(names, _spread(names, text))
     phrases: dict[int, Operand] = {}
     for k, run in enumerate(runs):
         if run not in _OPERATOR_SIGNS and not _is_plain(names, run.strip()):
             phrases[k] = _operand(run.strip())
     return Operands(tuple(runs), phrases)
+
+
+def _spread(names: Names, text: str) -> str:
+    """What is calculated in brackets at one instant, with this instant for each quantity: (A - B when E) as
+    ((A when E) - (B when E))."""
+    for found in re.finditer(r"\(", text):
+        end = _closing(text, found.start())
+        inside = text[found.end() : end]
+        word = next((word for word in _EVENTS if word in inside), None)
+        head, _, tail = inside.partition(word or "\0")
+        head = without_start(inside) if word is None else head
+        if end < 0 or head == inside or not _OPERATORS.search(head) or head.count("(") != head.count(")"):
+            continue
+        if word is not None and _goes_on(names, tail):
+            continue
+        timed, spread = inside[len(head) :], list[str]()
+        for run in _runs_of(head):
+            is_one = run not in _OPERATOR_SIGNS and not _is_plain(names, run.strip())
+            spread.append(f"({run.strip()}{timed})" if is_one else run)
+        return text[: found.end()] + "".join(spread) + _spread(names, text[end:])
+    return text
 
 
 def _runs_with_events(names: Names, text: str) -> list[str]:
@@ -252,6 +296,20 @@ def _is_quantity(names: Names, phrase: str) -> bool:
 
 def between_bars(names: Names, operands: Operands, k: int, quantity: Quantity) -> Quantity:
     """A quantity, of which the size is meant where it stands alone between bars."""
-    runs = operands.runs
-    is_sized = 0 < k < len(runs) - 1 and runs[k - 1] == runs[k + 1] == "|"
-    return quantity.sized(space=names.space) if is_sized else quantity
+    return quantity if _bars_about(operands, k) is None else quantity.sized(space=names.space)
+
+
+def without_bars(operands: Operands, k: int) -> Operands:
+    """With brackets in place of the bars about a quantity, which is a size itself."""
+    bars = _bars_about(operands, k) or ()
+    runs = [dict(zip(bars, "()", strict=False)).get(j, run) for j, run in enumerate(operands.runs)]
+    return replace(operands, runs=tuple(runs))
+
+
+def _bars_about(operands: Operands, k: int) -> tuple[int, int] | None:
+    """The places of the bars between which a quantity stands alone, also in brackets of its own."""
+    runs, first, last = operands.runs, k - 1, k + 1
+    while first > 0 and last < len(runs) - 1 and (runs[first], runs[last]) == ("(", ")"):
+        first, last = first - 1, last + 1
+    is_sized = first >= 0 and last < len(runs) and runs[first] == runs[last] == "|"
+    return (first, last) if is_sized else None

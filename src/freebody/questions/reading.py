@@ -35,8 +35,10 @@ from freebody.questions.operands import (
     Operands,
     between_bars,
     event_at_end,
+    extreme_until,
     operands_of,
     ratio_as_quotient,
+    without_bars,
     without_size,
     without_start,
 )
@@ -340,13 +342,23 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
             condition, at_start = None, True
     else:
         path = ("find",)
-        phrase, condition = event_at_end(names, ratio_as_quotient(names, between_events(names, as_timed(phrase))))
+        phrase = _of_whole(names, ratio_as_quotient(names, between_events(names, as_timed(phrase))))
+        phrase, condition = event_at_end(names, phrase)
         at_start = condition is None and without_start(phrase) != phrase
         phrase = without_start(phrase)
     operands = operands_of(names, phrase)
     if operands is not None:
         return _calculated(names, phrase, operands, condition, at_start, path)
     return _meant(names, phrase, condition, at_start, path)
+
+
+def _of_whole(names: Names, phrase: str) -> str:
+    """An extreme until an event is one of all that is calculated where nothing in it is counted until then: `greatest
+    A/B until E`, and not `greatest A` over the work until E."""
+    whole, parts = extreme_until(names, phrase)
+    with names.quietly():
+        read = [read_quantity(names, part, ("find",)) for part in parts]
+    return whole if all(q is not None and q.scope == "instant" for q in read) else phrase
 
 
 def _of_parameter(names: Names, phrase: str) -> re.Match[str] | None:
@@ -381,6 +393,8 @@ def _calculated(
         if quantity is None:
             return None
         read[k] = between_bars(names, operands, k, quantity)
+        if getattr(read[k], "size", False) is True:
+            operands = without_bars(operands, k)
     if any(map(is_of_start, read.values())):
         return _with_blow(names, phrase, operands, read, condition, at_start)
     said = [o.condition for o in operands.phrases.values()]

@@ -23,6 +23,7 @@ FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EV
     value of PARAMETER for which MEASURE stays constant
     range of PARAMETER for which QUANTITY stays below | stays above EXPRESSION, or MEASURE [never] turns back | escapes
     range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
+    range of PARAMETER for which the steady motion exists [when MEASURE = VALUE]
     QUANTITY as PARAMETER -> EXPRESSION | grows
     value of PARAMETER for which QUANTITY is largest | least      largest | least QUANTITY over PARAMETER
     range of PARAMETER for which it tips before it slides as PARAMETER grows

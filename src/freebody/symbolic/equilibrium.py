@@ -48,6 +48,10 @@ GYROSCOPIC = Message(
     "what is driven couples the small motions by forces that are linear in the speeds (gyroscopic ones): ask for "
     "frequencies of small oscillations about steady motion"
 )
+WITH_STATES = Message(
+    "the states of a controller take part in the small motions, which have no frequencies of masses and springs alone: "
+    "ask for stability of steady motion or frequencies of small oscillations about steady motion"
+)
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,8 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
-from freebody.symbolic.equilibrium import GYROSCOPIC, ClosedFormRest, find_equilibrium
+from freebody.model.states import state_name
+from freebody.symbolic.equilibrium import GYROSCOPIC, WITH_STATES, ClosedFormRest, find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import determinant, solve
@@ -331,6 +332,8 @@ def free_oscillations(model: SymbolicModel, start: StartState, rest: ClosedFormR
     the motions."""
     if not model.coordinates:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
+    if any(state_name(c.name) for c in model.coordinates):
+        raise CannotAnswer(WITH_STATES)
     notes: list[str] = []
     rest = small_motion_about(model, start) if rest is None else rest
     if rest.moves_evenly:

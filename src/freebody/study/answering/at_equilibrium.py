@@ -29,7 +29,7 @@ from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.study.where_true import left_at
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.equilibrium import GYROSCOPIC
+from freebody.symbolic.equilibrium import GYROSCOPIC, WITH_STATES
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import swing_of
 from freebody.symbolic.small_motion import place_of_mode
@@ -133,6 +133,8 @@ def value_at_rest(
 def small_number(quantity: SmallOscillations, setup: Setup, draw: Draw) -> float | tuple[float, ...]:
     """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
     start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
+    if setup.system.states:
+        raise CannotAnswer(WITH_STATES)
     found = [float(w) for w in _numbers_about(setup, draw)]
     if not found:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))

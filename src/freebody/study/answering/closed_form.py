@@ -21,7 +21,7 @@ from freebody.questions.event import FarthestPlace
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.greatest_section import GreatestInRod
-from freebody.questions.happening import StableEquilibrium, StableSteadyMotion
+from freebody.questions.happening import ExistingSteadyMotion, StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import Staying
 from freebody.questions.period import Period
 from freebody.questions.reading import AskedEvent, Question, QuestionEvent
@@ -247,6 +247,12 @@ class QuestionSolver:
             from freebody.study.steady.stable_for import stability as steady_stability
 
             return solved_for(self.setup, self.question, steady_stability(self.setup, is_so=q.of.is_so))
+
+        if isinstance(q.of, ExistingSteadyMotion):
+            from freebody.study.steady.exists_for import existence
+
+            formulas = existence(self.setup, self.question, q.parameter, is_so=q.of.is_so)
+            return solved_for(self.setup, self.question, formulas)
 
         if q.of.scope == "steady motion":
             from freebody.study.steady.place_for import at_place

@@ -27,6 +27,10 @@ _INSIDE = (0.07, 0.31, 0.5, 0.68, 0.94)  # places between two ends that are look
 _BEYOND = (1.02, 1.5, 4.0, 30.0)  # times the last end, where there is none behind it
 
 
+class NotKnown(CannotAnswer):
+    """No case tells what happens for some values."""
+
+
 @dataclass(frozen=True)
 class End:
     """Where an interval ends: a formula, or none where the parameter itself ends. is_in: whether it belongs to it."""
@@ -109,7 +113,7 @@ class TruthInNumbers:
     ) -> bool:
         """Whether the inequality holds for a value of the parameter, by one of the formulas. at_end: where something
         vanishes, which then counts as zero. draw: whose numbers these are; where no formula says whether it is so, it
-        is looked at in numbers. Raises CannotAnswer where these do not tell it either."""
+        is looked at in numbers. Raises NotKnown where these do not tell it either."""
         if at_end and self.is_open:
             return False
         here = self.with_value(numbers, value)
@@ -122,7 +126,7 @@ class TruthInNumbers:
                 return is_so
             why = next((formula.why for formula in found if formula.why), "")
             told = Message("for some values of {name} it is not known what happens", name=self.parameter.name)
-            raise CannotAnswer(Message("{told}: {why}", told=told, why=why) if why else told)
+            raise NotKnown(Message("{told}: {why}", told=told, why=why) if why else told)
         return False
 
     def seen(self, value: float, draw: Draw) -> bool | None:

@@ -30,7 +30,7 @@ from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula
 from freebody.study.answering.parameter_domain import above, after, domain_of, for_every
 from freebody.study.answering.range_evidence import OtherEnds, RangeEvidence
-from freebody.study.answering.range_truth import End, Interval, TruthInNumbers, with_ends
+from freebody.study.answering.range_truth import End, Interval, NotKnown, TruthInNumbers, with_ends
 from freebody.study.answering.turned_round import NoneFound, without_roots
 from freebody.study.setup import N_MORE, Setup
 from freebody.symbolic.conditions import Condition, insisted
@@ -66,6 +66,7 @@ class RangeSearch(TruthInNumbers):
         self._not_real: list[Ratio] = []  # those that have no value there
         self._is_one_end = False  # whether at other numbers only the end is the same that is asked for
         self._on_border: list[Ratio] = []  # those that are zero there, of what is positive
+        self._unknown: list[Interval] = []  # where no case tells there whether it is so
         self._placed: list[Ratio] = []  # all ends within the range of the parameter, where they were looked at last
 
     # -- where it can change ------------------------------------------------------------------
@@ -168,7 +169,8 @@ class RangeSearch(TruthInNumbers):
         self._not_real = [end for end in ends if math.isnan(self.value_of(end, numbers)[0])]
         self._placed = [end for _value, end in placed]
         values = [low, *(value for value, _end in placed), high]
-        inside = [self._between(numbers, a, b, draw) for a, b in pairwise(values)]
+        told = [self._between(numbers, a, b, draw) for a, b in pairwise(values)]
+        inside = self._known(told, [end for _value, end in placed])
         is_at = [self.is_true(numbers, value, at_end=True) for value, _end in placed]
         at_low = self.parameter.sign == "nonnegative" and self.is_true(numbers, 0.0, at_end=True)
         found: list[Interval] = []
@@ -198,12 +200,39 @@ class RangeSearch(TruthInNumbers):
         """Whether it is so just on the border of two cases, in both of which it is, or is not: by the numeric route."""
         return self.wanted.relation in (REACHED, SO) and bool(self.seen(value, draw))
 
-    def _between(self, numbers: Mapping[int, Any], a: float, b: float, draw: Draw) -> bool:
+    def _between(self, numbers: Mapping[int, Any], a: float, b: float, draw: Draw) -> bool | NotKnown:
         """Whether it holds between two ends. Raises CannotAnswer where it does so at some places only."""
-        seen = {self.is_true(numbers, value, draw=draw) for value in self.places_between(a, b)}
+        seen, unknown = set[bool](), None
+        for value in self.places_between(a, b):
+            try:
+                seen.add(self.is_true(numbers, value, draw=draw))
+            except NotKnown as error:
+                unknown = error
+        if unknown is not None:
+            return unknown
         if len(seen) > 1:
             raise CannotAnswer(Message("where that holds has ends for which no closed form was found"))
         return seen.pop()
+
+    def _known(self, told: Sequence[bool | NotKnown], placed: Sequence[Ratio]) -> list[bool]:
+        """Where it is so, as far as that is known. Raises NotKnown where an end that is asked for would lie between
+        what is so and what is not known."""
+        self._unknown = []
+        ends = [None, *placed, None]
+        so = [k for k, own in enumerate(told) if own is True]
+        beside = {"least": so[:1], "largest": so[-1:]}.get(self.wanted.end, so)
+        sides = {"least": (1,), "largest": (-1,)}.get(
+            self.wanted.end, (1, -1)
+        )  # on which it is not known, of what is so
+        for k, own in enumerate(told):
+            if not isinstance(own, NotKnown):
+                continue
+            if not so or any(k + side in beside for side in sides):
+                raise own
+            goes_on = k > 0 and isinstance(told[k - 1], NotKnown)
+            begun = self._unknown.pop()[0] if goes_on else End(ends[k], k > 0)
+            self._unknown.append((begun, End(ends[k + 1], k + 2 < len(ends))))
+        return [own is True for own in told]
 
     # -- the answer ---------------------------------------------------------------------------
     def finding(self) -> Finding:
@@ -211,6 +240,7 @@ class RangeSearch(TruthInNumbers):
         if self._is_of_motion_alone():
             raise CannotAnswer(Message("that does not depend on {name}", name=name))
         found = self.intervals(own)
+        unknown = list(self._unknown)
         if not found:
             raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
         if len(found) == 1 and found[0][0].value is None and found[0][1].value is None:
@@ -222,6 +252,9 @@ class RangeSearch(TruthInNumbers):
         if self._is_one_end:
             so = Message("so for {range} with the given numbers: at others there may be other ends beside", range=told)
         notes.append(reworded(so, told))
+        for interval in unknown:
+            where = self._told(interval)
+            notes.append(reworded(Message("for {range} it is not known what happens", range=where), where))
         for formula in self.left_aside:
             shown = to_text(tidy(self.field.element(formula.element)))  # pyrefly: ignore[bad-argument-type]
             told = Message("the value {value} does not depend on {name} and is left aside", value=shown, name=name)

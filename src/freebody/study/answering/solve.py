@@ -102,6 +102,7 @@ def _of_formula_alone(system: System, answer: Answer) -> Value:
 
 def _solved(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     """The answers, each question about one part of a system in that part."""
+    questions = [_of_motion(system, q) for q in questions]
     parts = [(q, part_for(system, system.groups, q)) for q in questions]
     of_whole = [q for q, part in parts if part is None]
     # what heads the answers is the motion if any is asked of, and be it of a part
@@ -118,6 +119,17 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
         answers |= {a.id: a for a in found.answers}
         assumed = (*assumed, *(text for text in found.assumed if text not in assumed))
     return replace(whole, answers=tuple(answers[q.id] for q in questions), assumed=assumed)
+
+
+def _of_motion(system: System, question: Question) -> Question:
+    """A question that is read as one about rest, where there is none."""
+    if not isinstance(question.quantity, RestLimit):
+        return question
+    from freebody.study.friction.answers import of_motion
+
+    with suppress(CannotAnswer):
+        return of_motion(system, question)
+    return question
 
 
 def _is_of_rest(question: Question) -> bool:

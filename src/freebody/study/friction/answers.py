@@ -14,11 +14,13 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
+from freebody.numeric.friction_limits import unresisted
+from freebody.numeric.rest_problem import rest_problem
 from freebody.questions.base import Quantity
-from freebody.questions.happening import FailsFirst
+from freebody.questions.happening import FailsFirst, Happening, Lasting
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
-from freebody.questions.turned_round import RangeForAtRest
+from freebody.questions.turned_round import SO, RangeFor, RangeForAtRest
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, made
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.crosscheck import CrossCheck
@@ -72,6 +74,22 @@ def prepared(system: System) -> PreparedRest:
     """A system at rest, ready to be asked."""
     touched = touching(system)
     return PreparedRest(touched, Setup(touched.held))
+
+
+def of_motion(system: System, question: Question) -> Question:
+    """That nothing slips, asked of the motion where some body is driven along a direction in which nothing resists, so
+    that there is no rest; else the question as it is."""
+    q = question.quantity
+    if not isinstance(q, RestLimit) or not q.is_of_slip:
+        return question
+    rest = prepared(system)
+    draw = rest.setup.draws[0]
+    if unresisted(rest_problem(draw.reference, draw.q, rest.touching.dry_friction)) is None:
+        return question
+    rolls = Happening(Lasting("rolls", (), question.text), question.text)
+    end = "" if q.which == "range" else q.which
+    wanted = RangeFor(q.parameter, rolls, ZERO, q.dimension, q.unit, question.text, relation=SO, end=end)
+    return replace(question, quantity=wanted)
 
 
 def answer(system: System, question: Question) -> Answer:

@@ -17,18 +17,20 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
-from freebody.questions.event import QuestionEvent
+from freebody.questions.event import QuestionEvent, TurnsBack
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.changes_asked import begins_with, event_behind, meant_of
 from freebody.study.phases.events import first_events
 from freebody.study.phases.nodes import PhaseEnd, PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
-from freebody.study.phases.phase import PhaseWatch
+from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.pieces import watches_of
 from freebody.study.phases.standing import feet_of
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.state import SymbolicState
+from freebody.tolerances import ROUND_OFF
 
 
 @dataclass(frozen=True)
@@ -122,7 +124,9 @@ class _Walk:
             return
         for end, conditions, sets in ends:
             here = replace(way, conditions=(*way.conditions, *conditions))
-            if isinstance(end, PhaseWatch):
+            if isinstance(end, PhaseWatch) and isinstance(self.what, TurnsBack) and end.name == self.what.text:
+                yield from self._at_turn(here, self.what, sets)
+            elif isinstance(end, PhaseWatch):
                 is_so = isinstance(self.what, (QuestionEvent, Clock)) and end.name == self.what.text
                 yield HappeningCase(is_so or isinstance(self.what, Lasting), here.conditions)
             elif end is None or end.first is None:
@@ -173,6 +177,8 @@ class _Walk:
         """How the last phase of a way ends: by an event that is asked for (its watch), or as the tree knows."""
         node, tree = way.last, self.tree
         asked = [e for e in (self.what, self.before) if isinstance(e, (QuestionEvent, Clock))]
+        if isinstance(self.what, TurnsBack) and node.phase.state.rate(self.what.measure).is_zero():
+            asked = [e for e in asked if e is not self.what]  # what is held does not turn
         if not asked:
             yield from ((edge, list(edge.conditions), edge.sets) for edge in node.edges)
             return
@@ -194,6 +200,43 @@ class _Walk:
                 for edge in node.edges:
                     if edge.watch is first and len(own := np.intersect1d(outcome.sets, edge.sets)):
                         yield edge, conditions, own
+
+    def _at_turn(self, way: WayToPhase, turn: TurnsBack, sets: Chosen) -> Iterator[HappeningCase]:
+        """What has come to rest goes back, by itself or in the next phase, or stays there at first."""
+        tree, phase = self.tree, way.last.phase
+        stops = [edge for edge in way.last.edges if len(self._resting(phase, edge, turn, sets))]
+        if not stops:
+            yield HappeningCase(True, way.conditions)
+        for edge in stops:
+            assert edge.first is not None
+            there = SymbolicState(phase.model, {**phase.still, **edge.first.zero.values})
+            before = tree.numbers(tree.to_home(phase, there.acceleration(turn.measure)))
+            for node in edge.nodes:
+                own = np.intersect1d(self._resting(phase, edge, turn, sets), node.sets)
+                drive = node.phase.start_instant.acceleration(turn.measure)
+                back = before * tree.numbers(tree.to_home(node.phase, drive)) > 0.0
+                nodes = (*way.nodes, replace(node, sets=own))
+                on = WayToPhase(nodes, (*way.edges, edge), (*way.conditions, *node.conditions))
+                if not len(own):
+                    continue
+                if back[own].all():
+                    yield HappeningCase(True, on.conditions)
+                elif not back[own].any():
+                    yield from self.cases(on)
+                else:
+                    yield HappeningCase(None, on.conditions)
+            if not edge.nodes:
+                yield HappeningCase(None, way.conditions, edge.stops)
+
+    def _resting(self, phase: Phase, edge: PhaseEnd, turn: TurnsBack, sets: Chosen) -> Chosen:
+        """For which of the sets what turns is at rest where a phase ends by a change of its contacts."""
+        if edge.first is None:
+            return sets[:0]
+        there = SymbolicState(phase.model, {**phase.still, **edge.first.zero.values})
+        begun = self.tree.numbers(self.tree.to_home(phase, there.acceleration(turn.measure)))
+        rate = self.tree.numbers(self.tree.to_home(phase, there.rate(turn.measure)))
+        own = np.intersect1d(sets, edge.sets)
+        return own[np.abs(rate[own]) <= ROUND_OFF * np.abs(begun[own])]
 
     def _at_last(self, end: PhaseEnd | None, way: WayToPhase) -> HappeningCase:
         """The last phase goes on for ever."""

@@ -19,7 +19,7 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
-from freebody.questions.event import QuestionEvent
+from freebody.questions.event import QuestionEvent, TurnsBack
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.witness import patience
 from freebody.study.phases.standing import feet_of
@@ -31,7 +31,10 @@ _LOOKS = 1500  # instants at which states are looked at
 # opens at once may be hundreds of bounces
 _TIMES = (0.02, 0.2, 2.0, 10.0)
 _LATE = 100.0  # [s] for which it is followed in the end, where that comes to an end
+_LATER = (10.0, 100.0)  # times as long, where it goes on so evenly that few steps led to there
+_FEW_STEPS = 300
 _STEPS = 50_000
+_TURNS = 150  # of the looks, at which it is seen whether a rate has turned
 _TOLERANCE = 1e-9
 _STILL = 1e-9  # [SI] of a slip that is none
 _SOON = 1e-7  # [s] in which what is there at once shows
@@ -54,7 +57,10 @@ def is_seen(system: System, happening: Happening, touching: frozenset[str], valu
         if seen.is_decided:
             return seen.is_so() == happening.is_so
     with suppress(CannotAnswer):
-        seen = _Seen(system, happening, slow * _LATE, touching, values)
+        for factor in (1.0, *_LATER):
+            seen = _Seen(system, happening, slow * _LATE * factor, touching, values)
+            if seen.is_decided or seen.course.n_steps > _FEW_STEPS:
+                break
     assert seen is not None
     if seen.limit < np.inf and not seen.is_decided:
         raise CannotAnswer(Message("the time that is asked about comes later than the simulated motion was followed"))
@@ -126,6 +132,8 @@ class _Seen:
         match asked:
             case Clock():
                 return np.inf if asked.time is None else self.simulator.reference.number(asked.time)
+            case TurnsBack():
+                return self._turned(asked)
             case QuestionEvent():
                 return min(
                     (e.time for e in self.course.events if e.name == asked.text and e.kind != "start"), default=np.inf
@@ -134,6 +142,26 @@ class _Seen:
                 return self._changes(asked)
             case _:
                 return np.inf
+
+    def _turned(self, asked: TurnsBack) -> float:
+        """The first of some looks at which the rate has another sign than when the measure set out."""
+        times, reference, engine = self.course.times, self.simulator.reference, self.simulator.engine
+        events = [e.time for e in self.course.events if e.name == asked.text]
+        behind = np.minimum(np.searchsorted(times, events) + 1, len(times) - 1)
+        looks = np.unique([*np.linspace(0, len(times) - 1, _TURNS).astype(int), *behind])
+
+        def rate(k: int) -> float:
+            q, v = map(reference.by_column, engine.coordinates(engine.state_at(self.course, k)))
+            return reference.snapshot(q, v, float(times[k])).rate(asked.measure)
+
+        sign = 0.0
+        for k in looks:
+            now = rate(int(k))
+            if abs(now) > _STILL:
+                sign = sign or np.sign(now)
+                if np.sign(now) != sign:
+                    return float(times[k])
+        return np.inf
 
     def _columns(self, names: tuple[str, ...], of: tuple[str, ...]) -> list[int]:
         return [k for k, name in enumerate(names) if not of or name.partition(".")[0] in of]
