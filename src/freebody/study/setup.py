@@ -50,6 +50,8 @@ _CLOSER = (1.0, 0.5, 0.2, 0.05)  # how far from the file's values draws on its b
 class Setup:
     """The symbolic model, the numeric draws, and what all questions share."""
 
+    _sides: Sequence[Ratio] = ()  # positive where the loops are assembled as in the formulas
+
     def __init__(self, system: System, n_draws: int = N_DRAWS, first: Draw | None = None) -> None:
         """first: the first of the draws, where that shall be a certain one."""
         self.system = system
