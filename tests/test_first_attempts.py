@@ -534,6 +534,7 @@ def test_words_that_a_file_may_have_are_read_in_python_too() -> None:
             "What is no field of a shape stands beside it: model.body(name, Rod(...), points=...)",
         ),
         (fb.Particle, {"weight": "3 N"}, "what has the weight W has the mass W/g"),
+        (fb.Contact, {"between": 3}, "Contact: between takes a list, between=[...]"),
     ],
 )
 def test_a_field_that_there_is_not_is_told_as_python_does(shape: Any, fields: dict[str, Any], told: str) -> None:
