@@ -96,7 +96,7 @@ def test_the_drawn_edge_of_an_eccentric_circle_is_a_circle() -> None:
             "roller_radius: 30 mm}}",
             "undercut: the path",
         ),
-        ("{cam: {cam: disk, follower: tappet, base_radius: a, lift: e}}", "along is the normal of a flat face"),
+        ("{cam: {cam: disk, follower: tappet, base_radius: a, lift: e}}", "a flat face needs its normal"),
         ("{cam: {cam: disk, follower: tappet, base_radius: a, lift: e, form: roller}}", "goes with form: roller"),
         ("{cam: {cam: disk, follower: tappet, base_radius: a, lift: e, form: round}}", "form is one of flat, edge"),
     ],

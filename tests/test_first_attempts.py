@@ -534,12 +534,26 @@ def test_words_that_a_file_may_have_are_read_in_python_too() -> None:
             "What is no field of a shape stands beside it: model.body(name, Rod(...), points=...)",
         ),
         (fb.Particle, {"weight": "3 N"}, "what has the weight W has the mass W/g"),
+        (fb.Contact, {"between": 3}, "Contact: between takes a list, between=[...]"),
     ],
 )
 def test_a_field_that_there_is_not_is_told_as_python_does(shape: Any, fields: dict[str, Any], told: str) -> None:
     with pytest.raises(TypeError) as found:
         shape(**fields)
     assert told in str(found.value)
+
+
+def test_a_model_is_asked_by_its_system_and_a_system_is_made_from_data() -> None:
+    model = fb.Model("Rod")
+    with pytest.raises(AttributeError, match=r"write model.system\(\).solve"):
+        model.solve()
+    with pytest.raises(TypeError, match="from_data"):
+        fb.System({"bodies": {}})
+    rod = model.body("rod", fb.Rod("2 kg", "1 m"))
+    with pytest.raises(TypeError, match=r"model.body\('rod', ..., points={'P': ...}\)"):
+        rod.point("P", [0, 0])
+    model.connect("pin", fb.Pin(model.ground.A, rod.start))
+    assert model.system().bodies["ground"].points.keys() >= {"A"}
 
 
 def test_what_has_to_be_called_says_so() -> None:
@@ -768,6 +782,82 @@ def test_what_is_thrown_from_no_place_that_is_given_lands_where_it_started() -> 
     assert thrown.solve("speed of ball when it lands").answers[0].value == pytest.approx(5)
     with pytest.raises(fb.FreebodyError):
         fb.System.from_text(model.format(velocity="")).solve("speed of ball when it lands")
+
+
+THROWN = """
+parameters: {v: 9 m/s, alpha: 55 deg, h: 1.1 m, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: 0.6 kg}, at: PLACE, velocity: [v*cos(alpha), v*sin(alpha)]}}
+loads: {weight: {gravity: g}}
+MEASURES
+"""
+
+
+@pytest.mark.parametrize("measures", ["", "measures: {x: x of ball, y: height of ball}"])
+@pytest.mark.parametrize(("place", "x", "y"), [("[0, 0]", 0.0, 0.0), ("[0, h]", 0.0, 1.1), ("[2 m, 0]", 2.0, 0.0)])
+def test_what_is_thrown_from_a_place_lands_at_the_height_zero(measures: str, place: str, x: float, y: float) -> None:
+    system = fb.System.from_text(THROWN.replace("PLACE", place).replace("MEASURES", measures))
+    up, along = 9 * math.sin(math.radians(55)), 9 * math.cos(math.radians(55))
+    t = (up + math.sqrt(up**2 + 2 * 9.81 * y)) / 9.81
+    asked = {"time of flight": t, "when does it hit the ground": t, "impact speed": math.sqrt(81 + 2 * 9.81 * y)}
+    if not (measures and x):
+        asked["range"] = along * t
+    for question, value in asked.items():
+        assert system.solve(question).answers[0].value == pytest.approx(value), question
+
+
+def test_what_is_let_fall_from_a_place_lands_at_the_height_zero() -> None:
+    text = (
+        THROWN.replace("PLACE", "[0, h]")
+        .replace("MEASURES", "")
+        .replace(", velocity: [v*cos(alpha), v*sin(alpha)]", "")
+    )
+    (answer,) = fb.System.from_text(text).solve("time of fall").answers
+    assert answer.value == pytest.approx(math.sqrt(2 * 1.1 / 9.81))
+
+
+# -- no measures at all -------------------------------------------------------------------------------
+FLYWHEEL = """
+parameters: {J: 3 kg m^2, n1: 300 rpm, n2: 260 rpm, M: 200 N m}
+bodies: {flywheel: {body: {inertia: J}, angular_velocity: n1}}
+connections: {axle: {pin: [ground.O, flywheel]}}
+loads: {shear: {torque: {on: flywheel, magnitude: -M}}}
+"""
+PUSHED = """
+parameters: {m: 3 kg, F: 12 N, mu: 0.2, g: 9.81 m/s^2, d: 4 m, v: 6 m/s}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {c: {slider: {body: block, along: floor, friction: mu}}}
+loads: {w: {gravity: g}, push: {force: {at: block, right: F}}}
+"""
+FALLING_ROD = """
+parameters: {m: 3 kg, L: 1 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}, angle: 90 deg, angular_velocity: SPIN}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {w: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "value"),
+    [
+        (FLYWHEEL, "time until the speed is n2", 3 * 40 * math.pi / 30 / 200),
+        (FLYWHEEL, "turns until the speed is n2", 3 * (300**2 - 260**2) * (math.pi / 30) ** 2 / 400 / math.tau),
+        (FLYWHEEL, "rpm of flywheel after 0.1 s", 10 * math.pi - 20 / 3),
+        (PUSHED, "time until the speed is v", 6 / (4 - 0.2 * 9.81)),
+        (PUSHED, "speed of block after it has moved d", math.sqrt(8 * (4 - 0.2 * 9.81))),
+        (FALLING_ROD.replace("SPIN", "-2 rad/s"), "angular velocity when the rod is horizontal", -math.sqrt(4 + 29.43)),
+        (FALLING_ROD.replace("SPIN", "2 rad/s"), "angular velocity when the rod is horizontal", math.sqrt(4 + 29.43)),
+        (FALLING_ROD.replace("SPIN", "-2 rad/s"), "angular velocity of rod at the bottom", -math.sqrt(4 + 58.86)),
+    ],
+)
+def test_a_single_body_may_be_asked_for_events_without_a_measure(model: str, question: str, value: float) -> None:
+    (answer,) = fb.System.from_text(model).solve(question).answers
+    assert answer.value == pytest.approx(value), answer.reason
+
+
+def test_the_revolutions_of_which_a_question_asks_are_told_in_their_unit() -> None:
+    (asked,) = fb.System.from_text(FLYWHEEL).asked("rpm of flywheel")
+    assert asked.in_unit == "rpm"
 
 
 def test_a_sprocket_is_a_disk() -> None:

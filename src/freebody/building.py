@@ -82,8 +82,13 @@ class Body(Place):
             raise AttributeError(name)
         return self.point(name)
 
-    def point(self, name: str) -> Place:
-        """One of its points by name: for names that are those of a method."""
+    def point(self, name: str, *place: object) -> Place:
+        """One of its points by name: for names that are those of a method. Raises TypeError for a place: the points of
+        a body are declared with it."""
+        if place:
+            raise TypeError(
+                f"a point is declared with its body: model.body({self.text!r}, ..., points={{{name!r}: ...}})"
+            )
         return Place(f"{self.text}.{name}")
 
     def angle(
@@ -153,6 +158,12 @@ class Model:
         self._questions: list[dict[str, Any]] = []
 
     time: Symbol = Symbol("t")
+    ground = Body("ground")
+
+    def __getattr__(self, name: str) -> Any:
+        """Who asks a model asks the system that it describes."""
+        meant = f": write model.system().{name}" if not name.startswith("_") and hasattr(System, name) else ""
+        raise AttributeError(f"a Model has no {name}{meant}")
 
     def parameters(self, **values: Formula) -> tuple[Symbol, ...]:
         """Parameters with their values, as quantities with units: m="2 kg". Returns a symbol for each, in order."""

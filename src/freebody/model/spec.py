@@ -255,6 +255,8 @@ def _told_in_python(kind: Any, fault: ErrorDetails) -> str:
     takes = ", ".join(kind.model_fields)
     if fault["type"] == "missing":
         return f"{kind.__name__} needs {field}; it takes {takes}"
+    if fault["type"] == "list_type":
+        return f"{kind.__name__}: {field} takes a list, {field}=[...]"
     if fault["type"] != "extra_forbidden":
         return f"{kind.__name__}: {field}: {fault['msg']}"
     if (instead := kind.elsewhere.get(field)) is not None:

@@ -298,7 +298,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         if rests and not can_change(names):
             return None  # nothing sticks where it stops: an event of a measure, whose rate is zero
         flies = not names.constraint_rows and (name is None or name in names.bodies)
-        if kind == "touches" and found.groupdict().get("on") is None and flies:
+        if kind == "touches" and flies and found.groupdict().get("on") not in {*names.bodies} - {GROUND}:
             return None  # what flies lands where it is told to, at no contact
         if name is None:
             if rests:

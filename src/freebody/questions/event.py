@@ -24,7 +24,8 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
-from freebody.measures.geometry import GROUND
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, RIGHT
 from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.base import NAME, POINT, Path, Quantity
 from freebody.questions.clock import ENDLESS, Clock, time_asked
@@ -175,10 +176,7 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
         state = names.states[what]
         return QuestionEvent(state.integral, 1, compared(names, stated, state.dimension, *path), text)
     if (of := quantity_of_instant(names, what, phrase, path)) is not None:
-        measure = next(iter(names.measures.values()), None)
-        if measure is None:
-            names.problem(Message("give the place of the motion a name among the measures first"), *path)
-            return None
+        measure = _any_measure(names)
         value = compared(names, stated, of.dimension, *path)
         if (place := of.place_of(names, value)) is not None:
             return QuestionEvent(place[0], 0, place[1], text)
@@ -214,14 +212,17 @@ def _extreme(names: Names, text: str, found: re.Match[str], path: Path) -> Extre
     if is_measure(names, what):
         measure = measure_of(names, what, *path)
         return None if measure is None else ExtremeEvent(measure, 0, Symbol(""), text, end, what, None)
-    of, measure = quantity_of_instant(names, what, what, path), next(iter(names.measures.values()), None)
+    of = quantity_of_instant(names, what, what, path)
     if of is None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
         return None
-    if measure is None:
-        names.problem(Message("give the place of the motion a name among the measures first"), *path)
-        return None
-    return ExtremeEvent(measure, 0, Symbol(""), text, end, what, of)
+    return ExtremeEvent(_any_measure(names), 0, Symbol(""), text, end, what, of)
+
+
+def _any_measure(names: Names) -> Measure:
+    """What stands for the place of a motion until that is found: a measure, or where a body is."""
+    body = next((b for b in names.bodies.values() if b.name != GROUND and not b.fixed), names.bodies[GROUND])
+    return next(iter(names.measures.values()), Displacement(body.center, names.ground_origin, RIGHT))
 
 
 def is_measure(names: Names, text: str) -> bool:

@@ -32,7 +32,7 @@ from freebody.system.reading.drawing import read_drawing
 from freebody.system.reading.ground import place_ground_points, place_joined_ground_points
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
-from freebody.system.reading.measures import read_measures
+from freebody.system.reading.measures import add_place_of_the_only_body, add_turned_at_start, read_measures
 from freebody.system.reading.nodes import with_pins_of_nodes
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.source import Source
@@ -104,6 +104,8 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     closed = {row.connection for row in held if row.closes}
     names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
+    add_place_of_the_only_body(names, held, offered)
+    add_turned_at_start(names)
     questions = read_questions(names, source.data.get("questions"))
     looks = read_drawing(source, {*measures, *connections, *loads})
     style = read_style(source)

@@ -32,6 +32,12 @@ class System(SystemDescription):
 
     __hash__ = SystemDescription.__hash__
 
+    def __new__(cls, *data: object, **_fields: object) -> Self:
+        """Made by `load`, `from_text` or `from_data`. Raises TypeError where it is called with what these take."""
+        if data:
+            raise TypeError(f"write {cls.__name__}.from_data(...), or load(...) for a file")
+        return super().__new__(cls)
+
     # -- making -------------------------------------------------------------------------------
     @classmethod
     def load(cls, path: str | Path) -> Self:

@@ -63,8 +63,9 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         is_turning = dimensions.is_turning_speed(value, names)
         found = (lookup.angles if is_turning else lookup.places)(names, who)
         yield going_at(names, who, value, found)
-        if is_turning and not found and names.measures and who in lookup.turning(names):  # of which none is measured
-            yield [f"angular velocity of {who} = {value}"]
+        able = lookup.turning(names) if is_turning else lookup.moving(names)
+        if not found and (who in able or (not who and len(able) == 1)):  # of which none is measured
+            yield [f"{'angular velocity' if is_turning else 'speed'} of {who or able[0]} = {value}"]
         return
     if dimensions.is_time(value, names):
         return

@@ -14,8 +14,8 @@ from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
-from freebody.measures.geometry import GROUND, ZERO
-from freebody.model.elements import VALUE
+from freebody.measures.geometry import GROUND, ZERO, Components
+from freebody.model.elements import VALUE, RigidBody
 
 FORCED = ("steady amplitude", "phase lag", "resonance frequency", "magnification factor")
 STRETCHED = ("extension", "compression")  # quantities of what is longer, or shorter, than without force
@@ -264,19 +264,53 @@ def falling(names: Names, body: str) -> list[str]:
         if rests(names) and all(own.start.velocity is None for own in names.bodies.values())
         else heights(names, body)
     )
-    begun = [name for name, _ in thrown if name in names.started_at_zero or _is_thrown_from_zero(names, name)]
-    return [name for name, sense in heights(names, body) if name in begun or (name in above and sense > 0)]
+    begun = [name for name, _ in thrown if name in names.started_at_zero or _put_at(names, name) == 0.0]
+    above += [name for name, sense in heights(names, body) if sense * (_put_at(names, name) or 0.0) > 0.0]
+    found = [name for name, sense in heights(names, body) if name in begun or (name in above and sense > 0)]
+    return found or [f"height of {name}" for name in flying(names, body) if not heights(names, name)]
 
 
-def _is_thrown_from_zero(names: Names, measure: str) -> bool:
-    """Whether it is where a body is that nothing holds, of which the file gives a velocity and no place."""
+def flying(names: Names, body: str) -> list[str]:
+    """Bodies that nothing holds, or the one of a name among them, that are thrown from the height zero or are above it
+    at the start."""
+    found: list[str] = []
+    for name in [body] if body in names.bodies else moving(names):
+        height = _place_along(names, names.bodies[name], names.up)
+        thrown = names.bodies[name].start.velocity is not None
+        if not _is_held(names, name) and height is not None and (height > 0.0 or (height == 0.0 and thrown)):
+            found.append(name)
+    return found
+
+
+def starts_aside(names: Names, body: str) -> bool:
+    """Whether a body is put elsewhere than above the origin."""
+    return _place_along(names, names.bodies[body], names.compass["right"].components) != 0.0
+
+
+def _is_held(names: Names, body: str) -> bool:
+    return any(body in connection.mentions(names) for connection in names.connections.values())
+
+
+def _place_along(names: Names, body: RigidBody, along: Components) -> float | None:
+    """How far along a direction of the ground the file puts the reference point of a body, zero where it does not."""
+    if body.start.at is None:
+        return 0.0
+    point, place = body.start.at
+    parts = [names.numeric(c * e) for c, e in zip(place, along, strict=False)]
+    return None if body.points[point] != body.center.offset or None in parts else sum(p for p in parts if p is not None)
+
+
+def _put_at(names: Names, measure: str) -> float | None:
+    """Where a displacement of a body from the origin starts, by the place that the file gives the body; None where
+    something holds that, where the start says it otherwise, and of a body without velocity and place."""
     way = names.measures[measure]
-    if not isinstance(way, Displacement) or measure in names.placed_at_start:
-        return False
-    start = names.bodies[way.of.body].start
-    is_held = any(way.of.body in connection.mentions(names) for connection in names.connections.values())
-    is_plain = way.origin.offset == names.origin and way.of.offset == names.bodies[way.of.body].points["mass_center"]
-    return is_plain and not is_held and start.velocity is not None and start.at is None
+    if not isinstance(way, Displacement) or measure in names.placed_at_start or _is_held(names, way.of.body):
+        return None
+    body = names.bodies[way.of.body]
+    is_plain = way.origin.offset == names.origin and way.of.offset == body.center.offset
+    if not is_plain or (body.start.velocity is None and body.start.at is None):
+        return None
+    return _place_along(names, body, way.along.components)
 
 
 def rises(names: Names, measure: str, sense: int) -> bool:

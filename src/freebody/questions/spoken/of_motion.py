@@ -243,10 +243,15 @@ def _of_flight(names: Names, quantity: str, rest: Clause) -> Groups:
     named = [name for _, name in rest.names if name != GROUND and name not in names.bodies[GROUND].lines]
     of = next(iter(named), "")
     if rest.only("name", *SILENT) and len(named) <= 1 and (not of or of in lookup.moving(names)):
-        heads = lookup.level(names, of) if quantity == "horizontal range" else ["time"]
-        heads = heads if lookup.flies(names, of) else []
+        is_far = quantity == "horizontal range"
+        heads = lookup.level(names, of) if is_far else ["time"]
+        flying = [] if names.space else lookup.flying(names, of)
+        heads = heads if flying or lookup.flies(names, of) else []
+        heads = heads or [f"x of {name}" for name in flying if is_far]
         yield [f"{head} when it lands" for head in heads] if joining.strikes(names) else []
-        yield [f"{head} when {height} = 0" for head in heads for height in lookup.falling(names, of)]
+        aside = is_far and any(lookup.starts_aside(names, name) for name in flying)
+        told = "change of {} until" if aside else "{} when"
+        yield [f"{told.format(head)} {height} = 0" for head in heads for height in lookup.falling(names, of)]
 
 
 @said_of("equation of motion")

@@ -235,7 +235,7 @@ def begins_standing(names: Names) -> bool:
 
 def level(names: Names, body: str) -> list[str]:
     """The condition that something is horizontal: from a start aslant whichever way comes first, else on the side to
-    which its angle counts; none for what starts so."""
+    which it is pushed, or its angle counts; none for what starts so."""
     found: list[str] = []
     for going in _going(names, body):
         both = sorted(going.value(pointing) for pointing in (0.0, 180.0))
@@ -247,6 +247,9 @@ def level(names: Names, body: str) -> list[str]:
                 function = "cos" if _is_upright(going.offset) else "sin"
                 found.append(f"{function}({going.measure}) = 0")
             continue
+        rate = names.numeric(names.start_rates.get(going.measure, ZERO))
+        if start is not None and rate:  # upright, and pushed to one side
+            both = [math.degrees(start) + (90.0 if rate > 0.0 else -90.0)]
         found += [f"{going.measure} = {_told(value)}" for value in both[-1:] if _is_told(value)]
     return found
 

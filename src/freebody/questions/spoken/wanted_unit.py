@@ -30,6 +30,9 @@ _EACH_MINUTE = re.compile(
     re.IGNORECASE,
 )
 ACCELERATES = re.compile(r"(?:ac|de)celerat|brak(?:e|ing)|beschleunig|verzöger|brems", re.IGNORECASE)  # told in g
+
+
+_RPM = re.compile(r"^(?:(?:what is|find) )?(?:the )?rpm (?=of )", re.IGNORECASE)  # a quantity by its unit
 _STOP = ".:"  # behind a unit, and no part of it
 _WORD = re.compile(r"[^\W\d_]+")
 _POWER = re.compile(r"(?<=[a-z])(?P<power>[23])(?!\w)")  # m/s2
@@ -51,6 +54,9 @@ def without_units(text: str, named: Container[str]) -> tuple[str, tuple[str, ...
         units.append("1/min")
         return f"{found['often']} {'second' if found['english'] else 'Sekunde'}"
 
+    if "rpm" not in named and (found := _RPM.match(text)):
+        text = f"angular velocity {text[found.end() :]}"
+        units.append("rpm")
     text, at = _EACH_MINUTE.sub(of_a_minute, _IN_BRACKETS.sub(bracketed, text)), 0
     while found := _BEHIND_IN.search(text, at):
         at = found.start("unit")

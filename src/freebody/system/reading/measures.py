@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, cast
 
+from freebody.language.expression import ZERO, add, negate
 from freebody.language.sentences import Message
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND
+from freebody.model.elements import ConstraintRow
 from freebody.model.named_angles import angles_of
+from freebody.model.names import Names
 from freebody.model.phrases import read_measure
 from freebody.system.reading.source import Source
 
@@ -64,3 +69,35 @@ def _named_angles(source: Source) -> None:
                         )
                     )
                 names.measures[name] = measure
+
+
+def add_place_of_the_only_body(
+    names: Names, rows: Iterable[ConstraintRow], offered: Sequence[tuple[str, Measure]]
+) -> None:
+    """Where a file names no measure and a single body moves in the plane in one way: what tells where that is, under
+    the name that it has as a coordinate. Questions and events may speak of it."""
+    moving = [body for body in names.bodies.values() if body.name != GROUND and not body.fixed]
+    if names.measures or names.space or len(moving) != 1:
+        return
+    (body,) = moving
+    held = sum(body.name in row.measure.bodies() and not row.unilateral for row in rows)
+    found: dict[str, Measure] = {}
+    if held == (2 if body.turns else 1):
+        found = {f"theta_{body.name}": Angle(body.name)} if not offered and body.turns else dict(offered)
+    if len(found) == 1 and not found.keys() & names.parameters.keys():
+        names.measures = {**names.measures, **found}
+
+
+def add_turned_at_start(names: Names) -> None:
+    """The value and the rate with which an angle starts whose body says how it is turned and turns."""
+    for name, measure in names.measures.items():
+        if not isinstance(measure, Angle) or measure.origin != GROUND or names.space:
+            continue
+        start = names.bodies[measure.of].start
+        if start.angle is not None and name not in names.placed_at_start:
+            value = add(start.angle, negate(measure.reference))
+            names.placed_at_start[name] = value
+            names.started_at_zero |= {name} if value == ZERO else set()
+            names.starts_away |= value != ZERO
+        if start.angular_velocity is not None:
+            names.start_rates = {name: start.angular_velocity, **names.start_rates}
