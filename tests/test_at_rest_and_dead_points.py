@@ -160,11 +160,11 @@ def test_a_ratio_that_changes_sign_with_the_sense_is_none_at_rest() -> None:
     ("text", "question"),
     [
         (CRANK, "acceleration of x at the dead points"),
-        (CRANK, "x at the inner dead point"),
         (CRANK, "horizontal reaction of B on piston at the dead points"),
         (BARS, "phi at the dead points"),
         (PRESS, "mechanical advantage of die to hand at start"),
         (PRESS, "ratio of velocity of x to velocity of psi at start"),
+        (CRANK, "x at the inner dead point"),
     ],
 )
 def test_it_is_derived(text: str, question: str) -> None:

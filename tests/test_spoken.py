@@ -428,6 +428,8 @@ MORE |= {
     "capstan": [("What holding force is required?", "range of F that keeps it at rest")],
     "cart_and_pendulum": [("reaction left of the hinge", "")],
     "dominoes": [("does the first domino knock over the second", "")],
+    "tumbling_cube": [("time until the cube hits the table", "time when cube hits")],
+    "saturated_servo": [("settling time", "")],  # which is not when it first turns back
     "hydraulic_lift": [("Kraft F im Gleichgewicht", "range of F that keeps it at rest")],
     "rack_and_pinion_drive": [
         (

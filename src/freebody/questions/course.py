@@ -405,14 +405,15 @@ def connections_of(names: Names, name: str, path: Path) -> tuple[str, ...]:
 
 
 def _touching(names: Names, name: str, path: Path) -> tuple[str, ...]:
-    """The connections of a name, or those that touch the body or the line of the ground of that name."""
-    if name not in names.connections and name in names.bodies[GROUND].lines:
+    """The connections of a name, or those that touch the body, or the line or plane of the ground, of that name."""
+    ground = names.bodies[GROUND]
+    if name not in names.connections and (name in ground.lines or name in ground.planes):
         return tuple(connection for connection in names.connections if names_line(names, connection, name))
     return connections_of(names, name, path)
 
 
 def names_line(names: Names, connection: str, line: str) -> bool:
-    """Whether a connection is told to be with a line of the ground."""
+    """Whether a connection is told to be with a line, or a plane, of the ground."""
     fields: dict[str, Any] = vars(names.connections[connection])
     lists = (cast("list[Any]", [*value] if isinstance(value, (list, tuple)) else [value]) for value in fields.values())
     return any(isinstance(value, str) and value.removeprefix(f"{GROUND}.") == line for one in lists for value in one)

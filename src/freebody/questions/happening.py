@@ -260,7 +260,9 @@ def _of(names: Names, found: dict[str, str | None], path: Path) -> tuple[str, ..
     of, on = connections_of(names, found["of"], path), found.get("on")
     if on is None:
         return of
-    if any(on in body.lines for body in names.bodies.values()):  # of a body, its string is not meant
+    if any(
+        on in body.lines or on in body.planes for body in names.bodies.values()
+    ):  # of a body, its string is not meant
         return tuple(connection for connection in of if names_line(names, connection, on)) or of
     other = connections_of(names, on, path)
     both = tuple(connection for connection in of if connection in other)
