@@ -254,6 +254,8 @@ def balanced_by_a_load(setup: Setup) -> tuple[System, str] | None:
     system, model = setup.system, setup.model
     if len(model.coordinates) != 1 or (at := _still_start(setup)) is None:
         return None
+    if not model.dynamics.moves_no_mass and model.coordinates[0].name not in system.start:
+        return None  # nobody said that this is the pose of rest
     f = model.field
     still = at | {c.speed: f.zero for c in (*model.coordinates, *model.dependent)}
     force = f.lowest_terms(f.follow(model.dynamics.generalized_force(model.coordinates[0]), still))
