@@ -603,3 +603,13 @@ def test_a_volume_is_lifted_as_long_as_it_is_in_the_water(agrees: Callable[..., 
     assert "Not valid for the given numbers" in " ".join(late.notes)
     nowhere = fb.System.from_text(IMMERSED.replace(", surface: ground.water", ""))
     assert not any("in the water" in c for c in nowhere.solve("acceleration of y")["q1"].conditions)
+
+
+@pytest.mark.parametrize(("given", "n"), [("", 1), (", length: 1 m", 0), (", preload: 5 N", 0)])
+def test_a_spring_without_a_length_is_said_to_be_relaxed_at_the_start(given: str, n: int) -> None:
+    system = fb.System.from_text(
+        "bodies: {b: {particle: {mass: 1 kg}, at: [1 m, 0]}}\n"
+        f"loads: {{s: {{spring: {{first: ground.A, second: b, stiffness: 5 N/m{given}}}}}}}\n"
+    )
+    said = [text for text in system.assumptions if "relaxed" in text]
+    assert said == ["the spring from ground.A to b is relaxed at the start"] * n

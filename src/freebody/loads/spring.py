@@ -73,6 +73,11 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         if natural is None:
             stretch = Combination(((ONE, distance),), LENGTH)
             pull = ZERO if self.preload is None else names.formula(self.preload, FORCE, "preload")
+            told = Message(
+                "the spring from {first} to {second} is relaxed at the start", first=self.first, second=self.second
+            )
+            if self.preload is None and told not in names.assumptions:
+                names.assumptions.append(told)
             return [AppliedLoad("", stretch, negate(multiply(k, VALUE) + pull))]
         stretch = Composed(Symbol("@length") - natural, (("@length", distance),), LENGTH)
         return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
