@@ -26,9 +26,8 @@ from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, e
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NO_FORM, Elements, Finding
 from freebody.study.mobility.dead_points import DeadPoint, dead_points, needs_of_reversal
-from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.linkages import at_ground, linkages
-from freebody.study.mobility.loop_questions import loop_draws
+from freebody.study.mobility.loop_questions import four_links, is_single_loop, loop_draws
 from freebody.study.setup import Setup
 from freebody.study.steady.round_turn import DrawnTurn, extremes_in_numbers, time_ratio_in_numbers
 from freebody.symbolic.closure import explicit
@@ -91,9 +90,8 @@ def _reversals(setup: Setup, q: Extremes, crank: Angle, names: Sequence[str], en
     """Raises CannotAnswer where there are none of them, or what follows the output has no formula."""
     system, f = setup.system, setup.model.field
     own = frozenset(names) - {GROUND}
-    front = setup if own == {b.name for b in system.moving} else Setup(cut_out(system, own))
-    (loop,) = linkages(front.system)
-    links = FourLinks(front, loop)
+    front = setup if is_single_loop(system) else Setup(cut_out(system, own))
+    links = four_links(front)
     if links.crank != crank.of:
         raise CannotAnswer(Message("{link} does not turn fully", link=crank.of))
 
