@@ -202,14 +202,12 @@ class RangeSearch(TruthInNumbers):
 
     def _between(self, numbers: Mapping[int, Any], a: float, b: float, draw: Draw) -> bool | NotKnown:
         """Whether it holds between two ends. Raises CannotAnswer where it does so at some places only."""
-        seen, unknown = set[bool](), None
+        seen = set[bool]()
         for value in self.places_between(a, b):
             try:
                 seen.add(self.is_true(numbers, value, draw=draw))
             except NotKnown as error:
-                unknown = error
-        if unknown is not None:
-            return unknown
+                return error
         if len(seen) > 1:
             raise CannotAnswer(Message("where that holds has ends for which no closed form was found"))
         return seen.pop()
