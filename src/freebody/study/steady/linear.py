@@ -110,8 +110,8 @@ class Linear:
 def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
     """The steady motion of the start, as general as possible: in any pose with any rates; in the pose of the start;
     with one rate such that it is steady; at the place nearest to it at which it is steady with its rates; as it is;
-    with a rate that the start has at zero. Else what is zero, or a quarter of a turn, stays so, and so does what is
-    given (`SteadyMotion.asked`)."""
+    where something is given, with a rate that the start has at zero. Else what is zero, or a quarter of a turn, stays
+    so, and so does what is given (`SteadyMotion.asked`)."""
     model, start, given = setup.model, setup.start, steady.given
     bound = [d.name for d in model.dependent if d.index in steady.needed]
     if bound:
@@ -154,7 +154,7 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
     left = _unbalanced(exact)
     if not left:
         return exact
-    for place in places:
+    for place in places if given else []:
         for zero in (c.speed for c in steady.cyclic if c.speed in rates and c.speed not in given):
             others = {c: x for c, x in rates.items() if c != zero}
             begun = _solved_for(Linear(steady, place, others, put), zero)
