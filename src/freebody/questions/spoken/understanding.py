@@ -2,68 +2,50 @@
 
 from __future__ import annotations
 
-import difflib
 import re
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
 from itertools import islice
-from typing import TYPE_CHECKING, Protocol, TypeVar
+from typing import TYPE_CHECKING
 
 from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
-from freebody.questions.spoken import strings
 from freebody.questions.spoken.accounting import loses_quantity
-from freebody.questions.spoken.assumed import what_does_not_hold, without_what_holds
+from freebody.questions.spoken.assumed import what_does_not_hold
 from freebody.questions.spoken.bounces import as_third, at_nth
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
-from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import is_kept, loses_joint
 from freebody.questions.spoken.kinds import is_of_kind
-from freebody.questions.spoken.lexicon import (
-    MARKED,
-    Word,
-    contexts,
-    languages,
-    phrases_at,
-    several,
-    stands_for_all,
-    translated,
-)
-from freebody.questions.spoken.meaning import meanings
-from freebody.questions.spoken.naming import Elements, elements_of, linked
-from freebody.questions.spoken.numerals import in_digits
+from freebody.questions.spoken.lexicon import Word, languages, several
+from freebody.questions.spoken.naming import Elements, elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
-from freebody.questions.spoken.own_axles import about_own_axles
-from freebody.questions.spoken.several import each_of, of_rivals, paired, parts, sides_of
+from freebody.questions.spoken.several import each_of, of_rivals, parts, sides_of
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
-from freebody.questions.spoken.symbols import parameter_asked, spelt_out
-from freebody.questions.spoken.wanted_unit import without_units
-from freebody.questions.spoken.weights import in_weights, without_gs
-from freebody.questions.spoken.words import Unknown, in_own_letters, respelt, words_of, written_out
+from freebody.questions.spoken.symbols import parameter_asked
+from freebody.questions.spoken.unread import (
+    Asked,
+    AskedT,
+    Unread,
+    condition_in_words,
+    each_value,
+    is_misspelt,
+    is_of_an_instant,
+    is_of_kinds,
+    is_of_words,
+    is_specific,
+    leave_open,
+    read_quietly,
+    unknown_parameters,
+)
+from freebody.questions.spoken.ways import concepts, spelt_as_known, ways_to_mean, what_is_near, with_own_letters
+from freebody.questions.spoken.weights import without_gs
+from freebody.questions.spoken.words import written_out
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-    from freebody.questions.base import Quantity
-
-
-class Asked(Protocol):
-    """What is asked for, as far as it is looked at here."""
-
-    @property
-    def quantity(self) -> Quantity: ...
-    @property
-    def event(self) -> object | None: ...
-    @property
-    def transition(self) -> object | None: ...
-    @property
-    def at_start(self) -> bool: ...
-
-
-AskedT = TypeVar("AskedT", bound=Asked)
 
 # along a direction at an instant, in the order of the grammar
 _TIMED_ALONG = re.compile(
@@ -73,35 +55,11 @@ _TIMED_ALONG = re.compile(
 _WHAT_IS = re.compile(
     r"^(?:what(?:[’' ]s| is| are)|find|determine|calculate|compute|give|tell) (?:me )?(?:the )?", re.IGNORECASE
 )
-_APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
-_LEAST_LIKE = 0.9  # of the beginning of a text to a form of the grammar
-_SHORTEST_WORD = 4  # letters of a word that may not be a symbol
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
 _OF_EVERY_TURN = ("repeated motion", "small motion", "structure")
 _TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
-_GENERAL = {"askable", "form", "forms"}  # what messages list where nothing of a text could be read
-
-
-@dataclass(frozen=True)
-class Meaning:
-    """One way in which the names of a text can be meant.
-
-    texts: in the words of the grammar, as they are tried in turn, each with all elements that the model has for what is
-    not named; distance: how far the names are from those written; words: what its words mean, one after the other, and
-    before them the bodies whose names are taken for what only describes another thing: the ball on the beam."""
-
-    texts: Iterator[list[str]]
-    distance: int
-    words: tuple[Word, ...]
-
-
-@dataclass(frozen=True)
-class Unread:
-    """Why the grammar does not read a text."""
-
-    problems: list[Problem]
 
 
 def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
@@ -126,12 +84,12 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if (put := _TIMED_ALONG.sub(r"\g<of> \g<along> \g<at>", text)) != text:
         del names.problems[n_before:]
         return understood(names, put, read)
-    if JOINT in text and not isinstance(each := _read_quietly(names, text, read), Unread):
+    if JOINT in text and not isinstance(each := read_quietly(names, text, read), Unread):
         del names.problems[n_before:]
         return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
-    if (put := _in_own_letters(names, written_out(text))) != text:
+    if (put := with_own_letters(names, written_out(text))) != text:
         return understood(names, put, read)
     if (asked := without_context(names, elements_of(names), text)) != text:
         return understood(names, asked, read)
@@ -147,7 +105,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if not nearest and not instead:
         instead = _lacking(names, text, read)
     if not nearest and not instead:
-        right = {language: _respelt(names, text, language) for language in languages()}
+        right = {language: spelt_as_known(names, text, language) for language in languages()}
         for said in dict.fromkeys(other for other in right.values() if other != text):
             nearest = nearest or _nearest(names, said, read)[0]
             if not nearest and (parted := _several(names, said, read)):
@@ -160,7 +118,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, passing, read)
     if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
         return []
-    strange = {*not_understood(names.parameters, elements_of(names), text)} & _unknown_parameters(told)
+    strange = {*not_understood(names.parameters, elements_of(names), text)} & unknown_parameters(told)
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
@@ -171,27 +129,25 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         names.problem(slips, "find")
     elif (
         instead
-        or (_is_specific(told) and not (_is_of_kinds(names, told) or _condition_in_words(told)) and not strange)
-        or _is_misspelt(told, text)
+        or (is_specific(told) and not (is_of_kinds(names, told) or condition_in_words(told)) and not strange)
+        or is_misspelt(told, text)
     ):
-        names.problems += (
-            told if _is_specific(told) and not (_is_of_words(names, told) and instead) else instead or told
-        )
+        names.problems += told if is_specific(told) and not (is_of_words(names, told) and instead) else instead or told
     else:
         fits = suggestions(
             names,
-            " ".join((text, *_concepts(names, text))),
-            _near(names, text),
+            " ".join((text, *concepts(names, text))),
+            what_is_near(names, text),
             lambda question: (
                 None
-                if isinstance(asked := _read_quietly(names, question, read), Unread)
+                if isinstance(asked := read_quietly(names, question, read), Unread)
                 or not _have_instants(question, asked)
                 else asked
             ),
         )
         askable = "\n    ".join(fits)
         none = Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable)
-        condition = _condition_in_words(told)
+        condition = condition_in_words(told)
         is_strange = absent(elements_of(names), text) or not_understood(names.parameters, elements_of(names), text)
         if condition and not is_strange:
             none = Message(
@@ -208,7 +164,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             )
         elif given := parameter_asked(names.parameters, text):
             turned = (f"value of {given} for which {question} = 0" for question in fits)
-            turned = (one for one in turned if _is_of_an_instant(_read_quietly(names, one, read)))
+            turned = (one for one in turned if is_of_an_instant(read_quietly(names, one, read)))
             none = Message(
                 "{name} is a parameter of the model. Ask for the value of it with which something is so, or for "
                 "what follows from it\n    {askable}",
@@ -230,7 +186,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
 def _asked_plainly(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What a text asks for that only begins with what is the ..., before words of the grammar."""
     words = _WHAT_IS.sub("", text).rstrip("?!. ")
-    found = None if words == text.rstrip("?!. ") else _read_quietly(names, words, read)
+    found = None if words == text.rstrip("?!. ") else read_quietly(names, words, read)
     return [] if found is None or isinstance(found, Unread) else [(found[0], words)]
 
 
@@ -249,7 +205,7 @@ def _in_multiples(names: Names, text: str, unit: str, read: Callable[[str], Aske
     """What a text asks for, over what it is to be told in."""
     with names.quietly():
         found = understood(names, text, read)
-    each = [(_read_quietly(names, words, read), words) for words in (f"({said})/({unit})" for _asked, said in found)]
+    each = [(read_quietly(names, words, read), words) for words in (f"({said})/({unit})" for _asked, said in found)]
     read_all = [(one, words) for asked, words in each if not isinstance(asked, Unread) for one in asked]
     return read_all if len(read_all) == len(found) else []
 
@@ -268,7 +224,7 @@ def _compared(
         each = [words for _asked, words in both] if len(both) == len(sides) else each
     if len(each) == len(sides):
         words = f"which is greater, {each[0]} or {each[1]}"
-        if not isinstance(asked := _read_quietly(names, words, read), Unread):
+        if not isinstance(asked := read_quietly(names, words, read), Unread):
             return [*zip(asked, (words,), strict=True)]
     lacking = Message(
         "cannot read '{text}': of each of both say what it is, as in: which is greater, {first} or {second}",
@@ -276,7 +232,7 @@ def _compared(
         first="speed of a",
         second="speed of b",
     )
-    if _is_specific(told):
+    if is_specific(told):
         names.problems += told
     else:
         names.problem(lacking, "find")
@@ -288,7 +244,7 @@ def _words(names: Names, text: str, read: Callable[[str], AskedT | None]) -> str
     found = _one(names, text, read)
     if found:
         return found[0][1] if len(found) == 1 else ""
-    return "" if isinstance(_read_quietly(names, f"which is greater, {text} or {text}", read), Unread) else text
+    return "" if isinstance(read_quietly(names, f"which is greater, {text} or {text}", read), Unread) else text
 
 
 def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
@@ -335,7 +291,7 @@ def _fits_event(asked: Asked) -> bool:
 def _one(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What a text asks for that can be meant in one way only."""
     text = text.rstrip(" ?!")
-    plain = _read_quietly(names, text, read)
+    plain = read_quietly(names, text, read)
     if not isinstance(plain, Unread):
         return [*zip(plain, text.split(JOINT), strict=True)]
     nearest, _ = _nearest(names, text, read)
@@ -415,17 +371,17 @@ def _nearest(
     instead: list[Problem] = []
     tried_at = 0
     plain: tuple[Word, ...] | None = None  # the words of the nearest meaning: no name is taken for a quantity in it
-    for meaning in _meanings(names, text):
+    for meaning in ways_to_mean(names, text):
         plain = meaning.words if plain is None else plain
         if distance is not None and meaning.distance > distance:
             break
-        if distance is None and meaning.distance > tried_at and _leave_open(instead):
+        if distance is None and meaning.distance > tried_at and leave_open(instead):
             break  # which of several values is meant says no other name that the words may be
         tried_at = meaning.distance
         lacking: list[Problem] = []
         open_ = ""
         for wordings in meaning.texts:
-            tried = {words: _read_quietly(names, words, read) for words in wordings}
+            tried = {words: read_quietly(names, words, read) for words in wordings}
             here = {words: asked for words, asked in tried.items() if not isinstance(asked, Unread)}
             here = {words: asked for words, asked in here.items() if _have_instants(words, asked)}
             here = {words: asked for words, asked in here.items() if is_kept(names, meaning.words, words)}
@@ -437,208 +393,33 @@ def _nearest(
                 nearest |= {words: asked for words, asked in here.items() if asked not in nearest.values()}
                 break
             for words, asked in tried.items():
-                if not lacking and isinstance(asked, Unread) and _is_specific(asked.problems):
+                if not lacking and isinstance(asked, Unread) and is_specific(asked.problems):
                     lacking, instead = asked.problems, instead or asked.problems
-                    open_ = JOINT.join(_each_value(names, words, lacking))
+                    open_ = JOINT.join(each_value(names, words, lacking))
         else:
             if open_ and is_kept(names, meaning.words, open_):
                 left_open.setdefault(open_, meaning.distance)
     for words, at in left_open.items():
         distance = at if distance is None else distance
-        asked = _read_quietly(names, words, read)
+        asked = read_quietly(names, words, read)
         if at == distance and not isinstance(asked, Unread) and asked not in nearest.values():
             nearest[words] = asked
     return nearest, instead
 
 
-def _read_quietly(names: Names, text: str, read: Callable[[str], AskedT | None]) -> tuple[AskedT, ...] | Unread:
-    """What words of the grammar ask for, of one thing or of several, or why they ask for nothing."""
-    with names.quietly():
-        n_before = len(names.problems)
-        found = [read(one) for one in text.split(JOINT)]
-        asked = tuple(one for one in found if one is not None)
-        is_read = len(asked) == len(found) and len(names.problems) == n_before
-        return asked if is_read else Unread(names.problems[n_before:])
-
-
-def _is_of_an_instant(found: tuple[AskedT, ...] | Unread) -> bool:
-    """Whether the value of a parameter is asked for with which a quantity has a value at one instant."""
-    if isinstance(found, Unread) or len(found) != 1 or (wanted := found[0].quantity.wanted) is None:
-        return False
-    return wanted.of.scope == "instant"
-
-
-def _is_specific(problems: list[Problem]) -> bool:
-    """Whether they say more than that nothing of a text can be read."""
-    return any(not (isinstance(p.message, Message) and _GENERAL & p.message.arguments.keys()) for p in problems)
-
-
-def _unknown_parameters(problems: list[Problem]) -> set[str]:
-    """Words that they take for parameters, which the file lacks: after lunch. What is too short for a word is none."""
-    told = [p.message for p in problems if isinstance(p.message, Message) and " is not a parameter" in p.message]
-    named = {str(message.arguments.get("name", "")) for message in told}
-    return {name for name in named if name.isalpha() and name.islower() and len(name) >= _SHORTEST_WORD}
-
-
-def _leave_open(problems: list[Problem]) -> bool:
-    """Whether they say that what is asked has several values."""
-    return len(problems) == 1 and " has several values of " in problems[0].message
-
-
-def _each_value(names: Names, words: str, problems: list[Problem]) -> list[str]:
-    """A question about a string, whose parts have tensions of their own, for each of them."""
-    if not _leave_open(problems) or not isinstance(told := problems[0].message, Message) or told.arguments["at"]:
-        return []
-    head = f"{told.arguments['what']} of {told.arguments['of']}"
-    each = [f"{head} {span}" for span in strings.spans(names, str(told.arguments["of"]))]
-    return [words.replace(head, one) for one in each] if words.count(head) == 1 else []
-
-
-def _is_of_words(names: Names, problems: list[Problem]) -> bool:
-    """Whether they take words for names, as in `the string`, or for a condition: the way to mean them says more."""
-    messages = [p.message for p in problems if isinstance(p.message, Message)]
-    return any(m.startswith("cannot read the condition") for m in messages) or _is_of_kinds(names, problems)
-
-
-def _condition_in_words(problems: list[Problem]) -> str:
-    """The condition that is not read, where it is one in words: the drum turns. Of an equation it is told as it is."""
-    messages = [p.message for p in problems if isinstance(p.message, Message)]
-    read = [str(m.arguments["text"]) for m in messages if m.startswith("cannot read the condition")]
-    return next((text for text in read if not re.search("[=<>]", text)), "")
-
-
-def _is_of_kinds(names: Names, problems: list[Problem]) -> bool:
-    """Whether they take words for kinds of things, or for all there is, for names: the wheel, the gears."""
-    kinds = set[str]().union(*(element.words for element in elements_of(names).exact.values()))
-    kinds -= {*names.bodies, *names.connections, *names.loads}
-    named = [m.arguments for p in problems if isinstance(m := p.message, Message) and "hint" in m.arguments]
-    return any(str(x) in kinds or stands_for_all(str(x)) for arguments in named for x in arguments.values())
-
-
-def _is_misspelt(problems: list[Problem], text: str) -> bool:
-    """Whether they say which form of the grammar a text is like, and it is one word, or begins but for a slip as it."""
-    forms = [str(p.message.arguments["form"]) for p in problems if isinstance(p.message, Message) and _has_form(p)]
-    openings = [re.split(r" (?=[A-Z]{2})", form)[0].removesuffix(" of") for form in forms]
-    begun = [difflib.SequenceMatcher(None, opening, text[: len(opening)]).ratio() for opening in openings]
-    return bool(forms) and (" " not in text or _LEAST_LIKE < max(begun) < 1.0)
-
-
-def _has_form(problem: Problem) -> bool:
-    return isinstance(problem.message, Message) and "form" in problem.message.arguments
-
-
-def _meanings(names: Names, text: str, *, guess: bool = False) -> list[Meaning]:
-    """Ways to mean a text, the nearest to its words first. guess: a word that nothing knows is taken for a name."""
-    text = _APOSTROPHE.sub("’", " ".join(text.split())).strip('"“”„ ')
-    for language in languages():
-        text = re.sub(contexts(language)["at_once"], "", text)
-        text = re.sub(contexts(language)["on_crest"], contexts(language)["at_top"], text)
-    elements = elements_of(names)
-    text = about_own_axles(names, elements, without_units(without_what_holds(names, text), elements.exact)[0])
-    text = in_weights(names, elements, text)
-    text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
-    found: list[Meaning] = []
-    for language in languages():
-        told = in_digits(spelt_out(elements, text, language), language)
-        told = paired(elements, in_english_nouns(told, language, elements.taken), language)
-        for way in linked(elements, told):
-            try:
-                words = words_of(way.text, language, guess=guess, parameters=names.parameters.keys())
-            except Unknown:
-                continue
-            if not _hangs_on_another(text, words, language):
-                told_by = (*_passed_over(names, way.text, words, language), *words)
-                found.append(Meaning(meanings(names, words), way.distance, told_by))
-    return sorted(found, key=lambda meaning: meaning.distance)
-
-
-def _passed_over(names: Names, text: str, words: list[Word], language: str) -> list[Word]:
-    """Bodies that a text names without a mark, by a word that is read as nothing else: the small piston."""
-    plain = set(re.findall(r"[\w.]+", re.sub(MARKED, " ", text)))
-    return [
-        Word("name", body)
-        for body in names.bodies
-        if body in plain and not any(meant in words for meant, _ in phrases_at(body, 0, language))
-    ]
-
-
-def _hangs_on_another(text: str, words: list[Word], language: str) -> bool:
-    """Whether a text is meant of an instant that another question has, or asks whether something is needed: how fast is
-    it then, is friction needed there."""
-    plain = text.rstrip(".?! ")
-    if several(language, "needless").search(plain) is not None:  # whether something is needed at all
-        return True
-    is_lone = several(language, "lone").search(plain) is not None
-    return is_lone and not any(word.kind in ("mark", "instant") for word in words)
-
-
-def _joined(word: str, elements: Elements) -> str:
-    """A word with hyphens, or the name that it is without them: the yo-yo."""
-    plain = word.replace("-", "").lower()
-    if any(plain in translated(language) for language in languages()):  # the Jo-Jo
-        return plain
-    return next((name for name in elements.exact if name.lower() == plain), word)
-
-
-def _known(names: Names, text: str) -> Iterator[tuple[int, list[Word]]]:
-    """The words of a text that a language has, and how many it has not; those of few unknown words first."""
-    elements = elements_of(names)
-    found: list[tuple[int, list[Word]]] = []
-    for language in languages():
-        for way in islice(linked(elements, in_english_nouns(text, language, elements.taken)), MOST):
-            try:
-                found.append((0, words_of(way.text, language, parameters=names.parameters.keys())))
-            except Unknown as error:
-                found.append((len(error.words), list(error.known)))
-    yield from sorted(found, key=lambda one: one[0])
-
-
-def _near(names: Names, text: str) -> Iterator[str]:
-    """What a text may be about: what it would mean without what nothing is known of, or only its quantity and names."""
-    for _, words in islice(_known(names, text), MOST):
-        for group in meanings(names, words):
-            yield from islice(group, 2)
-        kept = [word for word in words if word.kind in ("name", "preposition")]
-        for quantity in (word for word in words if word.kind == "quantity"):
-            for group in meanings(names, [quantity, *kept]):
-                yield from islice(group, 2)
-
-
-def _concepts(names: Names, text: str) -> Iterator[str]:
-    """What the words of a text mean, in words of the grammar."""
-    _, words = next(_known(names, text), (0, list[Word]()))
-    yield from (word.what for word in words if word.kind in ("quantity", "name", "verb"))
-
-
-def _respelt(names: Names, text: str, language: str) -> str:
-    return respelt(text, language, _taken(names))
-
-
-def _in_own_letters(names: Names, text: str) -> str:
-    taken = _taken(names)
-    for language in languages():
-        text = in_own_letters(text, language, taken)
-    return text
-
-
-def _taken(names: Names) -> set[str]:
-    """Words for what the model has."""
-    return {word for key in elements_of(names).spoken for word in key}
-
-
 def _told_of_words(names: Names, text: str) -> Message | None:
     """What is said of a text that asks for what is told with the answers to other questions."""
-    ways = [meaning.words for meaning in _meanings(names, text)]
+    ways = [meaning.words for meaning in ways_to_mean(names, text)]
     told = (find(names, words) for words in ways for find in (slip_in_impact, limits_of_braking))
     return next((message for message in told if message is not None), None)
 
 
 def _lacking(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[Problem]:
     """What is said of a text in which something has a name that the model has not."""
-    for meaning in _meanings(names, text, guess=True):
+    for meaning in ways_to_mean(names, text, guess=True):
         for wordings in meaning.texts:
             for words in wordings:
-                asked = _read_quietly(names, words, read)
-                if isinstance(asked, Unread) and _is_specific(asked.problems):
+                asked = read_quietly(names, words, read)
+                if isinstance(asked, Unread) and is_specific(asked.problems):
                     return asked.problems
     return []
