@@ -122,8 +122,8 @@ def test_options_with_the_function_are_judged() -> None:
 @pytest.mark.parametrize(
     ("question", "phrases"),
     [
-        ("time when y = 0", ("hence w > −1: the principal branch, W₀", "also ist w > −1: der Hauptzweig W₀")),
-        ("time when y = h", ("hence w < −1: the branch W₋₁", "also ist w < −1: der Zweig W₋₁")),
+        ("time when y = 0", ("hence w > -1: the principal branch, W₀", "also ist w > -1: der Hauptzweig W₀")),
+        ("time when y = h", ("hence w < -1: the branch W₋₁", "also ist w < -1: der Zweig W₋₁")),
     ],
 )
 def test_the_derivation_names_the_function_and_proves_the_branch(question: str, phrases: tuple[str, str]) -> None:

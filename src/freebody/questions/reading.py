@@ -386,6 +386,7 @@ def _calculated(
     """What is calculated from operands, which may say themselves when they are meant: all at one event, or each at its
     own, or at the start."""
     read: dict[int, Quantity] = {}
+    as_said = operands
     for k, operand in operands.phrases.items():
         if TIME_ALONE.fullmatch(operand.phrase):
             break
@@ -403,7 +404,7 @@ def _calculated(
     if is_at_several(operands, condition) or (wholes and beside):
         at_end = Operand("", condition, at_start)
         return read_at_events(
-            names, phrase, operands, at_end, lambda o: _meant(names, o.phrase, o.condition, o.at_start, path), wholes
+            names, phrase, as_said, at_end, lambda o: _meant(names, o.phrase, o.condition, o.at_start, path), wholes
         )
     events = {o.condition for o in operands.phrases.values()} - {None}
     condition = next(iter(events), condition)

@@ -253,12 +253,12 @@ class Source:
         letters that a file does not use for names. Beside `on` of a body they might be those of the body."""
         if GROUND not in self.names.bodies or str(fields.get("on", GROUND)).partition(".")[0] != GROUND:
             return fields
-        of_ends = {info.alias or name for name, info in kind.model_fields.items() if name in ENDS}
-        read = dict(fields)
+        types, read = kind.field_types(), dict(fields)
+        ends = {info.alias or name: types[name] for name, info in kind.model_fields.items() if name in ENDS}
         for field, given in fields.items():
-            if field in of_ends and self._is_a_place(given):
+            if ends.get(field) == "text" and self._is_a_place(given):
                 read[field] = self._ground_point(given, *path, field)
-            elif field in of_ends and isinstance(given, list):
+            elif field in ends and isinstance(given, list):
                 entries = enumerate(cast("list[Any]", given))
                 read[field] = [self._ground_point(e, *path, field, k) if self._is_a_place(e) else e for k, e in entries]
         return read
