@@ -85,12 +85,13 @@ def test_the_root_of_a_square_over_that_square_goes_below_the_bar_without_its_si
     assert told("3*sqrt((m - n)^2*m)/(m - n)^2") == "3·√(m/(n - m)²)"
 
 
-def test_a_root_beside_those_of_its_factors_is_their_product_in_whatever_order_they_are_made() -> None:
-    for order in ((2, 3, 6), (6, 3, 2), (10, 15, 6)):
+def test_a_root_beside_those_of_its_factors_is_their_product_and_is_shown_as_one() -> None:
+    for order in ((2, 3, 6), (3, 2, 6), (2, 15, 30)):
         field = SignedField()
         first, second, third = (field.sqrt(field.element(n)) for n in order)
         product = first * second * third
         assert product.fraction() ** 2 == math.prod(order)
+        assert to_text(tidy(third)) == f"√({order[2]})"
 
 
 def test_a_number_over_a_sum_of_roots_stands_over_a_whole_number() -> None:

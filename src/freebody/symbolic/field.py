@@ -26,13 +26,13 @@ from functools import cache
 from typing import Any, Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Number, Symbol, add, divide, multiply, number, power
+from freebody.language.expression import ONE, Expr, Number, Symbol, add, divide, multiply, number, power
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.symbolic.half_tangents import cancelled
 from freebody.symbolic.nested_roots import root_without_root
-from freebody.symbolic.numbers_with_roots import by_other_roots, in_roots
-from freebody.symbolic.polynomials import Poly, PolynomialRing, Terms, declaration_order, square_part
+from freebody.symbolic.numbers_with_roots import factors_among, in_roots
+from freebody.symbolic.polynomials import Monomial, Poly, PolynomialRing, Terms, declaration_order, square_part
 from freebody.symbolic.values_of_terms import WhenAsked, sum_and_size, value_of, with_computed
 
 Kind = Literal["parameter", "coordinate", "speed", "acceleration", "time", "cos", "sin", "root", "function"]
@@ -228,7 +228,7 @@ class Field(PolynomialRing):
         self.last_long: tuple[Ratio, tuple[Terms, Terms]] | None = None
         self._rates: dict[int, Ratio] = {}
         self._atoms: dict[Any, int] = {}
-        self._number_roots: dict[Fraction, Ratio] = {}  # by what is under them
+        self._number_roots: dict[int, int] = {}  # generators by what is under them
         self.acute_angles: set[int] = set()
         self.nonnegative: set[int] = set()  # parameters that may be zero, and not less
         self.no_angles: set[int] = set()  # what moves and is a length or a time
@@ -552,8 +552,9 @@ class Field(PolynomialRing):
             return made
         n = radicand.fraction()
         positive = n is not None
-        if n is not None and (others := by_other_roots(n, self._number_roots)) is not None:  # sqrt(6) beside 2 and 3
-            return math.prod((self._number_roots[k] for k in others[1]), start=self.element(others[0]))
+        whole = None if n is None or n.denominator > 1 else n.numerator
+        if whole is not None and (factors := factors_among(whole, self._number_roots)) is not None:
+            return math.prod((self.variable(self._number_roots[k]) for k in factors), start=self.one)
         shown = power(self.expression(radicand), number(Fraction(1, 2)))
         root = self.generator(
             Generator(
@@ -568,8 +569,8 @@ class Field(PolynomialRing):
         )
         index = self.index(root)
         self.bind(index, radicand.num)
-        if n is not None:
-            self._number_roots[n] = root
+        if whole is not None:
+            self._number_roots[whole] = index
         if not radicand.is_constant():
             # (sqrt r)' = r'/(2 sqrt r)
             self._rates[index] = self.rate(radicand) / (2 * root)
@@ -613,8 +614,7 @@ class Field(PolynomialRing):
         """With a whole number below where there is a sum of roots of numbers: digits do not cancel in it. None where
         something else stands there."""
         below = x.denominator()
-        roots = {self.index(root) for root in self._number_roots.values()}
-        if not (used := below.generators()) or not used <= roots:
+        if not (used := below.generators()) or not used <= {*self._number_roots.values()}:
             return None
         inverse = in_roots(1 / below)
         if inverse is None:
@@ -686,8 +686,20 @@ class Field(PolynomialRing):
         summands: list[Expr] = []
         ordered = sorted(self.terms(poly).items(), key=lambda item: declaration_order(item[0]))
         for monomial, coefficient in ordered:
-            summands.append(multiply(Number(Fraction(coefficient)), *(powers(g, n) for g, n in reversed(monomial))))
+            outside, root, rest = self._roots_as_one(monomial)
+            summands.append(multiply(Number(coefficient * outside), root, *(powers(g, n) for g, n in reversed(rest))))
         return add(*summands)
+
+    def _roots_as_one(self, monomial: Monomial) -> tuple[Fraction, Expr, Monomial]:
+        """Roots of numbers in a product as one: sqrt(2) sqrt(3) is sqrt(6), whichever of them were made."""
+        roots = self._number_roots
+        under = {index: n for n, index in roots.items()} if len(roots) > 1 else {}
+        several = [under[g] for g, _n in monomial if g in under]
+        if len(several) < 2:
+            return Fraction(1), ONE, monomial
+        square, free = square_part(math.prod(several))
+        rest = tuple((g, n) for g, n in monomial if g not in under)
+        return Fraction(square), power(number(free), number(Fraction(1, 2))), rest
 
     def _power(self, index: int, exponent: int) -> Expr:
         return power(self.generators[index].display, number(exponent))

@@ -12,7 +12,6 @@ from freebody.symbolic.polynomials import Poly, square_part
 if TYPE_CHECKING:
     from freebody.symbolic.field import Field, Ratio
 
-_SMALL_PRIMES = [n for n in range(2, 1000) if all(n % k for k in range(2, math.isqrt(n) + 1))]
 Roots = Mapping[int, Fraction]  # coefficients by square-free numbers, 1 for what has no root
 
 
@@ -38,38 +37,14 @@ def rational_root(x: Fraction) -> Fraction | None:
     return Fraction(top, below) if top * top == x.numerator and below * below == x.denominator else None
 
 
-def by_other_roots(n: Fraction, known: Collection[Fraction]) -> tuple[Fraction, tuple[Fraction, ...]] | None:
-    """q and numbers k of those known with sqrt(n) = q times the product of their roots; None where there are none. The
-    exponents of primes, odd or even, are vectors over two elements: elimination tells which depend on others."""
-    basis: dict[int, tuple[frozenset[int], frozenset[Fraction]]] = {}  # by a prime in it
-
-    def reduced(primes: frozenset[int], used: frozenset[Fraction]) -> tuple[frozenset[int], frozenset[Fraction]]:
-        for prime, (own, parts) in basis.items():
-            if prime in primes:
-                primes, used = primes ^ own, used ^ parts
-        return primes, used
-
-    for k in known:
-        primes, used = reduced(_odd_primes(k), frozenset([k]))
-        if primes:
-            first = min(primes)
-            for prime, (own, parts) in basis.items():
-                if first in own:
-                    basis[prime] = own ^ primes, parts ^ used
-            basis[first] = primes, used
-    primes, used = reduced(_odd_primes(n), frozenset())
-    root = None if primes or not used else rational_root(n / math.prod(used))
-    return None if root is None else (root, tuple(sorted(used)))
-
-
-def _odd_primes(n: Fraction) -> frozenset[int]:
-    """The primes of which a number has an odd power; what is left beyond the first ones counts as one."""
-    found, left = set[int](), abs(n.numerator * n.denominator)
-    for prime in _SMALL_PRIMES:
-        while left % prime == 0:
-            left //= prime
-            found ^= {prime}
-    return frozenset(found ^ ({left} if left > 1 else set()))
+def factors_among(n: int, known: Collection[int]) -> tuple[int, ...] | None:
+    """Numbers of those known of which n is the product; None where it is not."""
+    for k in sorted(known, reverse=True):
+        if 1 < k < n and n % k == 0:
+            rest = (n // k,) if n // k in known else factors_among(n // k, known)
+            if rest is not None:
+                return (k, *rest)
+    return None
 
 
 def _sum(field: Field, poly: Poly) -> Roots | None:
