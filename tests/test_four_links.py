@@ -565,3 +565,33 @@ def test_a_six_bar_is_answered_in_names_where_its_drive_has_led_it(question: str
     found = posed(RAM_BEHIND_A_ROCKER, f"{question} when phi = 60 deg")
     assert found.evidence is not None
     assert found.value == pytest.approx(torque if "torque" in question else acceleration, rel=1e-5)
+
+
+SHAPER_WITH_A_BLOCK = """
+parameters: {r: 0.1 m, d: 0.25 m, L: 0.6 m, c: 0.3 m, h: 0.4 m, w: 6 rad/s}
+ground: {points: {O: [0, 0], B: [0, -d], H: [0, h]}}
+bodies:
+  crank: {rod: {length: r}}
+  block: particle
+  lever: {rod: {length: L}}
+  link: {rod: {length: c}, near: {angle: 18 deg}}
+  ram: {particle: {mass: 10 kg}}
+connections:
+  o: {pin: [ground.O, crank.start]}
+  b: {pin: [ground.B, lever.start]}
+  p: {pin: [crank.end, block]}
+  s: {slider: {body: block, along: lever.x, on: lever}}
+  l: {pin: [lever.end, link.start]}
+  k: {pin: [link.end, ram]}
+  way: {slider: {body: ram, along: right, through: ground.H}}
+  motor: {driver: {body: crank, speed: w}}
+measures: {phi: angle of crank, x: x of ram}
+start: {phi: 0 rad}
+"""
+
+
+def test_a_shaper_whose_block_is_a_body_has_the_stroke_of_its_lever() -> None:
+    """The crank stands across the lever at both ends: sin(psi) = r/d, and the ram goes as far as the lever's end."""
+    found = posed(SHAPER_WITH_A_BLOCK, "stroke of x")
+    assert found.expression is not None
+    assert found.value == pytest.approx(2 * 0.1 * 0.6 / 0.25)

@@ -32,6 +32,7 @@ from freebody.symbolic.small_motion import small_motion_about
 from freebody.symbolic.start import StartState, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.values_of_terms import NoValue
 from freebody.system.order import in_one_order
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
@@ -333,7 +334,10 @@ def _is_on_branch(model: SymbolicModel, draw: Draw, snapshot: Snapshot) -> bool:
     if not model.samples.assumed and not model.has_equal_angles:
         return True
     numbers = model.samples.numbers(draw.sample(snapshot))
-    if not all(model.field.evaluate(x, numbers) > 0 for x in model.samples.assumed):
+    try:
+        if not all(model.field.evaluate(x, numbers) > 0 for x in model.samples.assumed):
+            return False
+    except NoValue:
         return False
     lengths = [m for m in model.system.measures.values() if m.dimension == LENGTH]
     return all(_is_as_in_formulas(model, numbers, snapshot, m) for m in (*lengths, *_places(model)))

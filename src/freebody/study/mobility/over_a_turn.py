@@ -22,11 +22,18 @@ from freebody.measures.geometry import GROUND
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.conditions import real
-from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, element_at, holds, without_numbers
+from freebody.study.answering.crosscheck import (
+    INSTANT_TOLERANCE,
+    CrossCheck,
+    NotReal,
+    element_at,
+    holds,
+    without_numbers,
+)
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NO_FORM, Elements, Finding
 from freebody.study.mobility.dead_points import DeadPoint, dead_points, needs_of_reversal
-from freebody.study.mobility.linkages import at_ground, linkages
+from freebody.study.mobility.linkages import Linkage, at_ground, linkages
 from freebody.study.mobility.loop_questions import four_links, is_single_loop, loop_draws
 from freebody.study.setup import Setup
 from freebody.study.steady.round_turn import DrawnTurn, extremes_in_numbers, time_ratio_in_numbers
@@ -36,6 +43,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.parts import cut_out
+from freebody.system.system import System
 
 PLACE_TOLERANCE = 1e-6  # of a place in numbers: its value is stationary there
 _N_BETWEEN = 36  # poses between two dead points at which is looked
@@ -62,10 +70,13 @@ class Following:
     ends: tuple[Expr, Expr]
 
     def goes_one_way(self, draw: Draw) -> bool:
-        """Whether it has no extreme between the two ends, in numbers."""
+        """Whether it reaches from one end to the other, and has no extreme between them, in numbers."""
         first, last = (float(evaluate(x, draw.values)) for x in self.ends)
         angles = (first + (last - first) * k / _N_BETWEEN for k in range(_N_BETWEEN + 1))
-        values = [float(evaluate(self.value, {**draw.values, _ANGLE: angle})) for angle in angles]
+        try:
+            values = [float(evaluate(self.value, {**draw.values, _ANGLE: angle})) for angle in angles]
+        except ValueError:  # a root of what is negative
+            return False
         return len({b > a for a, b in pairwise(values)}) == 1
 
 
@@ -80,16 +91,22 @@ def by_dead_points(setup: Setup, question: Question, q: Extremes) -> Finding | N
     for loop in linkages(setup.system):
         if GROUND in loop.links and crank.of in (ends := at_ground(loop)) and len(ends) == len({*ends}):
             try:
-                return _found(setup, question, q, _reversals(setup, q, crank, loop.links, ends))
+                return _found(setup, question, q, _reversals(setup, q, crank, _bodies(setup.system, loop), ends))
             except NO_FORM:
                 continue
     return None
 
 
-def _reversals(setup: Setup, q: Extremes, crank: Angle, names: Sequence[str], ends: Sequence[str]) -> _Reversals:
+def _bodies(system: System, loop: Linkage) -> frozenset[str]:
+    """The bodies of a loop, with the particles that are its joints."""
+    at_joints = {point.body for joint in loop.joints for point in joint.points}
+    particles = {name for name in at_joints if not system.bodies[name].turns}
+    return (frozenset(loop.links) | particles) - {GROUND}
+
+
+def _reversals(setup: Setup, q: Extremes, crank: Angle, own: frozenset[str], ends: Sequence[str]) -> _Reversals:
     """Raises CannotAnswer where there are none of them, or what follows the output has no formula."""
     system, f = setup.system, setup.model.field
-    own = frozenset(names) - {GROUND}
     front = setup if is_single_loop(system) else Setup(cut_out(system, own))
     links = four_links(front)
     if links.crank != crank.of:
@@ -146,7 +163,10 @@ def _found(setup: Setup, question: Question, q: Extremes, at: _Reversals) -> Fin
     check = CrossCheck(question.text, Message("the full system round a turn in numbers"), tolerance)
 
     def compare(draw: Draw) -> None:
-        if not all(holds(setup, k, draw, draw.start()) for k in conditions):
+        try:
+            if not all(holds(setup, k, draw, draw.start()) for k in conditions):
+                return
+        except NotReal:  # a root within what is compared: there is no such pose
             return
         if at.following is not None and not at.following.goes_one_way(draw):
             return
