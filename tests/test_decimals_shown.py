@@ -9,6 +9,8 @@ import pytest
 from freebody.language.expression import Call, Expr, Symbol, evaluate, number
 from freebody.language.notation import to_text
 from freebody.symbolic.decimals_shown import decimals_of_root, in_decimals
+from freebody.symbolic.signed_field import SignedField
+from freebody.symbolic.tidy import tidy
 
 S, G, C = Symbol("s"), Symbol("g"), Symbol("c")
 LONG = 10**13
@@ -41,3 +43,12 @@ def test_powers_of_ten_stand_before_a_root() -> None:
     assert (outside, inside) == (10**19, S * G)
     assert decimals_of_root(100 * S) == (1, 100 * S)
     assert decimals_of_root(Call("sin", S)) == (1, Call("sin", S))
+
+
+def test_decimals_of_two_factors_under_one_root() -> None:
+    f = SignedField()
+    s, g = (f.parameter(name, positive=True) for name in ("s", "g"))
+    above, below = s - f.element(Fraction(523806778291, LONG)), s * s - s / 3 + f.element(Fraction(677292627, 10**11))
+    shown = to_text(tidy(f.sqrt(above * below / g) / above))
+    assert "√((s - 0.0523806778291)·" in shown
+    assert "00000" not in shown.replace("0.00677292627", "")

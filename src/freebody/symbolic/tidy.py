@@ -132,7 +132,7 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
 def _radicand(x: Ratio) -> Expr:
     """What stands under a root: sums of squares as such, where that is shorter."""
     plain, field = tidy(x), x.field
-    parts = [as_sum_of_squares(field, p, lambda q: _poly(field, q)) for p in (x.num, x.denominator().num)]
+    parts = [in_decimals(as_sum_of_squares(field, p, lambda q: _poly(field, q))) for p in (x.num, x.denominator().num)]
     squares = fraction_shown(parts[0], parts[1], turns=not sign_is_positive(x.denominator()))
     return min(plain, squares, key=n_operations)
 
