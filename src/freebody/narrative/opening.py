@@ -22,6 +22,7 @@ from freebody.model.phrases import phrase_text
 from freebody.model.states import state_name
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import of_centre
 from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, Sentence, ready
 from freebody.narrative.questions.blow import tell_blow
 from freebody.study.answering.evidence import rank_freedom
@@ -119,7 +120,9 @@ def coordinate_words(context: Context, name: str) -> tuple[Sentence, str]:
             return Sentence("symbol.angle_of", {"body": of}), ""
         case Displacement(of, origin, along) if _is_plain(of, origin, along):
             axis = "x" if along.components == RIGHT.components else "y"
-            return Sentence("symbol.place", {"body": of.body, "axis": f"@letter.{axis}"}), "m"
+            return Sentence(
+                "symbol.place", {"of": of_centre(context.system.bodies[of.body]), "axis": f"@letter.{axis}"}
+            ), "m"
         case _:
             pass
     for called, connection in context.system.connections.items():  # offered by a joint without a name of its own

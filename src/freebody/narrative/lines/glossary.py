@@ -34,7 +34,7 @@ from freebody.language.expression import (
 from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import FORCE
 from freebody.measures.base import Measure
-from freebody.model.elements import NonholonomicForm
+from freebody.model.elements import NonholonomicForm, RigidBody
 from freebody.narrative.lines.differences import SymbolValues, value_of
 from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
@@ -205,6 +205,11 @@ class World(SymbolValues):
 def shown_name(generator: Ratio) -> str:
     """The name by which a generator is written."""
     return rate_key(generator.field.generators[generator.field.index(generator)].display)
+
+
+def of_centre(body: RigidBody) -> Sentence:
+    """Of its mass centre; a particle is nothing else."""
+    return Sentence("symbol.of_centre" if body.turns else "symbol.of_particle", {"body": body.name})
 
 
 def formulas_in(side: Side) -> set[str]:

@@ -14,7 +14,7 @@ from typing import Literal
 from freebody.language.expression import Expr, Symbol
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import RIGHT, UP, Direction
-from freebody.narrative.lines.glossary import Glossary, Meaning, World
+from freebody.narrative.lines.glossary import Glossary, Meaning, World, of_centre
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.acting import Slot
 from freebody.narrative.principles.sides import scaled
@@ -173,7 +173,10 @@ class Kinematics:
             return float(along[0] * x + along[1] * y)
 
         kind = self._beside_path(body, unit)
-        what = Sentence(f"symbol.{kind}_{order}", {"body": body, "x": tidy(unit[0]), "y": tidy(unit[1])})
+        what = Sentence(
+            f"symbol.{kind}_{order}",
+            {"of": of_centre(self.system.bodies[body]), "x": tidy(unit[0]), "y": tidy(unit[1])},
+        )
         self.glossary.introduce(Meaning(Symbol(name), what, read, _UNITS[order][0]))
         return self._term(coefficient, Symbol(name), explicit, body, order)
 
@@ -203,7 +206,9 @@ class Kinematics:
         self.glossary.introduce(
             Meaning(
                 Symbol(name),
-                Sentence(f"symbol.component_{order}", {"body": body, "axis": f"@axis.{axis}"}),
+                Sentence(
+                    f"symbol.component_{order}", {"of": of_centre(self.system.bodies[body]), "axis": f"@axis.{axis}"}
+                ),
                 OfPoint(center, order, direction),
                 _UNITS[order][0],
             )

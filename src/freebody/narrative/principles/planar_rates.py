@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 
 from freebody.language.expression import Expr, Symbol, add, n_operations
 from freebody.measures.geometry import GROUND, RIGHT, UP
-from freebody.narrative.lines.glossary import Glossary, Meaning
+from freebody.narrative.lines.glossary import Glossary, Meaning, of_centre
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.kinematics import Kinematics, Term, total
@@ -299,7 +299,7 @@ class PlanarRates:
         if symbol.name in self.system.measures or symbol in self.told:
             return (self.told[symbol],) if symbol in self.told else ()
         center = self.system.bodies[body].mass_center
-        what = Sentence("symbol.place", {"body": body, "axis": f"@letter.{axis}"})
+        what = Sentence("symbol.place", {"of": of_centre(self.system.bodies[body]), "axis": f"@letter.{axis}"})
         script.introduce(Meaning(symbol, what, OfPoint(center, 0, RIGHT if axis == "x" else UP), "m"))
         self._introduced.add(symbol.name)
         self.told[symbol] = script.line(symbol, tidy(place), why="kinematics.place", args={"body": body})
