@@ -364,6 +364,9 @@ class Composite(_Composite):
     `turned`. Points: `origin`, and the reference point of every part by its name. Parts in a list, `parts: [{disk:
     ...}, {rod: ..., at: [R, 0]}]`, are called part1, part2 and so on.
 
+    What is round about the origin can roll and touch, carry a string and gear as a disk can; where several parts are,
+    `radius` says which is meant. A round part by its name, `wheel.hub`, is its circle in a contact.
+
     `holes` are written as parts and taken away, each with the mass of what was there: a plate of mass M with a hole
     where m has been cut out weighs M - m."""
 

@@ -127,7 +127,8 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
         return _of_side(names, side, point_name, *path)
     if point_name:
         point = names.point(words, *path)
-        return Outline(point.body, words, (RoundPart(point, ZERO, words),))
+        radius = names.known(point.body).circles.get(point_name, ZERO)
+        return Outline(point.body, words, (RoundPart(point, radius, words),))
     if body_name not in names.bodies and body_name not in names.broken:
         told = Message(
             "there is no body or line {name}.{hint} What does not move is a line of the ground, e.g. "
@@ -150,6 +151,17 @@ def _of_body(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
         return _polygon(names, body, *path)
     if not body.turns:
         return Outline(body.name, body.name, (RoundPart(body.center, ZERO, body.name),))
+    if body.circles:
+        circles = " or ".join(f"{body.name}.{part}" for part in body.circles)
+        names.problem(
+            Message(
+                "{body} has no outline as a whole: write the circle that touches, {circles}",
+                body=body.name,
+                circles=circles,
+            ),
+            *path,
+        )
+        return None
     lines = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.lines]
     is_lined = body.name == GROUND and lines
     what = Message("; name one of its lines: {names}", names=", ".join(lines)) if is_lined else ""

@@ -159,7 +159,7 @@ connections:
         if other.name == body.name:
             names.problem(Message("{body} cannot roll on itself", body=body.name))
             return []
-        if other.radius is None:
+        if not other.is_wheel:
             return self._nothing_there(names)
         inside = self.inside is not None
         rim = names.radius(other.name, inside=inside)

@@ -198,6 +198,7 @@ class RigidBody:
     edges: tuple[
         Edge[Components], ...
     ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon
+    circles: Mapping[str, Expr] = field(default_factory=dict[str, Expr])  # radii of round parts, by their points
     parts: tuple[BodyPart, ...] = ()  # in the plane: of which it is composed
     solid_parts: tuple[SolidPart, ...] = ()  # in space: what is drawn of these, from the mass centre
     copies: tuple[str, ...] = ()  # the further ones of equal bodies on one carrier, of which this one is written
@@ -235,6 +236,17 @@ class RigidBody:
     def center(self) -> Point:
         """The reference point: the centre of a round body's rim."""
         return self.point()
+
+    @property
+    def middle_circles(self) -> dict[str, Expr]:
+        """Radii of its round parts about its reference point, by their names."""
+        middle = self.points[self.default_point]
+        return {name: radius for name, radius in self.circles.items() if self.points[name] == middle}
+
+    @property
+    def is_wheel(self) -> bool:
+        """Whether it, or a part of it about its reference point, is round."""
+        return self.radius is not None or bool(self.middle_circles)
 
     @property
     def is_part_of_a_circle(self) -> bool:

@@ -15,6 +15,7 @@ from freebody.language.expression import (
     number,
 )
 from freebody.language.natural import natural
+from freebody.language.notation import to_text
 from freebody.language.sentences import Message, listed
 from freebody.language.units import (
     DIMENSIONLESS,
@@ -476,10 +477,14 @@ class Names(Formulas):
         """Of a round body; inside: of what is hollow in it, where something is."""
         body = self.body(name, *path)
         radius = body.inside_radius if inside else body.radius
-        if radius is None:
-            self.problem(
-                Message("{name} has no radius; make it a disk, ring or sphere, or give its body a radius", name=name),
-                *path,
-            )
-            return number(1)
-        return radius
+        if radius is not None:
+            return radius
+        own = body.middle_circles
+        if len(own) == 1:
+            return next(iter(own.values()))
+        told = Message("{name} has no radius; make it a disk, ring or sphere, or give its body a radius", name=name)
+        if own:
+            known = ", ".join(f"{to_text(r)} ({part})" for part, r in own.items())
+            told = Message("{name} has several circles: say which, as its radius: {known}", name=name, known=known)
+        self.problem(told, *path)
+        return number(1)

@@ -114,7 +114,7 @@ def is_round(names: Names, text: str) -> bool:
     if found is None or found["wound"]:
         return found is not None
     body = names.bodies.get(found["what"])
-    return bool(found["way"]) and body is not None and (found["radius"] is not None or body.radius is not None)
+    return bool(found["way"]) and body is not None and (found["radius"] is not None or body.is_wheel)
 
 
 def runs_round(of: GivenWay) -> set[str]:
@@ -225,7 +225,7 @@ def _point(
     """A point that the string is tied to or runs through; None with a problem noted."""
     point = names.point(what, *field)
     body = names.known(point.body)
-    if not is_end and body.name == what and body.radius is not None and not body.is_placeholder:
+    if not is_end and body.name == what and body.is_wheel and not body.is_placeholder:
         names.problem(
             Message(
                 "{wheel} is round, and the string could run over it or through its centre: write "

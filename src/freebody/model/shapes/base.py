@@ -42,6 +42,7 @@ class Build:
     teeth: Teeth | None = None
     edges: tuple[Edge[Components], ...] = ()  # what is drawn of it, where that is no full circle and not straight
     # in space
+    circles: Mapping[str, Expr] = field(default_factory=dict[str, Expr])  # radii of round parts, by their points
     parts: tuple[BodyPart, ...] = ()  # in the plane: of which it is composed
     solid_parts: tuple[SolidPart, ...] = ()  # in space: what is drawn of these
     tensor: Components = ()  # about the mass centre: xx, yy, zz, xy, xz, yz

@@ -35,6 +35,9 @@ class Composite(Shape, kind="composite"):
     `turned`. Points: `origin`, and the reference point of every part by its name. Parts in a list, `parts: [{disk:
     ...}, {rod: ..., at: [R, 0]}]`, are called part1, part2 and so on.
 
+    What is round about the origin can roll and touch, carry a string and gear as a disk can; where several parts are,
+    `radius` says which is meant. A round part by its name, `wheel.hub`, is its circle in a contact.
+
     `holes` are written as parts and taken away, each with the mass of what was there: a plate of mass M with a hole
     where m has been cut out weighs M - m."""
 
@@ -51,6 +54,7 @@ class Composite(Shape, kind="composite"):
         solids: list[SolidPart] = []
         points: dict[str, Components] = {"origin": names.origin}
         edges: list[Edge[Components]] = []
+        circles: dict[str, Expr] = {}
         for field, key, name, value in (*_listed("parts", self.parts), *_listed("holes", self.holes)):
             with names.at(field, key):
                 found = _part(names, value)
@@ -72,6 +76,8 @@ class Composite(Shape, kind="composite"):
                 solids.append(SolidPart(build.solid, build.sizes, build.axis, at, axes, is_particle=not build.turns))
             center = tuple(a + c for a, c in zip(at, _turned(axes, build.center_of_mass, len(at)), strict=True))
             points[name] = at
+            if field == "parts" and build.radius is not None and not build.edges and not names.space:
+                circles[name] = build.radius
             edges += _edges(build, at, axes, is_hole=field == "holes")
             mass = mass + build.mass
             moment = tuple(m + build.mass * c for m, c in zip(moment, center, strict=True))
@@ -84,7 +90,7 @@ class Composite(Shape, kind="composite"):
         if (left := names.below_zero(mass)) is not None:
             names.problem(Message("the holes weigh {more:.4g} kg more than the parts", more=-left), "holes")
         if mass == ZERO:
-            return Build(ZERO, ZERO, points=points, default_point="origin", edges=tuple(edges))
+            return Build(ZERO, ZERO, points=points, default_point="origin", edges=tuple(edges), circles=circles)
         middle = tuple(m / mass for m in moment)
         tensor = _tensor(placed, middle) if names.space else ()
         inertia = tensor[2] if tensor else _polar(placed, middle)
@@ -97,6 +103,7 @@ class Composite(Shape, kind="composite"):
             default_point="origin",
             tensor=tensor,
             edges=tuple(edges),
+            circles=circles,
             parts=parts,
             solid_parts=tuple(solids),
         )

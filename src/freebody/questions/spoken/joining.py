@@ -29,14 +29,14 @@ def rolls(names: Names) -> bool:
     """Whether what dry friction acts on is round: that it does not slip is not that it is at rest."""
     held = {body for joint in rough(names, "") for body in names.connections[joint].mentions(names)}
     held = {name for name in held if not names.bodies[name].fixed}
-    return any(names.bodies[name].radius is not None or names.bodies[name].round for name in held)
+    return any(names.bodies[name].is_wheel or names.bodies[name].round for name in held)
 
 
 def rolls_on(names: Names) -> bool:
     """Whether something round is all that dry friction acts on by its own surface, and no face of it."""
     ends = [end for joint in rough(names, "") for end in ends_of(names, joint) if end in names.bodies]
     free = [names.bodies[end] for end in ends if not names.bodies[end].fixed]
-    return any(body.radius is not None or body.round for body in free)
+    return any(body.is_wheel or body.round for body in free)
 
 
 def rough(names: Names, thing: str) -> list[str]:

@@ -51,7 +51,7 @@ def measured(names: Names) -> list[str]:
 
 def can_roll(names: Names) -> bool:
     """Whether something round moves."""
-    return any(names.bodies[name].radius is not None or names.bodies[name].round for name in turning(names))
+    return any(names.bodies[name].is_wheel or names.bodies[name].round for name in turning(names))
 
 
 def is_all_that_moves(names: Names, body: str) -> bool:

@@ -88,7 +88,7 @@ def spans(names: Names, string: str) -> list[str]:
     pairs = [pair for row in rows for pair in pairwise(row.ends)]
     found: list[str] = []
     for pair in pairs:
-        plain = [end for end in pair if end in names.bodies and names.bodies[end].radius is None and end != GROUND]
+        plain = [end for end in pair if end in names.bodies and not names.bodies[end].is_wheel and end != GROUND]
         is_end = len(plain) == 1 and sum(plain[0] in other for other in pairs) == 1
         found.append(f"at {plain[0]}" if is_end else f"between {' and '.join(pair)}")
     return list(dict.fromkeys(found))

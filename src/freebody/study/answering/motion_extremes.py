@@ -363,14 +363,22 @@ def _of_these(taken: Sequence[Condition], told: Sequence[Ratio]) -> list[Conditi
 
 
 def _kept(setup: Setup) -> list[Condition]:
-    """That ideal strings stay taut and contacts keep touching all the time."""
+    """That ideal strings stay taut and contacts keep touching all the time: by the least value, and where that has no
+    closed form, at every instant."""
     found: list[Condition] = []
     for row in sorted(setup.system.constraint_rows, key=lambda row: row.name):
         if not row.unilateral:
             continue
+        purpose = closed(row.connection, row.reaction)
         seen = along(setup, OneSided(row))
-        least = seen.value_of(seen.best(seen.candidates(), -1))
-        condition, possible = require(least, ">=", closed(row.connection, row.reaction))
+        try:
+            least = seen.value_of(seen.best(seen.candidates(), -1))
+        except CannotAnswer:
+            is_of_place = seen.odd.is_zero() and not seen.is_root
+            x = seen.even if is_of_place else OneSided(row).value(setup.system, setup.state)
+            found.append(Condition(x, ">=", purpose))
+            continue
+        condition, possible = require(least, ">=", purpose)
         if not possible:
             raise CannotAnswer(Message("{connection} does not hold all the time", connection=row.connection))
         found += [*seen.conditions, *([] if condition is None else [condition])]

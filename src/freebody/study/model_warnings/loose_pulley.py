@@ -29,7 +29,7 @@ class LoosePulley(WarningKind, name="loose pulley"):
         }
         for body in system.moving:
             is_light = all(own == ZERO for own in (body.mass, body.inertia, *body.tensor))
-            if body.radius is None or body.name in pulled:
+            if not body.is_wheel or body.name in pulled:
                 continue
             from freebody.connections.string.connection import String  # imported where a model has what may be a pulley
 

@@ -34,7 +34,7 @@ class TiedAtTheAxle(WarningKind, name="tied at the axle"):
 
         used = {place for _section, _name, way in ways for place in runs_round(way)}
         used |= {way.wound_on for _section, _name, way in ways if isinstance(way, HeavyRope) and way.wound_on}
-        drums = {b.name for b in system.moving if b.radius is not None and b.name not in used and _is_borne(system, b)}
+        drums = {b.name for b in system.moving if b.is_wheel and b.name not in used and _is_borne(system, b)}
         for section, name, way in ways:
             for end, field in is_tied_to(way):
                 if end in drums:

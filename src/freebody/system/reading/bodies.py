@@ -175,6 +175,7 @@ class BodySections:
             is_ring=build.is_ring,
             teeth=build.teeth,
             edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
+            circles=build.circles,
             parts=tuple(self._part_from_mass_center(part, build) for part in build.parts),
             solid_parts=tuple(
                 replace(part, center=tuple(a - b for a, b in zip(part.center, build.center_of_mass, strict=True)))
