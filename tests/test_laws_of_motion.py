@@ -59,6 +59,14 @@ loads: {{f: {{force: {{at: cart, along: right, magnitude: {law}}}}}}}
 measures: {{x: x of cart}}
 start: {{x: 0, rate(x): v0}}
 """
+# a puck on a smooth table whose string is drawn in through a hole: m r^2 phi' stays
+REELED = """
+parameters: {m: 0.4 kg, r0: 0.8 m, v0: 3 m/s, c: 0.2 m/s, T: 1 s, al: 2 rad}
+bodies: {puck: {particle: {mass: m}}}
+connections: {pull: {driver: {measure: r, follows: r0 - c*t}}}
+measures: {r: {distance from ground.O to puck}, phi: {angle of line from ground.O to puck}}
+start: {phi: 0, rate(phi): v0/r0}
+"""
 FLYWHEEL = """
 parameters: {m: 30 kg, R: 0.4 m, c: 0.2 N m s, w0: 50 1/s, M: 3 N m, T: 6 s}
 bodies: {wheel: {disk: {mass: m, radius: R}}}
@@ -224,6 +232,13 @@ FORMULAS = {
         "value of m2 for which speed of left after T = 1 m/s",
         "(m1*g*T - m1 - M/2)/(g*T + 1)",
     ),
+    "reeled in, rate": (REELED, "velocity of phi at t = T", "r0*v0/(r0 - c*T)^2"),
+    "reeled in, angle": (REELED, "phi at t = T", "v0*T/(r0 - c*T)"),
+    "reeled in, time to an angle": (REELED, "time when phi = al", "r0*al/(v0 + c*al)"),
+    "reeled in, time to a rate": (REELED, "time when rate(phi) = 2*v0/r0", "r0/c*(1 - 1/sqrt(2))"),
+    "reeled in, speed": (REELED, "speed of puck when r = r0/2", "sqrt(4*v0^2 + c^2)"),
+    "reeled in, force": (REELED, "|driving force of pull| when r = r0/2", "8*m*v0^2/r0"),
+    "reeled in, work": (REELED, "work of pull until r = r0/2", "3/2*m*v0^2"),
     # friction stops the block at v0/(mu g): before and after
     "block, sliding": (BLOCK, "velocity of x at t = T", "v0 - mu*g*T"),
 }
@@ -246,6 +261,10 @@ def test_what_is_not_reached_has_no_number_of_round_off() -> None:
     found = posed(STRONG, "time when x = 0")
     assert found.value is None
     assert found.expression is None or any("4·m·k > c²" in str(note) for note in found.notes)
+
+
+def test_what_is_reeled_in_ends_at_the_hole() -> None:
+    assert any("r₀ > c·T" in c for c in posed(REELED, "phi at t = T").conditions)
 
 
 def test_what_tends_to_nothing_is_refused() -> None:
@@ -311,6 +330,7 @@ TOLD = {
     "strong": (STRONG, "x at t = T"),
     "critical": (CRITICAL, "x at t = T"),
     "in time": (PULLED.format(law="F*exp(-t/tau)"), "velocity of x as t grows"),
+    "reeled in": (REELED, "phi at t = T"),
     "uniform": (ATWOOD, "speed of left at t = T"),
     "block": (BLOCK, "velocity of x at t = T"),
 }

@@ -2,7 +2,8 @@
 exponentials of it, and of sums of these.
 
 int c^m s = -c^(m+1)/(m+1),      int c^m = c^(m-1) s/m + (m-1)/m int c^(m-2),      s^2 = 1 - c^2;
-int x^n e = (x^n e - n int x^(n-1) e)/k,     int x^n c = (x^n s - n int x^(n-1) s)/k,   and likewise for s.
+int x^n e = (x^n e - n int x^(n-1) e)/k,     int x^n c = (x^n s - n int x^(n-1) s)/k,   and likewise for s;
+int (a + b x)^-n = -(a + b x)^(1-n)/((n-1) b),     int 1/(a + b x) = log|a + b x|/b.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ def antiderivative(x: Ratio, index: int) -> Ratio | None:
     moving = [g for g in x.generators() if index in field.ingredients(field.variable(g))]
     below = dict[int, int]()  # exp(-k x) stands there as exp(k x), and x^-n as x^n
     if index in field.ingredients(x.denominator()):
+        if (over := _over_a_line(x, moving, index)) is not None:
+            return over
         terms = list(field.terms(x.denominator().num))
         below = {g: e for g, e in terms[0] if g in moving}
         if len(terms) != 1 or any(g != index and field.arguments.get(g, ("", field.one))[0] != "exp" for g in below):
@@ -36,6 +39,24 @@ def antiderivative(x: Ratio, index: int) -> Ratio | None:
         total = total + rest * part
     total = field.lowest_terms(total / divisor)
     return total if field.derivative(total, index) == x else None
+
+
+def _over_a_line(x: Ratio, moving: list[int], index: int) -> Ratio | None:
+    """The integral of what does not change with the coordinate over a power of what is linear in it, with two terms."""
+    field = x.field
+    if moving != [index] or index in field.ingredients(x.numerator()):
+        return None
+    changing = [(base, n) for base, n in field.factor(x.denominator().num)[1] if index in base.generators()]
+    if len(changing) != 1:
+        return None
+    ((line, n),) = changing
+    slope = field.derivative(line, index)
+    if index in field.ingredients(slope) or len(field.terms(line.num)) == 1:
+        return None
+    if n > 1:
+        return field.lowest_terms(x * line / (slope * (1 - n)))
+    start = field.follow(line, {index: field.zero})
+    return field.lowest_terms(x * line / slope * functions(field)["log"](field.lowest_terms(line / start)))
 
 
 def _of_term(field: Field, powers: dict[int, int], index: int) -> Ratio | None:

@@ -11,18 +11,19 @@ from typing import Self
 from freebody.symbolic.antiderivative import antiderivative
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
-from freebody.symbolic.laws.base import Freely, MotionLaw
+from freebody.symbolic.laws.base import Freely
+from freebody.symbolic.laws.in_time import InTime
 from freebody.symbolic.signs import Sign
 
 
 @dataclass(frozen=True)
-class Spun(MotionLaw):
-    """rate, way: the rate, and the integral of it that is zero at the start, as functions of the time."""
+class Spun(InTime):
+    """size: D/D0, as a function of the time. The rate grows without bound where a divisor D comes to zero, and what is
+    told ends there."""
 
     key = "spun"
 
-    rate: Ratio
-    way: Ratio
+    size: Ratio
 
     @classmethod
     def of(cls, moving: Freely) -> Self | None:
@@ -44,23 +45,18 @@ class Spun(MotionLaw):
         whole = antiderivative(rate, clock) or _of_inverse_square(moving, rate)
         if whole is None:
             return None
-        way = f.lowest_terms(whole - f.follow(whole, {clock: f.zero}))
-        return cls(moving.model, moving.q0, moving.u0, rate, way)
+        way = whole - f.follow(whole, {clock: f.zero}) - moving.u0 * f.time
+        return cls(moving.model, moving.q0, moving.u0, f.lowest_terms(rate - moving.u0), f.lowest_terms(way), D / D0)
 
     @property
     def is_still(self) -> bool:
         return self.u0.is_zero()
 
-    @property
-    def first_acceleration(self) -> Ratio:
-        f = self.model.field
-        clock = f.index(f.time)
-        return f.follow(f.derivative(self.rate, clock), {clock: f.zero})
-
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
-        f = self.model.field
-        way, rate = (f.follow(x, {f.index(f.time): t}) for x in (self.way, self.rate))
-        return self.q0 + way, rate
+        f, clock = self.model.field, self.model.field.index(self.model.field.time)
+        if clock not in f.ingredients(t) and self.gained.den is not None:
+            self.is_negative(f.lowest_terms(f.follow(self.size, {clock: t})))
+        return super().at(t)
 
 
 def _of_inverse_square(moving: Freely, x: Ratio) -> Ratio | None:
