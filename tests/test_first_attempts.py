@@ -252,6 +252,11 @@ MISTAKES = {
         f"{BLOCK}loads: {{F: {{force: {{at: block, components: [3 N, 4 N], along: up, magnitude: 1 N}}}}}}",
         "force has no components: it has a direction and a magnitude: {along: [3, 4], magnitude: 5 N}",
     ),
+    "a force between two bodies": (
+        f"{BLOCK}loads: {{F: {{force: {{between: [block, ground.O], pulls: 3 N}}}}}}",
+        "force has no between: what two bodies A and B exert on each other is a law of their distance: law: "
+        "{measure: gap, force: -F} pulls with F, with measures: {gap: distance from A to B}",
+    ),
     "the ends of a rope": (
         f"{BLOCK}connections: {{r: {{rope: {{ends: [ground.A, block]}}}}}}",
         "string has no ends: its way is from one end over pulleys to the other: {from: a, over: [pulley], to: b}",

@@ -67,6 +67,16 @@ connections: {pull: {driver: {measure: r, follows: r0 - c*t}}}
 measures: {r: {distance from ground.O to puck}, phi: {angle of line from ground.O to puck}}
 start: {phi: 0, rate(phi): v0/r0}
 """
+# two boats on still water, one of which hauls in the rope to the other: their mass centre stays
+BOATS = """
+parameters: {m1: 90 kg, m2: 150 kg, L: 12 m, F: 60 N}
+ground: {lines: {water: {along: right}}}
+bodies: {A: {particle: {mass: m1}}, B: {particle: {mass: m2}}}
+connections: {a: {slider: [A, ground.water]}, b: {slider: [B, ground.water]}}
+loads: {rope: {law: {measure: gap, force: -F}}}
+measures: {x: {position of A along ground.water}, y: {position of B along ground.water}, gap: distance from A to B}
+start: {x: 0, y: L}
+"""
 FLYWHEEL = """
 parameters: {m: 30 kg, R: 0.4 m, c: 0.2 N m s, w0: 50 1/s, M: 3 N m, T: 6 s}
 bodies: {wheel: {disk: {mass: m, radius: R}}}
@@ -239,6 +249,8 @@ FORMULAS = {
     "reeled in, speed": (REELED, "speed of puck when r = r0/2", "sqrt(4*v0^2 + c^2)"),
     "reeled in, force": (REELED, "|driving force of pull| when r = r0/2", "8*m*v0^2/r0"),
     "reeled in, work": (REELED, "work of pull until r = r0/2", "3/2*m*v0^2"),
+    "boats, place": (BOATS, "x when x = y", "m2*L/(m1 + m2)"),
+    "boats, time": (BOATS, "when do the boats meet", "sqrt(2*L*m1*m2/(F*(m1 + m2)))"),
     # friction stops the block at v0/(mu g): before and after
     "block, sliding": (BLOCK, "velocity of x at t = T", "v0 - mu*g*T"),
 }

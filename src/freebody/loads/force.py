@@ -50,6 +50,12 @@ class Force(Load, kind="force"):
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("x", "y", "z", "components", "vector"),
         Message("it has a direction and a magnitude: {{along: [3, 4], magnitude: 5 N}}"),
+    ) | dict.fromkeys(
+        ("between", "from", "to", "pulls", "pushes"),
+        Message(
+            "what two bodies A and B exert on each other is a law of their distance: law: {{measure: gap, force: -F}} "
+            "pulls with F, with measures: {{gap: distance from A to B}}"
+        ),
     )
     example = """
 bodies: {ball: {particle: {mass: 1 kg}}}

@@ -381,8 +381,9 @@ class QuestionSolver:
             conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
         self._check_is_told(x)
         begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
-        begins = [c for c in begins if not c.element.is_zero()]  # a distance that starts at zero
-        ends = [c for c in ends if not self._is_untold(c.element)]
+        # a distance may be zero at the start, or come to zero with the event
+        begins = [c for c in begins if not c.element.is_zero()]
+        ends = [c for c in ends if not self._is_untold(c.element) and not c.element.is_zero()]
         # nor is it compared where the closed loops do not close at the event; where they just do, in a singular pose,
         # there is a place but no velocity
         closing = [c for c in self.setup.closing(there) if not self._is_untold(c.element)]

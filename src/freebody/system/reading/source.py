@@ -336,14 +336,17 @@ class Source:
         self.names.problem(told, *path)
 
     def _misnamed(self, kind: type[Spec], absent: Sequence[str], strange: Sequence[str], *path: str | int) -> None:
-        """Fields that there are not and fields that are left out. Who writes `from` for `first` makes one mistake."""
+        """Fields that there are not and fields that are left out. Who writes `from` for `first` makes one mistake, and
+        so does who means another kind and gives nothing of what this one needs."""
         known = [f.alias or n for n, f in kind.model_fields.items()]
         alike = {key: tuple(difflib.get_close_matches(key, known, n=1, cutoff=0.6)) for key in strange}
         meant = {key: kind.meant(key) or alike[key] for key in strange}
         for key in strange:
             if key in kind.elsewhere:
-                told = Message("{what} has no {key}: {instead}", what=kind.kind, key=key, instead=kind.elsewhere[key])
-                self.names.problem(told, *path, key)
+                instead = kind.elsewhere[key]
+                if next(k for k in strange if kind.elsewhere.get(k) == instead) == key:
+                    told = Message("{what} has no {key}: {instead}", what=kind.kind, key=key, instead=instead)
+                    self.names.problem(told, *path, key)
                 continue
             hint = did_you_mean(key, known)
             if meant[key]:
@@ -352,7 +355,9 @@ class Source:
                 continue  # told with what is left out
             self.names.problem(Message("{what} has no {key}.{hint}", what=kind.kind, key=key, hint=hint), *path, key)
         left = [field for field in absent if not any(field in fields for fields in meant.values())]
-        if not left:
+        needed = [f.alias or name for name, f in kind.model_fields.items() if f.is_required()]
+        is_another = left == needed and any(key in kind.elsewhere for key in strange)
+        if not left or is_another:
             return
         others = [key for key in strange if not meant[key] and key not in kind.elsewhere]
         has_no = Message("has no {keys}; it ", keys=in_turn(others)) if others else ""
