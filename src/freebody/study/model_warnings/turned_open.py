@@ -14,7 +14,6 @@ from freebody.errors import FreebodyError
 from freebody.language.sentences import Message
 from freebody.measures.geometry import AXES, Direction, unit
 from freebody.model.elements import RigidBody
-from freebody.numeric.contact.start import lying_flat
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
 
 _TURNED = 1e-3  # [rad] less is round-off of a pose that is closed
@@ -24,6 +23,10 @@ class TurnedOpen(WarningKind, name="turned open"):
     """The start turns a body, and fits without turning it too."""
 
     def look(self, model: Opened) -> Iterator[ModelWarning]:
+        if not model.system.bounds:
+            return
+        from freebody.numeric.contact.start import lying_flat  # imported where a model has contacts
+
         flat = lying_flat(model.reference)
         for body in model.system.moving:
             start, near = body.start, body.start.near
