@@ -13,7 +13,7 @@ from math import acos, degrees
 from freebody.errors import FreebodyError
 from freebody.language.sentences import Message
 from freebody.measures.geometry import AXES, Direction, unit
-from freebody.model.elements import RigidBody
+from freebody.model.elements import RigidBody, UnilateralConstraint
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
 
 _TURNED = 1e-3  # [rad] less is round-off of a pose that is closed
@@ -32,6 +32,7 @@ class TurnedOpen(WarningKind, name="turned open"):
             start, near = body.start, body.start.near
             is_said = start.angle is not None or start.turned is not None or near is not None
             is_open = body.turns and not is_said and body.name not in flat and _is_only_touched(model, body.name)
+            is_open = is_open and not _lies_on_a_side(model, body.name)
             angle = _angle(model, body) if is_open else 0.0
             if angle > _TURNED and _fits_unturned(model, body.name):
                 told = Message(
@@ -48,6 +49,20 @@ def _is_only_touched(model: Opened, body: str) -> bool:
     """Whether all that holds a body are sides that it touches."""
     rows = [row for row in model.system.constraint_rows if body in row.measure.bodies()]
     return all(row.unilateral or row.reaction.startswith("friction") for row in rows)
+
+
+def _lies_on_a_side(model: Opened, body: str) -> bool:
+    """Whether a contact names a side of a body, and both ends of that side touch: the file says how it lies."""
+    from freebody.numeric.contact.overlaps import PENETRATION, gap_of
+
+    places: dict[str, list[UnilateralConstraint]] = {}
+    for bound in model.system.bounds:
+        if bound.row.ends[0].partition(".")[0] == body:
+            places.setdefault(bound.family, []).append(bound)
+    g, size = model.start.geometry, PENETRATION * model.reference.sizes.length
+    return any(
+        len(ends) == 2 and all(abs(gap_of(model.reference, g, end)) <= size for end in ends) for ends in places.values()
+    )
 
 
 def _angle(model: Opened, body: RigidBody) -> float:
