@@ -13,8 +13,9 @@ written as one
     is_of_kind(names, words, text, asked)   kinds.py    whether its value is of the kind that the words ask for
 
 Between words and meanings a sentence is parted into clauses (sentence.py); a clause is a condition (events.py), a
-quantity (asking.py, with a room for each family: of_motion.py, polar.py, of_forces.py, of_sections.py, of_systems.py;
-what a question word and a verb ask for together says frames.py), at an instant (instants.py), up to an event
+quantity (asking.py, with a room for each family: of_motion.py, polar.py, of_forces.py with at_joints.py and
+transmitting.py, of_springs.py, of_transmissions.py, of_sections.py, of_systems.py; what a question word and a verb ask
+for together says frames.py), at an instant (instants.py), up to an event
 (counting.py), or a question turned round (turning_round.py, and what is to be so in so_that.py). Where an equation
 says when, what else is said of that instant describes it (stated.py); up to which value of a parameter rest
 lasts is put in many ways

@@ -16,9 +16,12 @@ from freebody.questions.spoken import (
     of_forces,
     of_motion,
     of_sections,
+    of_springs,
     of_systems,
+    of_transmissions,
     poses,
     strings,
+    transmitting,
 )
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed
 from freebody.questions.spoken.frames import FORCES, MOTION, framed
@@ -42,7 +45,7 @@ _OF_QUANTITY = (
     "magnification factor",
 )
 # the rooms of quantities are found when this is read
-__all__ = ["of_forces", "of_motion", "of_sections", "of_systems", "quantities"]
+__all__ = ["of_forces", "of_motion", "of_sections", "of_springs", "of_systems", "of_transmissions", "quantities"]
 
 
 _OF_MODE = {"first": "lowest", "least": "lowest", "greatest": "highest"}  # which of the natural frequencies
@@ -202,13 +205,13 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         for group in _plain(names, clause) if len(angles) == 1 else ():
             yield [f"{end} {text} over {angles[0]}" for text in group]
         return
-    belts = of_forces.having(names, "greatest belt force") if degree == "greatest" else []
+    belts = transmitting.having(names, "greatest belt force") if degree == "greatest" else []
     is_torque = clause.all("quantity") in (["torque"], ["moment"], ["driving torque"])
     is_torque = is_torque and clause.without("verb", "carry").only("quantity", "name", "ask", *SILENT)
     if is_torque and (torques := strings.greatest_torques(names, belts, of)):
         yield [JOINT.join(torques)]
         return
-    belts = of_forces.having(names, "greatest power")
+    belts = transmitting.having(names, "greatest power")
     if degree == "greatest" and clause.has("quantity", "power", "transmitted power") and {*of} <= {*belts}:
         yield [f"greatest power of {belt}" for belt in belts if belt in (of or [belt])]
     for group in _plain(names, clause):

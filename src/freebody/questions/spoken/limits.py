@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
-from freebody.questions.spoken import given, joining, lookup, of_forces
+from freebody.questions.spoken import given, joining, lookup, transmitting
 from freebody.questions.spoken.accounting import PLACED
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.keeping import n_freedoms
@@ -105,7 +105,7 @@ def _is_lifted_by_choice(names: Names, clause: Clause, parameter: str) -> bool:
 def _grip(names: Names, words: list[Word]) -> Groups:
     """From what torque on does the belt slip: the largest with which it does not, while it runs."""
     head, state = _parted(names, words)
-    rough = [*joining.rough(names, ""), *of_forces.having(names, "greatest belt force")]
+    rough = [*joining.rough(names, ""), *transmitting.having(names, "greatest belt force")]
     joints = [name for _, name in state.names if name in rough]
     alone = not joints and len(rough) == 1 and is_all_of(names, rough[0], [*head.names, *state.names])
     joints = rough if alone else joints

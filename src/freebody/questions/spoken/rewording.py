@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, given, joining, lookup, losing, of_forces
+from freebody.questions.spoken import along_lines, given, joining, lookup, losing, transmitting
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.lexicon import Word
@@ -248,7 +248,7 @@ def transmitted(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     is_limit = any(word in _TRANSMITS for word in words) and known and (greatest in words or modal == {"may"})
     if not is_limit or len(asked) != 1 or words[asked[0]].what not in _TRANSMITTED:
         return words
-    slipping = [*of_forces.having(names, "greatest belt force"), *losing.clutches(names)]
+    slipping = [*transmitting.having(names, "greatest belt force"), *losing.clutches(names)]
     return [greatest, words[asked[0]], _FOR, Word("name", slipping[0])] if len(slipping) == 1 else []
 
 
