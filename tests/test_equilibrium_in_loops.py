@@ -8,6 +8,9 @@ import pytest
 
 from freebody.api import System
 from freebody.language.expression import Expr
+from freebody.language.notation import to_python
+from freebody.study.answering.frequency_in_names import frequency_in_names
+from freebody.study.setup import Setup
 from posed import is_formula
 
 CORD = """
@@ -95,3 +98,56 @@ def test_inertia_is_that_of_the_equilibrium_away_from_the_start() -> None:
     turning = (2 * a * cosine / H) ** 2 / (1 - (2 / H * (1 - a * sine)) ** 2)
     found = System.from_text(DOOR).solve("stability of equilibrium").answers[0]
     assert found.value == pytest.approx(-stiffness / (m * (a**2 + H**2 * turning / 12)))
+
+
+def test_a_frequency_about_a_start_in_a_loop_is_a_chain_by_the_stiffness_and_the_reduced_mass() -> None:
+    """x = r cos(phi) + sqrt(l^2 - r^2 sin(phi)^2): K = k x'^2 of a spring that is relaxed, M = M r^2/3 + m x'^2."""
+    model = """
+parameters: {r: 0.1 m, l: 0.3 m, m: 2 kg, M: 1.5 kg, k: 400 N/m, alpha: 50 deg}
+ground: {points: {O: [0, 0]}, lines: {bore: {along: right}}}
+bodies:
+  crank: {rod: {length: r, mass: M}}
+  rod: {rod: {length: l}, near: {angle: 0}}
+  piston: {particle: {mass: m}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  bore: {slider: {body: piston, along: bore}}
+loads: {spring: {spring: {between: [ground.O, piston], stiffness: k}}}
+measures: {phi: angle of crank}
+start: {phi: alpha}
+"""
+    found = System.from_text(model).solve("natural frequency").answers[0]
+    s, c = math.sin(math.radians(50)), math.cos(math.radians(50))
+    slope = -0.1 * s - 0.01 * s * c / math.sqrt(0.09 - 0.01 * s * s)
+    assert found.value == pytest.approx(math.sqrt(400 * slope**2 / (1.5 * 0.01 / 3 + 2 * slope**2)))
+    assert found.chain is not None, found.reason
+    assert {"k_rod", "M_eff", "K_eff"} <= {str(to_python(step.name)) for step in found.chain.named}
+    assert len(found.chain.named) < 9
+
+
+def test_the_chain_of_a_frequency_counts_the_forces_that_are_there() -> None:
+    """A deck on two equal bars in its symmetric pose: K = m g y'' of its centre, as the formula in one piece has it."""
+    model = """
+parameters: {a: 0.4 m, b: 0.3 m, d: 0.6 m, m: 3 kg, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], D: [d, 0]}}
+bodies:
+  left: {rod: {length: a}}
+  right: {rod: {length: a}, near: {angle: -112 deg}}
+  deck: {rod: {length: b, mass: m}, near: {angle: 0 deg}}
+connections:
+  A: {pin: [ground.A, left.start]}
+  D: {pin: [ground.D, right.start]}
+  B: {pin: [left.end, deck.start]}
+  C: {pin: [right.end, deck.end]}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of left}
+start: {theta: -acos((d - b)/(2*a))}
+questions: [natural frequency]
+"""
+    system = System.from_text(model)
+    named = frequency_in_names(Setup(system), system.questions[0])
+    assert named is not None
+    assert named.value == pytest.approx(system.solve().answers[0].value)
+    assert named.value == pytest.approx(system.modes(at="start").modes[0].frequency)

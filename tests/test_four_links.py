@@ -595,3 +595,52 @@ def test_a_shaper_whose_block_is_a_body_has_the_stroke_of_its_lever() -> None:
     found = posed(SHAPER_WITH_A_BLOCK, "stroke of x")
     assert found.expression is not None
     assert found.value == pytest.approx(2 * 0.1 * 0.6 / 0.25)
+
+
+def test_an_oscillating_cylinder_in_which_a_rod_slides_is_a_loop_of_four_links() -> None:
+    """The cylinder turns back where the crank stands across it, at asin(r/d) to either side of half a turn."""
+    model = """
+parameters: {r: m, d: m, w: 1/s}
+ground: {points: {O: [0, 0], P: [d, 0]}}
+bodies:
+  crank: {rod: {length: r}}
+  rod: {body: {}, near: {angle: 180 deg}}
+  cylinder: {body: {}, near: {at: [d, 0], angle: 180 deg}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  P: {pin: [ground.P, cylinder]}
+  A: {pin: [crank.end, rod]}
+  bore: {slider: {body: rod, along: cylinder.x}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: angle of crank, psi: angle of cylinder}
+"""
+    assert posed(model, "does the crank turn fully").conditions == ("crank turns fully for all lengths",)
+    is_formula(model, "stroke of psi", "2*asin(r/d)", numbers={"r": 0.4, "d": 1.1, "w": 1.0})
+
+
+def test_a_ram_that_passes_its_stretched_toggle_has_no_stroke_by_the_dead_points_of_the_rocker() -> None:
+    """The toggle is straight between the dead points of its upper bar: the ram has its lowest place there."""
+    model = """
+parameters: {r: 30 mm, c: 200 mm, l1: 150 mm, l2: 180 mm, w: 10 rad/s}
+ground: {points: {O: [210 mm, -120 mm], P: [0, 0]}, lines: {way: {along: up}}}
+bodies:
+  crank: {rod: {length: r}}
+  rod: {rod: {length: c}, near: {angle: 180 deg}}
+  upper: {rod: {length: l1}, near: {angle: -80 deg}}
+  lower: {rod: {length: l2}, near: {angle: -100 deg}}
+  ram: {particle: {}, near: {at: [0, -0.32 m]}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  K: {pin: [rod.end, upper.end]}
+  P: {pin: [ground.P, upper.start]}
+  B: {pin: [upper.end, lower.start]}
+  C: {pin: [lower.end, ram]}
+  way: {slider: {body: ram, along: way}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: angle of crank, psi: angle of upper, s: y of ram}
+start: {phi: 0}
+"""
+    found = posed(model, "stroke of s")
+    assert "defect" not in found.reason
+    assert found.value == pytest.approx(0.010817, rel=1e-4)

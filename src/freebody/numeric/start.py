@@ -144,6 +144,9 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     """The pose at t = 0 of one part nearest to the guess."""
     for body in reference.system.all_moving:
         _refuse_singular(reference, body)
+    is_trial = n_starts < N_STARTS  # with other values, of which nobody is told why they do not fit
+    if is_trial and (why := cannot_close(reference, start_values(reference, extra))) is not None:
+        raise _does_not_close(why)
     equations = _equations(reference, extra)
     described = turned_to_face(reference, guessed(reference))
     if guess is None and len(described) <= LARGE:
@@ -180,11 +183,9 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     try:
         best, q = _searched(reference, guess, equations, n_starts)
     except CannotAnswer as error:
-        if (why := cannot_close(reference, start_values(reference, extra))) is not None:
-            raise CannotAnswer(Message("the start cannot be assembled: {why}", why=why)) from error
-        if isinstance(error, BudgetExhausted):
-            raise
-        if extra:
+        if not is_trial and (why := cannot_close(reference, start_values(reference, extra))) is not None:
+            raise _does_not_close(why) from error
+        if isinstance(error, BudgetExhausted) or is_trial or extra:
             raise
         told = _with_places_that_fit(reference, error.args[0])
         told = _with_values_that_fit(reference, told) if told is error.args[0] else told
@@ -192,6 +193,10 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     if q is not guess:
         best = _settled(reference, best, guess, wishes)
     return _nearest(reference, best, guess)
+
+
+def _does_not_close(why: str) -> CannotAnswer:
+    return CannotAnswer(Message("the start cannot be assembled: {why}", why=why))
 
 
 def _searched(

@@ -43,6 +43,7 @@ _TIME = 0.37  # an instant at which drivers are looked at
 _SAME = 1e-6  # of a length: less is no other sign
 _STILL = 1e-8  # of the slope of a measure: less along all free motions is no change
 
+_MOST_TERMS = 60  # of a condition that is read, multiplied out
 _N_WAYS = 6  # directions in which a general pose is looked for
 _OTHER_WAY = 1000  # between their seeds
 _CLOSER = (1.0, 0.5, 0.2, 0.05)  # how far from the file's values draws on its branch are looked for
@@ -107,6 +108,7 @@ class Setup:
         starts = [replace(d.sample(), still=still_measures(d)) for d in self.draws[:3]]
         general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
         model = SymbolicModel(self.system, [*starts, *general])
+        model.start.by_loops = lambda values: Closure(model).at(values)
         with suppress(CannotAnswer):  # what the laws take to be positive is so for every question
             model.loads.wrenches  # noqa: B018
         closure = Closure(model)
@@ -299,10 +301,16 @@ class Setup:
         return Closure(self.model)
 
     def closing(self, state: SymbolicState) -> list[Condition]:
-        """Where the closed loops close, as far as they have a short solution."""
+        """Where the closed loops close, as far as that is read at a glance; the names of a chain tell the rest."""
+        found = self.closing_in_full(state)
+        if any(c.element.n_terms > _MOST_TERMS for c in found):
+            return []
+        return [kept for c in found for kept in _open(c.element, c.relation, c.purpose)]
+
+    def closing_in_full(self, state: SymbolicState) -> list[Condition]:
+        """Where the closed loops close, as far as they have a short solution, however long that is."""
         with suppress(CannotAnswer):
-            found = [_open(state.here(c.element), c.relation, c.purpose) for c in self.closure.closes()]
-            return [c for conditions in found for c in conditions]
+            return [replace(c, element=state.here(c.element)) for c in self.closure.closes()]
         return []
 
     def in_free_coordinates(

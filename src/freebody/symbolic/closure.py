@@ -31,6 +31,7 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
 _MOST_TERMS = 400  # of an angle's cosine
+_TO_THE_LEFT = -0.9  # the cosine of an angle that the tangent of its half jumps at soon
 _MOST_PRODUCTS = 20_000  # of the terms of its numerator and denominator: its rate has those of them all
 
 
@@ -215,7 +216,10 @@ class Closure:
         if any(len(x.num) > _MOST_TERMS or len(x.num) * _below(x) > _MOST_PRODUCTS for x in (cos, sin)):
             raise FormulaTooLong(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
-        for is_left, principal in enumerate(_principals(f, cos, sin, half)):
+        ways = list(enumerate(_principals(f, cos, sin, half)))
+        if any(x < _TO_THE_LEFT for x in self.model.samples.at_starts(cos)):  # the first one jumps near by
+            ways.reverse()
+        for is_left, principal in ways:
             turns = self._turns(q, principal)
             if len(turns) <= 1:
                 self._turned[q.index] = bool(is_left), 2 * (turns.pop() if turns else 0) * f.pi

@@ -353,7 +353,7 @@ class Field(PolynomialRing):
             raise ZeroDivisionError("division by an expression that is zero")
         if num == 0:
             return Ratio(self, num, None)
-        divisor = num.gcd(below)
+        divisor = self.common_divisor(num, below)
         if not divisor.is_one():
             num, below = num / divisor, below / divisor
         if below.leading_coefficient() < 0:

@@ -7,6 +7,7 @@ to its bodies (`start_pose`), and where it is a multiple of a right angle at all
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
@@ -28,6 +29,8 @@ class GivenStart(ABC):
         """absolute: the statements of measures over the unknowns, which note what expressions they read."""
         self.bodies, self.samples, self.absolute = bodies, samples, absolute
         self.system, self.unknowns, self.field = bodies.system, bodies.unknowns, bodies.field
+        # what closed loops bind at the start, by the values of coordinates there: told when the loops are known
+        self.by_loops: Callable[[Mapping[int, Ratio]], Mapping[int, Ratio]] = lambda _values: {}
 
     @abstractmethod
     def of_coordinate(self, c: Coordinate) -> Ratio | None:

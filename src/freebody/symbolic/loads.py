@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.symbolic.bodies import Bodies
@@ -12,8 +13,10 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.given_start import GivenStart
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.speeds import Speeds
-from freebody.symbolic.unknowns import ModelUnknowns
+from freebody.symbolic.unknowns import Coordinate, ModelUnknowns
 from freebody.system.system import System
+
+_MOST_TERMS = 60  # of a start value that is told by a formula
 
 
 class SymbolicLoads:
@@ -97,18 +100,29 @@ class SymbolicLoads:
         return constants[push.name]
 
     def _from_coordinates(self, now: Ratio, name: str) -> Ratio | None:
-        """The start value of a measure from those of the coordinates, as it is at all samples."""
+        """The start value of a measure from those of the coordinates, and of what loops bind there, as it is at all
+        samples; None where it has no short formula."""
         f = self.field
         values: dict[int, Ratio] = {f.index(f.time): f.zero}
         for c in (*self._speeds.coordinates, *self._speeds.dependent):
-            if c.name in self._system.all_start:
-                values[c.index] = self._configuration.geometry.scalar(self._system.all_start[c.name])
-                continue
-            value = self._start.of_coordinate(c)
-            if value is None:
-                value = self._start.recognised(c)
-            if value is None:
+            value = self._at_start(c)
+            if value is not None:
+                values[c.index] = value
+        bound = {d.index for d in self._speeds.dependent} - values.keys()
+        if any(c.index not in values for c in self._speeds.coordinates):
+            return None
+        if bound & f.ingredients(now):
+            try:
+                values |= self._start.by_loops(values)
+            except (CannotAnswer, ZeroDivisionError):
                 return None
-            values[c.index] = value
         x = f.follow(now, values)
-        return x if self._samples.is_start_value(x, name) else None
+        is_told = x.n_terms <= _MOST_TERMS and not f.ingredients(x) & self._unknowns.changing
+        return x if is_told and self._samples.is_start_value(x, name) else None
+
+    def _at_start(self, c: Coordinate) -> Ratio | None:
+        """The start value of a coordinate, where the model tells it or it is a multiple of a right angle."""
+        if c.name in self._system.all_start:
+            return self._configuration.geometry.scalar(self._system.all_start[c.name])
+        value = self._start.of_coordinate(c)
+        return self._start.recognised(c) if value is None else value

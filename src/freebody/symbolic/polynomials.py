@@ -7,7 +7,8 @@ reduction to the normal form. FLINT does the arithmetic.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any, TypeAlias
 
 import flint
@@ -42,6 +43,7 @@ class PolynomialRing:
 
     def __init__(self, capacity: int) -> None:
         self._relations: dict[int, Poly] = {}  # g^2 - r, by number of g
+        self._left: int | None = None  # pairs of terms that quotients may still compare, where that is limited
         self._open(capacity)
 
     def _open(self, capacity: int) -> None:
@@ -101,6 +103,24 @@ class PolynomialRing:
         if len(a) * len(b) > PRODUCT_LIMIT:
             raise _too_long()
         return a * b
+
+    @contextmanager
+    def within(self, pairs: int) -> Generator[None]:
+        """Quotients inside compare no more pairs of terms, of numerator and denominator, than so many: beyond that, as
+        where a product is too long, FormulaTooLong is raised."""
+        before, self._left = self._left, pairs
+        try:
+            yield
+        finally:
+            self._left = before
+
+    def common_divisor(self, a: Poly, b: Poly) -> Poly:
+        """The greatest one."""
+        if self._left is not None:
+            self._left -= len(a) * len(b)
+            if self._left < 0:
+                raise _too_long()
+        return a.gcd(b)
 
     def reduce(self, poly: Poly) -> Poly:
         """Normal form modulo the relations g^2 = r."""

@@ -63,7 +63,8 @@ class StagedMotion:
         return {e.index: self.field.variable(a) for e, a in zip(self.speeds, self._shown_rates, strict=True)}
 
     # -- names --------------------------------------------------------------------------------
-    def _named(self, name: str, value: Ratio, *, positive: bool = False) -> NamedElement:
+    def named(self, name: str, value: Ratio, *, positive: bool = False) -> NamedElement:
+        """Another name for an element in what was named before."""
         return self._of_display(Symbol(self._fresh(name)), value, "function", positive=positive)
 
     def _of_display(self, shown: Symbol | Call, value: Ratio, kind: Kind, *, positive: bool = False) -> NamedElement:
@@ -100,7 +101,7 @@ class StagedMotion:
                 slope = f.lowest_terms(f.partial(value, c.speed))
                 if slope.is_zero():
                     continue
-                ratio = self._named(self._of_pair("k", d, c), slope)
+                ratio = self.named(self._of_pair("k", d, c), slope)
                 self.ratios.append(ratio)
                 total = total + f.variable(ratio.index) * f.variable(c.speed)
                 rest = rest - slope * f.variable(c.speed)
@@ -124,7 +125,7 @@ class StagedMotion:
             if total.is_zero() or bias.is_zero():
                 found[d.speed] = total + bias
                 continue
-            named = self._named(f"h_{self._short(d)}", bias)
+            named = self.named(f"h_{self._short(d)}", bias)
             self.biases.append(named)
             found[d.speed] = total + f.variable(named.index)
         return found
@@ -147,7 +148,7 @@ class StagedMotion:
                 name = "M_eff" if n == 1 else f"M_{min(j, k) + 1}{max(j, k) + 1}"
                 row[b] = self._inertia(name, mass[j][k])
             if not force[j].is_zero():
-                self.forces.append(self._named("Q_eff" if n == 1 else f"Q_{j + 1}", force[j]))
+                self.forces.append(self.named("Q_eff" if n == 1 else f"Q_{j + 1}", force[j]))
                 row[RHS] = f.variable(self.forces[-1].index)
             rows.append(row)
         samples = self._of.samples
@@ -167,7 +168,7 @@ class StagedMotion:
         known = next((e for e in self.inertias if e.value == value), None)
         if known is None:
             # one mass is not negative, and was divided by
-            known = self._named(name, value, positive=name == "M_eff")
+            known = self.named(name, value, positive=name == "M_eff")
             self.inertias.append(known)
         return self.field.variable(known.index)
 

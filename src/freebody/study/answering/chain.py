@@ -181,6 +181,11 @@ class ChainBuilder:
         chain = self._ordered(list(map(tidy, parts)))
         return None if chain is None else self._found(chain, tuple(exists(parts)))
 
+    def in_order(self, result: Sequence[Expr]) -> InNames | None:
+        """What is asked in the names that there are; None where that is no chain."""
+        chain = self._ordered(result)
+        return None if chain is None else self._found(chain, self._needs(chain, []))
+
     def _found(self, chain: Chain, needs: tuple[Condition, ...]) -> InNames:
         told = {rate_key(step.name) for step in chain.named}
         closing = tuple(text for name, text in self._closing.items() if name in told)

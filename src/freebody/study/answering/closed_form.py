@@ -11,8 +11,9 @@ from functools import partial, singledispatchmethod
 from typing import NoReturn, cast
 
 from freebody.assess.verdict import Judgement
+from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, FormulaTooLong, NeverHappens
-from freebody.language.expression import number
+from freebody.language.expression import n_operations, number
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
@@ -36,6 +37,7 @@ from freebody.study.answering.conditions import as_written, is_kinematic, real
 from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.extent import as_reached, turn_of, turning_there
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise, answered
+from freebody.study.answering.frequency_in_names import frequency_in_names
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
 from freebody.study.answering.numbers import number_instead
@@ -49,10 +51,13 @@ from freebody.symbolic.on_the_way import kept_until
 from freebody.symbolic.reached import HoldsOnce, Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import StagedState, SymbolicState
+from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
 
+_MOST_PAIRS = 10_000_000  # of terms that quotients compare: a formula that takes more is read as a chain only
+_MOST_READ = 150  # operations of a frequency that is told in one piece where it has a chain
 _SWOLLEN = 60  # terms from which on a formula at an event is tried with the loops solved first
 
 
@@ -95,13 +100,23 @@ class QuestionSolver:
 
     def _smooth(self) -> Answer:
         try:
-            return self.finish(self._find())
+            found = self._find()
+            with suppress(CannotAnswer):
+                if self._is_unread(found) and (named := frequency_in_names(self.setup, self.question)) is not None:
+                    return named
+            return self.finish(found)
         except FormulaTooLong:
-            found = answer_in_names(self.setup, self.question, self._reached)
-            found = found or answer_by_energy(self.setup, self.question)
-            if found is None:
+            named = answer_in_names(self.setup, self.question, self._reached)
+            named = named or frequency_in_names(self.setup, self.question)
+            named = named or answer_by_energy(self.setup, self.question)
+            if named is None:
                 raise
-            return found
+            return named
+
+    def _is_unread(self, found: Finding) -> bool:
+        """Whether it is a frequency whose formula nobody would read."""
+        q, x = self.question.quantity, found.element
+        return isinstance(q, SmallOscillations) and isinstance(x, Ratio) and n_operations(tidy(x)) > _MOST_READ
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
@@ -356,11 +371,12 @@ class QuestionSolver:
                 raise HasNoValue(Message("it depends on which way it moves; ask for the ratio of two speeds"))
 
     def _elements(self, q: Quantity, state: SymbolicState) -> Elements:
-        value = q.value(self.system, state)
         f = self.model.field
-        if isinstance(value, tuple):
-            return tuple(f.lowest_terms(f.element(v)) for v in value)
-        return f.lowest_terms(f.element(value))
+        with f.within(allowed(_MOST_PAIRS)):
+            value = q.value(self.system, state)
+            if isinstance(value, tuple):
+                return tuple(f.lowest_terms(f.element(v)) for v in value)
+            return f.lowest_terms(f.element(value))
 
     # -- an event along the motion ------------------------------------------------------------
     @singledispatchmethod
@@ -392,6 +408,7 @@ class QuestionSolver:
         closing += [c for c in everywhere if not c.element.field.ingredients(c.element) & self.model.moving]
         is_of_pose = q.kinematic_order == 0 and not (isinstance(event, QuestionEvent) and event.order)
         conditions += closing if is_of_pose else [replace(c, relation=">") for c in closing]
+        untold = [] if closing else self.setup.closing_in_full(there)
         evidence = proof.along_motion(
             self.setup,
             self.question.text,
@@ -399,7 +416,7 @@ class QuestionSolver:
             event,
             x,
             reached.time if reached.settled is None else reached.settled,
-            [*conditions, *real(x)],
+            [*conditions, *untold, *real(x)],
             [*begins, *ends],
             reached.decays,
         )
@@ -546,7 +563,8 @@ class QuestionSolver:
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
     def _small(self, q: SmallOscillations) -> Finding:
-        return about_rest.oscillations(self.setup, self.question, q)
+        with self.model.field.within(allowed(_MOST_PAIRS)):
+            return about_rest.oscillations(self.setup, self.question, q)
 
     @_found.register(OfSmallMotion)
     def _of_small_motion(self, q: OfSmallMotion) -> Finding:

@@ -134,7 +134,7 @@ class AnswerCompletion:
         closing = [c for c in needed if c in self.setup.closing(state)]
         found: list[Condition] = []
         for group in (closing, [c for c in needed if c not in closing]):
-            free = self.setup.in_free_coordinates(group, state)
+            free = self.setup.in_free_coordinates(group, state, loops.READABLE)
             found += kept_until(self.setup.motion, reached, free, closing=group is closing)
         return found
 

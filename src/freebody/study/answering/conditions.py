@@ -62,7 +62,9 @@ def as_written(setup: Setup, question: Question, state: SymbolicState) -> list[C
     if not (rests or q.is_of_state):
         return []
     waits = question.event is not None or question.transition is not None
-    if rests:
+    if rests and question.at_start:  # the start is what it is about
+        state = setup.start_instant
+    elif rests:
         values = setup.place_of_small_motion(stable_first=q.is_about_stable).values
         still = {c.speed: setup.model.field.zero for c in setup.model.coordinates}
         state = SymbolicState(setup.model, values | still)

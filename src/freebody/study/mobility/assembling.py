@@ -44,7 +44,7 @@ def _assembly(q: Assembly, setup: Setup, question: Question) -> Finding:
     notes: list[str] = []
     if isinstance(links.loop, FourBar):
         notes.append(Message("no side of the polygon is longer than all others together"))
-    closing = merged([Condition(c.element, c.relation) for c in setup.closing(setup.state)])
+    closing = merged([Condition(c.element, c.relation) for c in setup.closing_in_full(setup.state)])
     if closing and setup.model.coordinates:
         told_there = joined(closing)
         notes.append(

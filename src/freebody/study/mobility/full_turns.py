@@ -146,7 +146,10 @@ def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> F
     except CannotAnswer as error:
         if has_open_lengths(setup.system) or model.degrees_of_freedom != 1 or q.link not in setup.system.bodies:
             raise
-        return _full_turn_in_numbers(q, setup, str(error))
+        try:
+            return _full_turn_in_numbers(q, setup, str(error))
+        except CannotAnswer:  # what does not turn leads no motion
+            raise error from None
     evidence = _turns_in_numbers(setup, question.text, q.link, conditions, only_if=True)
     told = joined(merged([Condition(c.element, c.relation) for c in conditions]))
     says = (

@@ -178,6 +178,10 @@ class _Graph:
         """Bodies that turn, as far as no weld or fixing makes them one with another; then `link` connections."""
         return list(dict.fromkeys(link for node in self.nodes for link in sorted(node.links)))
 
+    def group_of(self, body: str) -> str:
+        """The link that it is part of."""
+        return self._group[body]
+
     def shared(self, one: str, other: str) -> list[int]:
         return [k for k, node in enumerate(self.nodes) if {one, other} <= node.links]
 
@@ -316,8 +320,8 @@ def _slider_cranks(graph: _Graph) -> Iterator[SliderCrank]:
                                 slide.guide, crank, rod, fixed, slide.connection, joints, slide.along, slide.through
                             )
                         )
-    # a guide on the ground first: the same loop seen from its slider is told once
-    yield from sorted(found, key=lambda loop: loop.guide != GROUND)
+    # a guide on the ground first, then one whose own axes tell its line: the same loop seen from its slider is one
+    yield from sorted(found, key=lambda loop: (loop.guide != GROUND, graph.group_of(loop.along.body) != loop.guide))
 
 
 def turned_links(system: System) -> list[str]:

@@ -38,7 +38,7 @@ from freebody.study.mobility.loop_questions import four_links, is_single_loop, l
 from freebody.study.setup import Setup
 from freebody.study.steady.round_turn import DrawnTurn, extremes_in_numbers, time_ratio_in_numbers
 from freebody.symbolic.closure import explicit
-from freebody.symbolic.conditions import Condition
+from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -152,6 +152,8 @@ def _behind(setup: Setup, q: Extremes, before: frozenset[str], output: str, poin
 def _found(setup: Setup, question: Question, q: Extremes, at: _Reversals) -> Finding:
     (c,) = setup.model.coordinates
     first = setup.draws[0]
+    if at.following is not None and setup.has_values and not at.following.goes_one_way(first):
+        raise CannotAnswer(Message("it has an extreme on the way between the dead points"))
 
     def size(x: Ratio) -> float:
         return element_at(setup, x, first, first.start())[0]
@@ -159,6 +161,9 @@ def _found(setup: Setup, question: Question, q: Extremes, at: _Reversals) -> Fin
     least, largest = sorted(at.values, key=size)
     element = _element(q, least, largest, at.cranks, size(at.cranks[1] - at.cranks[0]))
     conditions = [*at.needs, *(need for x in at.values for need in real(x))]
+    if at.following is not None:  # a toggle may pass its stretched pose on the other side at other lengths
+        order, _possible = require(largest - least, ">", Message("which extreme is which"))
+        conditions += [] if order is None else [order]
     tolerance = PLACE_TOLERANCE if q.what == "time ratio" else INSTANT_TOLERANCE
     check = CrossCheck(question.text, Message("the full system round a turn in numbers"), tolerance)
 
@@ -178,8 +183,6 @@ def _found(setup: Setup, question: Question, q: Extremes, at: _Reversals) -> Fin
     evidence = check.gather(loop_draws(setup), compare).evidence()
     notes, says = [in_turn(at.notes, "{first}; {second}")], list[str]()
     if at.following is not None:
-        if setup.has_values and not at.following.goes_one_way(first):
-            raise CannotAnswer(Message("it has an extreme on the way between the dead points"))
         says.append(Message("between the dead points of {link} it has no extreme", link=at.following.output))
     return Finding(element, evidence, conditions, notes, says)
 

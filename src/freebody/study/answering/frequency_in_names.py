@@ -1,0 +1,184 @@
+"""Natural frequency of one freedom through closed loops, as a chain of names, where its formula in one piece is long.
+
+With q the coordinate, q_d what loops bind, dq_d/dq = k_d and the reduced mass M in these names, loads F_i(s_i) along
+measures s_i(q) of the pose have the stiffness of small motions M x'' + K x = 0 about an equilibrium
+
+    K = -sum of (dF_i/ds_i s_i'^2 + F_i s_i''),        s' = ds/dq + sum of ds/dq_d k_d,
+
+and so on for s'' and k'. Source: Meirovitch, Elements of Vibration Analysis, 2nd ed. 1986, sec. 4.2.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Symbol, divide, free_symbols, multiply, number
+from freebody.language.notation import compared, reworded, to_text
+from freebody.language.sentences import Message
+from freebody.model.elements import AppliedLoad, NonholonomicForm
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import SmallOscillations
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.chain import ChainBuilder
+from freebody.study.answering.crosscheck import CrossCheck, SaysNothing
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.in_names import in_numbers, told
+from freebody.study.answering.named_formulas import NamedFormula
+from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.staged import NamedElement, shortened
+from freebody.symbolic.tidy import tidy
+
+_Slopes = tuple[Ratio, Ratio, Callable[[Ratio], Ratio]]
+
+_STIFFNESS = "K_eff"
+_TOLERANCE = 1e-5  # of the numeric linearisation, by differences
+
+
+def frequency_in_names(setup: Setup, question: Question) -> Answer | None:
+    """About the start, where that is an equilibrium of one freedom; None for other questions, starts and loads. Raises
+    CannotAnswer where the names have no formulas, or it does not oscillate."""
+    q, model = question.quantity, setup.model
+    if not isinstance(q, SmallOscillations) or len(model.coordinates) != 1 or not model.loops or question.options:
+        return None
+    if setup.system.states or not all(map(_is_of_pose, setup.system.all_loads)):
+        return None
+    names = _Names.of(setup)
+    names.builder.name_motion(names.ratios, names.inertias)
+    pulls = [pull for push in setup.system.all_loads if (pull := names.pull(push)) is not None]
+    force = sum((pull.force * pull.whole for pull in pulls), model.field.zero)
+    if not pulls or not model.samples.vanishes_at_starts(force):
+        return None
+    stiffness = -sum((names.stiffness(pull) for pull in pulls), model.field.zero)
+    names.builder.steps.append(NamedFormula(Symbol(_STIFFNESS), tidy(names.builder.here(stiffness))))
+    mass, K = names.builder.mass, Symbol(_STIFFNESS)
+    period = multiply(number(2), Symbol("pi"), Call("sqrt", divide(mass, K)))
+    found = names.builder.in_order([period if q.what == "period" else Call("sqrt", divide(K, mass))])
+    if found is None:
+        return None
+    check = CrossCheck(question.text, Message("numerical linearisation about the same equilibrium"), _TOLERANCE)
+
+    def compare(draw: Draw) -> None:
+        exact = in_numbers(setup, found, draw, draw.start())
+        try:
+            (w,) = map(float, draw.reference.frequencies(draw.q))
+        except CannotAnswer as error:  # it is unstable there
+            raise SaysNothing(str(error)) from None
+        check.compare(draw, exact, (math.tau / w if q.what == "period" else w,))
+
+    evidence = check.gather(setup.draw_stream(), compare).evidence()
+    stiff = compared(K, ">", number(0))
+    swings = reworded(Message("{condition} (oscillates)", condition=stiff), stiff)
+    return told(setup, replace(question, at_start=True), found, evidence, [swings])
+
+
+def _is_of_pose(push: AppliedLoad) -> bool:
+    """Whether a load is a law of the one measure of the pose that it pushes, the same on all sides."""
+    own = push.in_own_measure()
+    return (
+        not isinstance(push.measure, NonholonomicForm)
+        and push.one_sided is None
+        and own.general is None
+        and not own.measures
+        and "t" not in free_symbols(own.law)
+    )
+
+
+@dataclass(frozen=True)
+class _Pull:
+    """A load at the equilibrium: its force, how that grows with its measure, and how the measure runs with the
+    coordinate."""
+
+    force: Ratio
+    growth: Ratio
+    slope: Ratio  # by its name
+    whole: Ratio  # written out
+    bending: Ratio  # the slope of that
+
+
+@dataclass(frozen=True)
+class _Names:
+    """The names of the loops at the start, and slopes along the coordinate in them."""
+
+    setup: Setup
+    builder: ChainBuilder
+    ratios: tuple[NamedElement, ...]
+    inertias: tuple[NamedElement, ...]
+    running: dict[int, Ratio]  # how what loops bind runs with the coordinate
+    named: Callable[[str, Ratio], NamedElement]
+    known: dict[int, Ratio] = field(default_factory=dict[int, Ratio])  # slopes of ratios that have names
+
+    @staticmethod
+    def of(setup: Setup) -> _Names:
+        model, (c,) = setup.model, setup.model.coordinates
+        builder = ChainBuilder(setup, {c.index: setup.start.of(c.index)}, {_STIFFNESS})
+        staged = builder.staged()
+        builder.name_angles()
+        pairs = zip(model.dependent, staged.speeds, strict=True)
+        running = {d.index: model.field.partial(e.value, c.speed) for d, e in pairs}
+        return _Names(setup, builder, tuple(staged.ratios), tuple(staged.inertias), running, staged.named)
+
+    def along(self, x: Ratio) -> Ratio:
+        """The slope in all, at the ratios of the names."""
+        f, (c,) = self.setup.model.field, self.setup.model.coordinates
+        total = f.derivative(x, c.index)
+        for d, k in self.running.items():
+            total = total + f.derivative(x, d) * k
+        for e in self.ratios:
+            if (part := f.partial(x, e.index)).is_zero():
+                continue
+            if e.index not in self.known:
+                shown = to_text(f.generators[e.index].display)
+                self.known[e.index] = self.name(f"d{shown}", self.along(e.value))
+            total = total + part * self.known[e.index]
+        return f.lowest_terms(total)
+
+    def name(self, name: str, x: Ratio) -> Ratio:
+        """An element by a name of its own; numbers need none."""
+        if x.is_constant():
+            return x
+        element = self.named(name, x)
+        self.builder.name_motion([element])
+        return self.setup.model.field.variable(element.index)
+
+    def pull(self, push: AppliedLoad) -> _Pull | None:
+        """None of what no motion moves."""
+        model, f = self.setup.model, self.setup.model.field
+        assert not isinstance(push.measure, NonholonomicForm)
+        loops = [e.value.numerator() for e in model.loops]
+        value = shortened(model.value_of(push.measure), loops)
+        name = f"s_{push.name}".replace(".", "_").replace(" ", "_")
+        slopes = self._of_length(name, value) or self._of_value(value)
+        if slopes is None:
+            return None
+        s = f.parameter("@s")
+        law = model.geometry.apply(push.in_own_measure().law, {"@value": s, "@rate": f.zero})
+        there, whole, bend = slopes
+        at = {f.index(s): f.zero if push.measure.incremental else there}
+        force, growth = (f.lowest_terms(f.follow(x, at)) for x in (law, f.partial(law, f.index(s))))
+        slope = self.name(f"d{name}", whole)
+        bending = f.zero if force.is_zero() else self.name(f"dd{name}", bend(slope))
+        return _Pull(force, growth, slope, whole, bending)
+
+    def _of_value(self, value: Ratio) -> _Slopes | None:
+        """The value, its slope, and by a name of that how it changes in turn; None where nothing moves it."""
+        slope = self.along(value)
+        return None if slope.is_zero() else (value, slope, lambda _named: self.along(slope))
+
+    def _of_length(self, name: str, value: Ratio) -> _Slopes | None:
+        """Of what has a square p without roots, by s s' = p'/2 and s s'' = p''/2 - s'^2; None for another one."""
+        f = self.setup.model.field
+        roots = {g for g in value.generators() if f.generators[g].kind == "root" and f.generators[g].made_of}
+        square = f.lowest_terms(value * value)
+        half = self.along(square) / 2
+        if not roots or roots & square.generators() or half.is_zero():
+            return None
+        s = self.name(name, value)
+        return s, f.lowest_terms(half / s), lambda slope: f.lowest_terms((self.along(half) - slope * slope) / s)
+
+    def stiffness(self, pull: _Pull) -> Ratio:
+        """dF/ds s'^2 + F s''"""
+        return pull.growth * pull.slope * pull.slope + pull.force * pull.bending
