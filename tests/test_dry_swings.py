@@ -34,6 +34,7 @@ HAND = {
     "x when b comes to rest for the third time": "-(x0 - 6*mu*m*g/k)",
     "time after 3 half swings": "3*pi*sqrt(m/k)",
     "number of half swings until it comes to rest for good": "3",
+    "number of half swings until b comes to rest": "3",
     "x when it comes to rest for good": "-(x0 - 6*mu*m*g/k)",
     # 2 a_1 + 2 a_2 + 2 a_3 of the arcs about the shifted middle, a_n = x0 - (2 n - 1) R/k
     "length of the path of b until b comes to rest for good": "2*(3*x0 - 9*mu*m*g/k)",

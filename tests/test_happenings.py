@@ -367,3 +367,26 @@ measures: {x: x of wedge}
     assert posed(text, "range of P for which nothing slips").value == pytest.approx(ends)
     assert posed(text, "largest P so that the block does not slip").value == pytest.approx(ends[1])
     assert "nothing resists wedge" in posed(text, "largest P so that nothing moves").reason
+
+
+def test_a_border_between_cases_is_no_end_where_it_is_only_seen_in_numbers_what_comes_behind() -> None:
+    """A pole that tips from th0 needs mu = 3 sin c (3 c - 2 c0)/(1 + 9 c^2 - 6 c0 c) where it slips at last: 0.0655 at
+    5 deg and 0.2547 at 20 deg. With 0.1 it slips on the way, though not at once."""
+    pole = """
+parameters: {m: 2 kg, L: 1.5 m, th0: 5 deg, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {pole: {rod: {mass: m, length: L}}}
+connections: {foot: {contact: {between: [pole.start, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {th: angle of pole from up clockwise}
+start: {th: th0, rate(th): 0}
+"""
+    answer = System.from_text(pole).solve("least mu so that foot does not slip until th = 20 deg").answers[0]
+    assert answer.value is None or answer.value == pytest.approx(0.254669, rel=1e-4)
+
+
+def test_tipping_and_sliding_at_once_is_the_end_of_tipping_first() -> None:
+    _system, (question,) = System.from_text(CRATE).asked_with("value of mu for which it tips and slides at once")
+    assert question.understood == "range of mu for which it tips before it slides as F grows"
+    answer = System.from_text(CRATE).solve("value of mu for which it tips and slides at once").answers[0]
+    assert answer.value == pytest.approx(0.6)

@@ -253,3 +253,18 @@ loads: {w: {gravity: g}}
 measures: {gap: x of B from A, xA: x of A, xB: x of B}
 """
     is_formula(model, "value of e for which speed of A after the impact = 0", "mA/mB")
+
+
+def test_the_impulse_of_a_stop_between_carts_is_its_size() -> None:
+    carts = """
+parameters: {m1: 2 kg, m2: 1 kg, v: 4 m/s, e: 0.7, d: 1 m}
+bodies:
+  A: {particle: {mass: m1}, at: [0, 0], velocity: [v, 0]}
+  B: {particle: {mass: m2}, at: [d, 0], velocity: [0, 0]}
+connections:
+  rail_A: {slider: {body: A, along: right}}
+  rail_B: {slider: {body: B, along: right}}
+  hit: {stop: {measure: {expression: xb - xa}, min: 0, restitution: e}}
+measures: {xa: x of A, xb: x of B}
+"""
+    is_formula(carts, "impulse of hit", "(1 + e)*m1*m2*v/(m1 + m2)")

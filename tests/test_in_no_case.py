@@ -7,6 +7,7 @@ import math
 import pytest
 
 import freebody as fb
+from posed import is_formula
 
 BRACED = """
 freebody: 1
@@ -103,3 +104,25 @@ def test_the_torque_at_which_driven_wheels_slip_is_told_though_wheels_that_lift_
     limit = mu * m * g * a / ((m + J / r**2) * (a + b) - mu * (m * h + 2 * J / r))
     assert answer.value == pytest.approx(r * limit * (m + 2 * J / r**2))
     assert any("looked at in numbers" in note for note in answer.notes)
+
+
+def test_what_holds_at_rest_needs_no_formulas_of_how_it_would_slip() -> None:
+    """Ice tongs: a link to the ring has m g/2 up, at the slope c/b; about the pivot h N = (a + 2 b) m g/2."""
+    tongs = """
+parameters: {m: 20 kg, a: 0.25 m, h: 0.3 m, b: 0.2 m, c: 0.15 m, mu: 0.5, g: 9.81 m/s^2}
+ground: {points: {ring: [0, 2*c]}}
+bodies:
+  l: {body: {}, at: [0, 0], points: {jaw: [-a, -h], eye: [b, c]}}
+  r: {body: {}, at: [0, 0], points: {jaw: [a, -h], eye: [-b, c]}}
+  ice: {rectangle: {mass: m, width: 2*a, height: 30 cm}, at: [0, -h]}
+connections:
+  pivot: {pin: [l, r]}
+  t1: {link: [ground.ring, l.eye]}
+  t2: {link: [ground.ring, r.eye]}
+  jl: {contact: {between: [l.jaw, ice.left], friction: mu}}
+  jr: {contact: {between: [r.jaw, ice.right], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+    is_formula(tongs, "tension of t1", "m*g*sqrt(b^2 + c^2)/(2*c)", factors=(1.0,))
+    pressed = is_formula(tongs, "normal force of jl", "m*g*(a + 2*b)/(2*h)", factors=(1.0,))
+    assert "while it stays at rest" in pressed.notes

@@ -503,6 +503,23 @@ loads: {weight: {gravity: g}, pull: {force: {at: block, along: right, magnitude:
 """
 
 
+GROWING = """
+parameters: {m: 10 kg, mu: 0.3, c: 8 N/s, g: 9.81 m/s^2, T: 8 s}
+ground: {lines: {floor: {along: right}}}
+bodies: {crate: {particle: {mass: m}, at: [0, 0]}}
+connections: {c: {contact: {between: [crate, floor], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: crate, along: right, magnitude: c*t}}}
+measures: {x: x of crate}
+start: {x: 0, rate(x): 0}
+"""
+
+
+def test_heat_beside_a_force_that_grows_with_the_time(agrees_text: Agree) -> None:
+    """It slips from t1 = mu m g/c on: x = c (T - t1)^3/(6 m)."""
+    heat = shown(solved(GROWING, "energy lost until t = T"))
+    agrees_text(heat, "mu*g*c*(T - mu*m*g/c)**3/6")
+
+
 @pytest.mark.parametrize(
     ("model", "expected"),
     [

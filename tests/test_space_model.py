@@ -14,6 +14,7 @@ import freebody as fb
 from freebody.numeric.reference import Reference
 from freebody.numeric.rotation import matrix
 from freebody.numeric.spatial import tensor_of, turned_by
+from posed import is_formula
 
 SEED = 5
 AXES = ("x", "y", "z", "-x", "-y", "-z")
@@ -348,3 +349,26 @@ loads:
     assert at_foot.value == pytest.approx((30 * 2 + 60 * 4 / 3, 0.0, 0.0), abs=1e-9)
     assert at_end.value == pytest.approx((-60 * 4 / 6, 0.0, 0.0), abs=1e-9)
     assert axial.value == pytest.approx(-3 * 9.81 / 2, rel=1e-9)
+
+
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+def test_a_shaft_in_two_ball_bearings_turns_about_any_axis(axis: str) -> None:
+    """A rod that is welded to it at the angle beta: T = m L^2/24 W^2 sin(beta)^2, and no torque."""
+    lead = {"x": "[{}, 0, 0]", "y": "[0, {}, 0]", "z": "[0, 0, {}]"}[axis]
+    turned = {"x": "beta about z", "y": "90 deg - beta about z", "z": "beta - 90 deg about y"}[axis]
+    text = f"""
+space: true
+parameters: {{m: 3 kg, L: 0.6 m, beta: 35 deg, a: 0.2 m, b: 0.3 m, W: 40 rad/s}}
+ground: {{points: {{A: [0, 0, 0]}}}}
+bodies:
+  shaft: {{body: {{}}, points: {{A: {lead.format("-a")}, B: {lead.format("b")}}}, at: {lead.format("a")}}}
+  rod: {{rod: {{mass: m, length: L}}}}
+connections:
+  A: {{spherical: [ground.A, shaft.A]}}
+  B: {{point_on_line: {{point: shaft.B, through: ground.A, along: {axis}}}}}
+  hub: {{weld: {{first: shaft, second: rod, turned: {turned}}}}}
+  motor: {{driver: {{measure: phi, follows: W*t}}}}
+measures: {{phi: angle of shaft about {axis}}}
+"""
+    is_formula(text, "kinetic energy", "m*L^2*W^2*sin(beta)^2/24")
+    is_formula(text, "size of reaction of B", "m*L^2*W^2*sin(beta)*cos(beta)/(12*(a + b))")

@@ -65,3 +65,25 @@ def test_it_is_derived_from_the_mode_that_it_follows(question: str) -> None:
     told = is_derived(text, question)
     assert says in " ".join(told["en"].split())
     assert "Amplitude" in told["de"]
+
+
+def test_a_ball_on_a_turntable_runs_round_a_circle_with_two_sevenths_of_its_rate() -> None:
+    """x'' = -2/7 W y', y'' = 2/7 W x': each rate is known by the other place, and each place swings. Source: Weltner,
+    Am. J. Phys. 47 (1979) 984."""
+    table = """
+space: {up: z}
+parameters: {m: 0.2 kg, R: 50 mm, W: 3 rad/s, v: 0.3 m/s, g: 9.81 m/s^2}
+bodies:
+  table: {body: {inertia: 2 kg m^2}, planes: {top: {normal: up}}}
+  ball: {sphere: {mass: m, radius: R}, at: [0, 0, R]}
+connections:
+  axis: {revolute: {first: ground.O, second: table, about: z}}
+  motor: {driver: {measure: phi, follows: W*t}}
+  contact: {rolling: {body: ball, on: table.top}}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of table about z, x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v, rate(y): 0}
+"""
+    is_formula(table, "greatest y", "7*v/W")
+    is_formula(table, "time when x = 0", "7*pi/(2*W)")
+    is_formula(table, "x at t = 0.5 s", "7*v/(2*W)*sin(W/7)")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
-from freebody.measures.combination import is_of_turning
+from freebody.measures.combination import Composed, is_of_turning
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
@@ -159,6 +159,10 @@ def _impulse(names: Names, found: Found, path: Path) -> Quantity | None:
         )
         names.problem(told, *path)
         return None
+    is_plain = not any(found[word] for word in ("part", "on", "along")) and found.get("basis") is None
+    if is_plain and len(rows) == 1 and rows[0].unilateral and isinstance(rows[0].measure, Composed):
+        # a stop between several, as carts on a rail, has no body of its own on which it acts: how much is meant
+        found = {**found, "part": "size of"}
     return read_wrench(names, found, path, ImpulsiveWrench)
 
 

@@ -53,6 +53,7 @@ class Counted(Quantity):
 
     scope = "course"
     until: ClassVar[str] = "rolling begins"  # an event, for messages
+    ends_at_last: ClassVar[bool] = False  # whether to come to rest is to stay there: each half swing ends at rest
 
 
 @dataclass(frozen=True)

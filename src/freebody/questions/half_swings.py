@@ -42,6 +42,7 @@ questions: {it: number of half swings until it comes to rest for good}
 """
     measured_in = DIMENSIONLESS
     until = "it comes to rest for good"
+    ends_at_last = True
 
     @property
     def letter(self) -> str:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from freebody.language.sentences import Message
 from freebody.model.names import Names
 from freebody.questions.base import Path, Quantity
 from freebody.questions.clock import by_the_clock
-from freebody.questions.course import Transition, read_transition
+from freebody.questions.course import Counted, Transition, read_transition
 from freebody.questions.event import AskedEvent, read_event
 from freebody.questions.sudden import by_blows
 
@@ -46,6 +46,8 @@ def placed_at(names: Names, quantity: Quantity, condition: str | None, at_start:
     transition = read_transition(names, condition, path)
     if transition is not None and transition.kind == "after" and _is_at_start(names, transition):
         return Meant(quantity, at_start=True)
+    if transition is not None and transition.rests and isinstance(quantity, Counted) and quantity.ends_at_last:
+        transition = replace(transition, stays=True)
     event = None if transition is not None else read_event(names, condition, path)
     if event is None and transition is None:
         return None

@@ -1,5 +1,7 @@
 """Coordinates that are coupled linearly, together in time:  q'' = alpha - A q  with constant A and alpha.
 
+An acceleration that is a sum of rates is integrated at once, so that what gyroscopic forces couple comes to this form.
+
 With the different eigenvalues l_k of A and the projectors on their spaces (Sylvester's formula),
 
     P_k = prod_(j != k) (A - l_j)/(l_k - l_j),     q(t) = sum_k P_k (q0 c_k + u0 s_k + alpha (1 - c_k)/l_k),
@@ -11,7 +13,7 @@ Source: Gantmacher, Applications of the Theory of Matrices, 1959, ch. I; Landau 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
@@ -141,16 +143,13 @@ def coupled_with(
     """How a coordinate moves with those with which it is coupled; None where that is not linear, or where its modes
     have no closed form."""
     f = model.field
-    chosen = [c]
-    for k in chosen:  # grows while it is gone through
-        inside = f.ingredients(acceleration(k))
-        chosen += [o for o in model.coordinates if {o.index, o.speed} & inside and o not in chosen]
-    if not 1 < len(chosen) <= _MOST or model.dependent:
+    moving = accelerations_together(model, start, c, acceleration)
+    chosen = sorted(moving, key=lambda k: k.index)
+    if not 1 < len(chosen) <= _MOST:
         return None
-    chosen.sort(key=lambda k: k.index)
     rows = list[tuple[list[Ratio], Ratio]]()
     for k in chosen:
-        row = _linear(f, acceleration(k), chosen)
+        row = _linear(f, moving[k], chosen)
         if row is None:
             return None
         rows.append(row)
@@ -164,6 +163,41 @@ def coupled_with(
         return None
     begin = tuple((start.of(k.index), start.of(k.speed)) for k in chosen)
     return CoupledMotion(model, tuple(chosen), alpha, tuple(squares), projectors, begin)
+
+
+def accelerations_together(
+    model: SymbolicModel, start: StartState, c: Coordinate, acceleration: Callable[[Coordinate], Ratio]
+) -> dict[Coordinate, Ratio]:
+    """The accelerations of a coordinate and of those with which it is coupled, with the rates put in that are known by
+    the places; none where they depend on what a closed loop or rolling binds."""
+    f = model.field
+    bound = {g for o in model.dependent for g in (o.index, o.speed)}
+    chosen, moving = [c], dict[Coordinate, Ratio]()
+    for k in chosen:  # grows while it is gone through
+        moving[k] = f.lowest_terms(model.in_independent_speeds(acceleration(k)))
+        inside = f.ingredients(moving[k])
+        if inside & bound:
+            return {}
+        chosen += [o for o in model.coordinates if {o.index, o.speed} & inside and o not in chosen]
+    rates = _rates_by_places(f, start, moving)
+    return {k: f.lowest_terms(f.follow(a, rates)) for k, a in moving.items()} if rates else moving
+
+
+def _rates_by_places(f: Field, start: StartState, moving: Mapping[Coordinate, Ratio]) -> dict[int, Ratio]:
+    """The rates of coordinates whose accelerations are sums of rates of others, as those of a ball on a turntable: with
+    q'' = sum g_k q_k' the rate is u0 + sum g_k (q_k - q_k0)."""
+    found = dict[int, Ratio]()
+    for c, acceleration in moving.items():
+        slopes = {k: f.lowest_terms(f.derivative(acceleration, k.speed)) for k in moving}
+        if not slopes[c].is_zero() or not all(slope.is_constant() for slope in slopes.values()):
+            continue
+        rest, rate = acceleration, start.of(c.speed)
+        for k, slope in slopes.items():
+            rest = rest - slope * f.variable(k.speed)
+            rate = rate + slope * (f.variable(k.index) - start.of(k.index))
+        if not acceleration.is_zero() and f.lowest_terms(rest).is_zero():
+            found[c.speed] = f.lowest_terms(rate)
+    return found
 
 
 def _linear(f: Field, a: Ratio, chosen: Sequence[Coordinate]) -> tuple[list[Ratio], Ratio] | None:

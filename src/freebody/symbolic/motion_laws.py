@@ -13,7 +13,7 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.blocks import apart_from
-from freebody.symbolic.coupled import CoupledMotion, coupled_with
+from freebody.symbolic.coupled import CoupledMotion, accelerations_together, coupled_with
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.laws import Freely, MotionLaw, law_of
@@ -77,7 +77,15 @@ class MotionLaws:
         what parameters decide may be as it is at the first sample; that is then assumed. keeps_sense: whether it is
         followed only as long as its rate keeps its sense; then it may be, too."""
         q0, u0 = self.start.of(c.index), self.start.of(c.speed)
-        return law_of(Freely(self.model, c, self.acceleration(c), q0, u0, takes_side or keeps_sense, keeps_sense))
+        return law_of(Freely(self.model, c, self._by_itself(c), q0, u0, takes_side or keeps_sense, keeps_sense))
+
+    def _by_itself(self, c: Coordinate) -> Ratio:
+        """The acceleration of a coordinate, without the rates of others that are known by its place."""
+        a = self.acceleration(c)
+        others = {o.speed for o in (*self.model.coordinates, *self.model.dependent) if o != c}
+        if not self.field.ingredients(a) & others:
+            return a
+        return accelerations_together(self.model, self.start, c, self.acceleration).get(c, a)
 
     def law_of_sum(self, value: Ratio) -> MotionLaw:
         """The law of a measure that is linear in several coordinates. Raises CannotAnswer where it has none."""

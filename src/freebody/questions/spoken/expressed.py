@@ -41,7 +41,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "over the motion": r"over|until|greatest|least|work|period|^(?!.*\b(?:when|at start)\b)",
         "for a full turn": r"turn|cycle|period|round|stroke|range of|largest|least .* so that|pi \* ratio",
         "over a turn": r"turn|cycle|period|range|stroke|mean|greatest|least|ratio|pi\b|extremes",
-        "at once": r"once|immediately|start",
+        "at once": r"once|immediately|start|before it (?:tips|slides)",
         "at the top": rf"{_END_OF_SWING}|height|start",
         "at the bottom": rf"{_POSE}|bottom|lowest|least|greatest|start|equilibrium",
         "at the top of the loop": rf"{_END_OF_SWING}|start",
@@ -299,8 +299,18 @@ def dropped(words: Sequence[Word], text: str) -> list[Word]:
         _without_axis,
         _without_side,
         _of_what_lasts,
+        _of_both_failures,
     )
     return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
+
+
+def _of_both_failures(words: Sequence[Word], text: str) -> list[Word]:
+    """What tips and slides at once does not do the one alone; that it does neither is that it rests."""
+    failures = {"tip": r"tip", "slide": r"slid|slip"}
+    said = [word for word in words if word.kind == "verb" and word.what in failures]
+    if {word.what for word in said} != {*failures} or re.search(_REST, text):
+        return []
+    return [word for word in said if re.search(failures[word.what], text) is None]
 
 
 def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:

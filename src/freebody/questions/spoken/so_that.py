@@ -233,7 +233,8 @@ def _failing_first(names: Names, clause: Clause) -> Groups:
     """It tips before it slides as a force grows: the only one, where none is named."""
     verbs = [verb for verb in clause.all("verb") if verb in ("tip", "slide")]
     grows = [word.what for word in clause.words if word.kind == "name" and word.what in names.parameters]
-    if not grows and not clause.has("verb", "grow") and clause.has("mark", "until") and not clause.has("not", "not"):
+    is_border = clause.has("mark", "until") or clause.has("instant", "at once")  # both at once are the end of the range
+    if not grows and not clause.has("verb", "grow") and is_border and not clause.has("not", "not"):
         grows = given.growing(names, [])
         clause = Clause([*clause.words, Word("verb", "grow")])
     if len(verbs) == 2 and verbs[0] != verbs[1] and len(grows) == 1 and clause.has("verb", "grow"):

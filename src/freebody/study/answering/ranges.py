@@ -44,6 +44,7 @@ from freebody.symbolic.zeros import zeros_of
 _SAME = 1e-9  # of their size: two ends that are one
 _ONE_SIDE = 12  # draws that are looked at where only some are on the one side of a border, each time
 _MOST_TWINS = 2  # of ends that coincide
+_NEAR = 1e-4  # of the way to the next place: what is seen so near to an end is so up to it
 _OPEN = CannotAnswer(Message("where that holds has ends for which no closed form was found"))
 _MOST_SHIFTS = range(-1, 2)  # whole turns by which an angle may differ from that of a formula
 
@@ -203,11 +204,16 @@ class RangeSearch(TruthInNumbers):
     def _between(self, numbers: Mapping[int, Any], a: float, b: float, draw: Draw) -> bool | NotKnown:
         """Whether it holds between two ends. Raises CannotAnswer where it does so at some places only."""
         seen = set[bool]()
-        for value in self.places_between(a, b):
-            try:
-                seen.add(self.is_true(numbers, value, draw=draw))
-            except NotKnown as error:
-                return error
+        was_seen, self.is_seen_in_numbers = self.is_seen_in_numbers, False
+        places = self.places_between(a, b)
+        try:
+            seen |= {self.is_true(numbers, value, draw=draw) for value in places}
+            if self.is_seen_in_numbers:  # then it may change where no formula vanishes, near to the ends as well
+                seen |= {self.is_true(numbers, value, draw=draw) for value in _near_ends(a, b, places)}
+        except NotKnown as error:
+            return error
+        finally:
+            self.is_seen_in_numbers |= was_seen
         if len(seen) > 1:
             raise CannotAnswer(Message("where that holds has ends for which no closed form was found"))
         return seen.pop()
@@ -421,3 +427,11 @@ class RangeSearch(TruthInNumbers):
 def _has_one_sign(x: Ratio) -> bool:
     """Whether an element vanishes nowhere."""
     return sign_of(x).is_strict
+
+
+def _near_ends(a: float, b: float, places: Sequence[float]) -> Iterator[float]:
+    """Places just beside the finite ends of an interval."""
+    if math.isfinite(a):
+        yield a + _NEAR * (min(places) - a)
+    if math.isfinite(b):
+        yield b - _NEAR * (b - max(places))

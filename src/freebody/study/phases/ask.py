@@ -22,9 +22,10 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.comparing import which_is_greater
 from freebody.study.answering.crosscheck import TooLittleCompared
-from freebody.study.answering.finding import answered, judged
+from freebody.study.answering.finding import NO_FORM, answered, judged
 from freebody.study.answering.loops import loops_in
 from freebody.study.answering.numbers import LONGEST
+from freebody.study.answering.reactions_at_rest import reaction_at_rest
 from freebody.study.answering.scope import for_all
 from freebody.study.answering.simulated_numbers import farthest, number_with_changes
 from freebody.study.phases.branch import AnswerBranch
@@ -58,7 +59,17 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
     system = tree.system
     turned = question.quantity.wanted is not None
     instead = None if turned else partial(number_with_changes, system, question, is_single=tree.is_single)
-    return answered(system, question, lambda: _by_cases(tree, question), instead)
+    return answered(system, question, lambda: _by_cases_or_at_rest(tree, question), instead)
+
+
+def _by_cases_or_at_rest(tree: PhaseTree, question: Question) -> Answer:
+    """A reaction at rest needs no formulas of how what rests would slip."""
+    try:
+        return _by_cases(tree, question)
+    except NO_FORM:
+        if (held := reaction_at_rest(tree.system, question)) is None:
+            raise
+        return held
 
 
 def _by_cases(tree: PhaseTree, question: Question) -> Answer:

@@ -185,7 +185,8 @@ def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str, *
         zero = ends.zero
         if not isinstance(phase.course, UniformMotion):
             is_all = len(rubbing) == len(frictions(phase.system))
-            if not is_apart or (is_all and only_friction_takes_energy(phase.system)):
+            is_alone = not is_apart or (is_all and only_friction_takes_energy(phase.system))
+            if is_alone and (only_takes_energy(phase.system) or _goes_by_rates(phase)):
                 total = total + _energy_lost(tree, phase, zero.values)
             else:
                 total = sum((_by_way(tree, phase, push, zero.values) for push in rubbing), total)
@@ -198,6 +199,13 @@ def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None, of: str, *
             for n, coefficient in enumerate(phase.course.along(power)):
                 total = total - tree.to_home(phase, coefficient) * time ** (n + 1) / (n + 1)
     return total
+
+
+def _goes_by_rates(phase: Phase) -> bool:
+    """Whether a load depends on how fast something moves, and may take energy that is not stored."""
+    model = phase.model
+    speeds = {c.speed for c in (*model.coordinates, *model.dependent)}
+    return any(model.field.ingredients(phase.state.law(p)) & speeds for p in plain(phase.system).applied_loads)
 
 
 def _by_way(tree: PhaseTree, phase: Phase, push: AppliedLoad, values: Mapping[int, Ratio]) -> Ratio:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from freebody.language.expression import Symbol
 from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, ZERO, Components
 from freebody.model.elements import Attitude, Rotation
 from freebody.model.named_angles import angles_of, offered_name
@@ -123,9 +124,22 @@ class _Grower:
         self.links.append(TreeLink(name, body.frame, tuple(map(_step, body.chain)), body.chain))
 
     def _free(self, name: str) -> None:
-        chain = tuple(Rotation(axis, Symbol(f"{label}_{name}"), f"{label}_{name}") for label, axis in _DEFAULT)
+        about = self._axis(name)  # last: the middle angle is the one with singular poses
+        order = sorted(_DEFAULT, key=lambda turn: turn[1] == about)
+        chain = tuple(Rotation(axis, Symbol(f"{label}_{name}"), f"{label}_{name}") for label, axis in order)
         self.angles |= angles_of(Names(), chain, name, GROUND)
         self.links.append(TreeLink(name, GROUND, tuple(map(_step, chain)), chain))
+
+    def _axis(self, name: str) -> Components | None:
+        """The axis of a body on which all its points lie that are held: a shaft in two ball bearings turns about it."""
+        rows = [row.measure for row in self.system.constraint_rows]
+        held = [m for m in rows if isinstance(m, Displacement) and name in (m.of.body, m.origin.body)]
+        points = list(dict.fromkeys(m.of.offset if m.of.body == name else m.origin.offset for m in held))
+        for _label, axis in _DEFAULT:
+            across = [k for k in range(3) if axis[k] == ZERO]
+            if len(points) > 1 and all(len({point[k] for point in points}) == 1 for k in across):
+                return axis
+        return None
 
     def _by_joint(self, a: Attitude, name: str) -> None:
         self.rows |= {f"{a.connection}.{component}" for component in a.components}
