@@ -56,6 +56,7 @@ _PLACES = {
     "after engagement": losing.engaged,
     "at the end": losing.at_the_end,
 }
+_COMMA = Word("preposition", ",")
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
 _LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
@@ -516,8 +517,33 @@ def _is_of_drive(names: Names, main: Clause) -> bool:
     return main.has("quantity", "angular velocity") and bool(rates) and not turned
 
 
+def without_course(names: Names, words: list[Word]) -> list[Word]:
+    """Words without what only says that something moves as it does, and without who is let go at the start: the
+    acceleration of the wedge while the block slides, that of the drum after the motor is switched on."""
+    kept = list(words)
+    for begin in [k for k, word in enumerate(words) if word.kind == "mark"][::-1]:
+        stops = (k for k in range(begin + 1, len(kept)) if kept[k].kind == "mark" or kept[k] == _COMMA)
+        end = next(stops, len(kept))
+        clause = Clause([w for w in kept[begin + 1 : end] if w.kind != "filler"])
+        is_empty = kept[begin].what == "while" and not clause.words and begin > 0  # while braking
+        if is_empty or (clause.names and is_throughout(names, kept[begin].what, clause)):
+            kept = [*kept[:begin], *kept[end + (begin == 0) :]]
+    begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]
+    for k in begins:
+        let_go = next((j for j in range(k + 1, len(kept)) if kept[j].kind != "filler"), len(kept))
+        others = [w.what for w in kept[:k] if w.kind == "name"]
+        own = kept[let_go : let_go + 1]
+        if own and own[0].kind == "name" and own[0].what in (*names.loads, *lookup.moving(names)) and others:
+            return [*kept[:let_go], *kept[let_go + 1 :]]
+    return kept
+
+
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
     lasts = {"move", "roll", "turn", "fly", "fall", "rise", "accelerate", "exert"}
+    rubs = any(row.reaction.startswith("friction") for row in names.constraint_rows)
+    lasts |= set[str]() if rubs else {"slide"}
     goes_on = set(clause.all("verb")) <= lasts and clause.has("verb")
-    return mark in ("while", "when") and goes_on and joining.goes_on(names) and clause.only("verb", "pronoun", "name")
+    is_told = set(clause.all("verb")) <= {"slide"} and not rubs  # down the slope, as it does
+    plain = clause.only("verb", "pronoun", "name", *(("updown", "preposition") if is_told else ()))
+    return mark in ("while", "when") and goes_on and joining.goes_on(names) and plain

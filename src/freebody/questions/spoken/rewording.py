@@ -66,6 +66,19 @@ def balanced_at(names: Names, words: list[Word]) -> list[Word]:
     return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
 
 
+def so_far_that(words: list[Word], modal: set[str]) -> list[Word]:
+    """How far the hand must move so that the load rises by 1 m is how far until it has risen so far."""
+    is_way = "must" in modal and Word("ask", "far") in words and _SO_THAT in words
+    if not is_way or any(word.kind in ("quantity", "relation", "not", "degree") for word in words):
+        return words
+    k = words.index(_SO_THAT)
+    state = words[k + 1 :]
+    if not any(w.kind == "value" for w in state) or any(w.kind == "verb" and w.what not in GOES_ON for w in words):
+        return words
+    named = any(word.kind == "name" for word in state)
+    return [*words[:k], Word("mark", "until"), *(w for w in state if not (named and w == Word("pronoun", "it")))]
+
+
 def placed(words: list[Word], modal: set[str]) -> list[Word]:
     """At what height may one push is how high one may."""
     asks = [Word("ask", "with"), Word("quantity", "height")]

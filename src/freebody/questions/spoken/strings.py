@@ -14,6 +14,7 @@ from freebody.questions.spoken import lookup
 from freebody.questions.spoken.joining import given_of, joined_by
 
 if TYPE_CHECKING:
+    from freebody.model.elements import ConstraintRow
     from freebody.model.names import Names
 
 _LEVEL = 1e-9  # of a direction that is level, or straight up
@@ -85,13 +86,20 @@ def sections(names: Names, string: str, *, level: bool) -> list[tuple[str, ...]]
 def spans(names: Names, string: str) -> list[str]:
     """Where the parts of a string are, in the words of the grammar: at the body at its end, or between two."""
     rows = [row for row in names.constraint_rows if row.connection == string and row.reaction == "tension"]
-    pairs = [pair for row in rows for pair in pairwise(row.ends)]
+    pairs = [pair for row in rows for pair in (_rubbed(row) if len(row.stretches) > 1 else pairwise(row.ends))]
     found: list[str] = []
     for pair in pairs:
         plain = [end for end in pair if end in names.bodies and names.bodies[end].radius is None and end != GROUND]
         is_end = len(plain) == 1 and sum(plain[0] in other for other in pairs) == 1
         found.append(f"at {plain[0]}" if is_end else f"between {' and '.join(pair)}")
     return list(dict.fromkeys(found))
+
+
+def _rubbed(row: ConstraintRow) -> list[tuple[str, str]]:
+    """The ends of the parts of a string that has another tension behind each drum on which it rubs; a body that is
+    there by a point of its own as that point."""
+    places = [[p for p in s.places if not any(o.startswith(f"{p}.") for o in s.places)] for s in row.stretches]
+    return [(own[0], own[-1]) for own in places]
 
 
 def _is_along(names: Names, measure: Displacement, *, level: bool) -> bool:

@@ -23,6 +23,7 @@ _OF_JOINTS = ("T", "S", "N", "F", "R", "M")  # symbols of what connections exert
 _CENTERS = ("G", "CG", "CM")  # indices that stand for the mass centre of what is named behind them
 _FREQUENCIES = ("frequency", "frequenz")
 _OF_TURNING = ("omega", "ω", "alpha", "α")
+_SHORTEST_BEGIN = 2
 _SHORTEST_WORD = 3  # letters of an index that is written without a bar: vmax
 _AT_TIME = re.compile(r"\((?:t ?= ?)?(?P<time>\d[\d.]*(?: ?m?s)?)\)")
 _EXTREME = re.compile(r"(?<![\w.])(?P<name>[^\W\d_]\w*)_(?P<end>min|max)(?![\w(])")
@@ -133,6 +134,9 @@ def _of(elements: Elements, symbol: str, index: str) -> str:
         return index
     own = elements.touching.keys() if symbol in _OF_JOINTS else elements.bodies
     found = [name for name in own if re.search(rf"(?<!\d){re.escape(index)}$", name)] if index.isdigit() else []
-    if index.isalpha() and len(index) >= _SHORTEST_WORD:  # v_block
-        found = [index] if any(index.lower() in element.words for element in elements.exact.values()) else []
+    if index.isalpha() and len(index) >= _SHORTEST_BEGIN:  # v_block
+        is_word = len(index) >= _SHORTEST_WORD
+        found = [index] if is_word and any(index.lower() in e.words for e in elements.exact.values()) else []
+        begun = [name for name in own if name.lower().startswith(index.lower())] if not found else []
+        found = begun if len(begun) == 1 else found  # omega_in of the input
     return found[0] if len(found) == 1 else ""

@@ -55,6 +55,7 @@ _TIMED_ALONG = re.compile(
 _WHAT_IS = re.compile(
     r"^(?:what(?:[’' ]s| is| are)|find|determine|calculate|compute|give|tell) (?:me )?(?:the )?", re.IGNORECASE
 )
+_UNKNOWN = re.compile(r"\s*=\s*[?]+[\s.!]*$")  # v_B = ?
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
@@ -81,6 +82,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return []
     if len(text) > LONGEST:
         return []
+    if (put := _UNKNOWN.sub("", text)) != text:
+        del names.problems[n_before:]
+        return understood(names, put, read)
     if (put := _TIMED_ALONG.sub(r"\g<of> \g<along> \g<at>", text)) != text:
         del names.problems[n_before:]
         return understood(names, put, read)
