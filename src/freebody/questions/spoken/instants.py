@@ -153,6 +153,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     begins = {"start"} < set(main.all("verb")) <= {"start", *GOES_ON}
     if begins and main.all("instant") == ["after the impact"] and main.has("quantity") and not others:
         main = main.without("verb")  # with what speed does it begin to swing
+    sets_off = begins and main.has("quantity", "velocity", "speed", "angular velocity") and main.has("ask", "with")
+    is_sent = not lookup.rests(names) or joining.is_struck_at_start_alone(names)
+    if sets_off and is_sent and not others and not main.has("instant"):  # with what speed it sets off
+        main = Clause([*main.without("verb").words, Word("instant", "at start")])
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
     accelerates = accelerates and not joining.is_still(names)
     if (
@@ -528,6 +532,7 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         is_empty = kept[begin].what == "while" and not clause.words and begin > 0  # while braking
         if is_empty or (clause.names and is_throughout(names, kept[begin].what, clause)):
             kept = [*kept[:begin], *kept[end + (begin == 0) :]]
+    kept = _without_catcher(names, kept)
     begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]
     for k in begins:
         let_go = next((j for j in range(k + 1, len(kept)) if kept[j].kind != "filler"), len(kept))
@@ -536,6 +541,17 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         if own and own[0].kind == "name" and own[0].what in (*names.loads, *lookup.moving(names)) and others:
             return [*kept[:let_go], *kept[let_go + 1 :]]
     return kept
+
+
+def _without_catcher(names: Names, words: list[Word]) -> list[Word]:
+    """After it is caught by the peg is after the impact, where nothing else catches it."""
+    blows = (*_BLOWS, "at the impact", "in the impact")
+    said = [k for k, word in enumerate(words) if word.kind != "filler"]
+    for blow, by, who in zip(said, said[1:], said[2:], strict=False):
+        is_caught = words[blow].kind == "instant" and words[blow].what in blows and words[by].what == "by"
+        if is_caught and words[who].kind == "name" and _is_caught(names, words[who].what):
+            return [*words[: blow + 1], *words[who + 1 :]] if len(names.closing_later) == 1 else words
+    return words
 
 
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:

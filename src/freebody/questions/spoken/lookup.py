@@ -245,6 +245,8 @@ def gone_either_way(names: Names, measure: str, by: str) -> str:
 def _may_fall(names: Names, measure: str) -> bool:
     """Whether a measure counts up a slope, down which things slide, or along a line that moves."""
     own = names.measures[measure]
+    if not all("gravity" in names.called.get(load, ()) for load in names.loads):
+        return False  # it goes where it is pulled
     is_led = isinstance(own, Displacement) and own.along.body != GROUND
     return is_led or (measure, 1) in (*heights(names, ""), *inclined(names, ""))
 

@@ -75,7 +75,7 @@ class Way:
 
 def elements_of(names: Names) -> Elements:
     """What can be named in a model."""
-    found = Elements()
+    found = Elements(space=names.space)
     sides = (*names.bodies[GROUND].lines, *names.bodies[GROUND].planes)
     found.add(GROUND, () if sides else _CEILING)
     free = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]

@@ -66,8 +66,16 @@ def balanced_at(names: Names, words: list[Word]) -> list[Word]:
     return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
 
 
-def so_far_that(words: list[Word], modal: set[str]) -> list[Word]:
-    """How far the hand must move so that the load rises by 1 m is how far until it has risen so far."""
+def so_far_that(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """How far the hand must move so that the load rises by 1 m is how far until it has risen so far; how long it needs
+    to reach a speed, from rest where it starts so, how long until it has reached that."""
+    until = Word("mark", "until")
+    reaches = Word("ask", "long") in words and Word("verb", "reach") in words and any(w.kind == "value" for w in words)
+    if reaches and (_TO in words or until in words):
+        at_start = Word("instant", "at start")
+        words = [until if word == _TO else word for word in words if word != at_start or not lookup.rests(names)]
+        k = words.index(until)
+        return [*words[: k + 1], *(word for word in words[k + 1 :] if word.kind != "preposition")]
     is_way = "must" in modal and Word("ask", "far") in words and _SO_THAT in words
     if not is_way or any(word.kind in ("quantity", "relation", "not", "degree") for word in words):
         return words

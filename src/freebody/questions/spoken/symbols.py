@@ -70,10 +70,13 @@ def _in_words(elements: Elements, found: re.Match[str], language: str) -> str:
     if written in elements.exact or (written.lower(),) in elements.spoken:
         return ""
     if found["sign"]:
+        if elements.space and found["sign"].startswith("L_"):  # of which the sign tells one component
+            return ""
         before = found.string[: found.start()].split()[-1:]
         if before and before[0].lower().endswith(_FREQUENCIES):  # the circular frequency ω0 has its words
             return ""
-        is_of_body = bool(elements.turning) and found["sign"].startswith(_OF_TURNING)  # omega_2 of the second one
+        is_counted = found["sign"][-1:].isdigit()  # omega_2 of the second one
+        is_of_body = bool(elements.turning) and found["sign"].startswith(_OF_TURNING) and is_counted
         return "" if is_of_body else f"{signs(language)[found['sign']]}{behind}"
     head = symbols(language)[symbol][0]
     if not index:  # N(r)
