@@ -536,9 +536,17 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
     begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]
     for k in begins:
         let_go = next((j for j in range(k + 1, len(kept)) if kept[j].kind != "filler"), len(kept))
+        pushes = let_go < len(kept) and kept[let_go].kind == "quantity" and kept[let_go].what in ("force", "torque")
+        if pushes and any(w.kind == "quantity" for w in kept[:k]):  # after the force is applied
+            kept = [*kept[:let_go], *kept[let_go + 1 :]]
         others = [w.what for w in kept[:k] if w.kind == "name"]
         own = kept[let_go : let_go + 1]
-        if own and own[0].kind == "name" and own[0].what in (*names.loads, *lookup.moving(names)) and others:
+        if (
+            own
+            and own[0].kind == "name"
+            and own[0].what in (*names.loads, *names.parameters, *lookup.moving(names))
+            and others
+        ):
             return [*kept[:let_go], *kept[let_go + 1 :]]
     return kept
 

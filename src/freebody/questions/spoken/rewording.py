@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, given, joining, lookup, losing, of_forces
+from freebody.questions.spoken import along_lines, dimensions, given, joining, lookup, losing, of_forces
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.lexicon import Word
@@ -76,6 +76,13 @@ def so_far_that(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
         words = [until if word == _TO else word for word in words if word != at_start or not lookup.rests(names)]
         k = words.index(until)
         return [*words[: k + 1], *(word for word in words[k + 1 :] if word.kind != "preposition")]
+    is_geared = {Word("ask", "fast"), _SO_THAT} <= {*words} and "must" in modal
+    values = [w.what for w in words if w.kind == "value"]
+    is_speed = len(values) == 1 and (dimensions.is_speed(*values) or dimensions.is_turning_speed(*values))
+    if is_geared and is_speed and not any(w.kind in ("not", "degree") for w in words):
+        named = [w.what for w in words[: words.index(_SO_THAT)] if w.kind == "name"]
+        if all(name in lookup.moving(names) for name in named) and named:  # and no parameter that is to be chosen
+            return [Word("mark", "when") if word == _SO_THAT else word for word in words]
     is_way = "must" in modal and Word("ask", "far") in words and _SO_THAT in words
     if not is_way or any(word.kind in ("quantity", "relation", "not", "degree") for word in words):
         return words

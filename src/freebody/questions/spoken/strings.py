@@ -97,8 +97,8 @@ def spans(names: Names, string: str) -> list[str]:
 
 
 def _rubbed(names: Names, row: ConstraintRow) -> list[tuple[str, str]]:
-    """The bodies at the ends of the parts of a string that has another tension behind each drum on which it rubs; of one
-    to which both ends are tied, its points."""
+    """The bodies at the ends of the parts of a string that has another tension behind each drum on which it rubs; of a
+    body to which both ends are tied, its points."""
     ends = [end for stretch in row.stretches for end in (stretch.places[0], _last(stretch.places))]
     n_ends = Counter(end.partition(".")[0] for end in ends)
     bodies = [end.partition(".")[0] for end in ends]
