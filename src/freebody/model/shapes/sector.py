@@ -50,7 +50,13 @@ class HalfDisk(Shape, kind="half_disk"):
     towards its own +x: the mass centre is 4 R/(3 pi) from the `center`, its reference point. It rolls with its rim.
     Points: `start`, `middle` and `end` of the rim."""
 
-    called: ClassVar[tuple[str, ...]] = ("half cylinder", "semicircular disk", "semicircular plate")
+    called: ClassVar[tuple[str, ...]] = (
+        "half cylinder",
+        "half disk",
+        "half disc",
+        "semicircular disk",
+        "semicircular plate",
+    )
 
     mass: Formula = 0
     radius: Formula
@@ -81,7 +87,14 @@ class HalfRing(Shape, kind="half_ring"):
     """`half_ring: {mass: m, radius: R}`: a thin wire or hoop of half a circle, its middle on its own +x: the mass
     centre is 2 R/pi from the `center`, its reference point. Points: `start`, `middle` and `end` of the wire."""
 
-    called: ClassVar[tuple[str, ...]] = ("semicircular wire", "semicircular hoop", "half hoop")
+    called: ClassVar[tuple[str, ...]] = (
+        "half ring",
+        "half hoop",
+        "ring",
+        "semicircular wire",
+        "semicircular hoop",
+        "semicircular ring",
+    )
 
     mass: Formula = 0
     radius: Formula

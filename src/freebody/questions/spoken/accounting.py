@@ -62,6 +62,12 @@ _OF_TORQUE = re.compile(r"\b(?:torque|moment|impulse|power)\b|\bforce in |/|\*")
 _COMPONENT = re.compile(r"\b(?:along|horizontal|vertical|when|until|normal|while|tension)\b")
 
 
+def _behind(words: Sequence[Word], quantity: str) -> list[Word]:
+    """What stands behind a quantity, and before a mark."""
+    begin = next((k + 1 for k, word in enumerate(words) if word == Word("quantity", quantity)), len(words))
+    return [*takewhile(lambda word: word.kind not in ("mark", "verb"), words[begin:])]
+
+
 def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
@@ -70,6 +76,9 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
             return False
         if _HELD_THROUGHOUT.search(text) and any(word in _HIGHEST for word in words):  # at the top is not always
             return False
+        is_tilt = given.counts_from_level(names, turned["parameter"])
+        if is_tilt and any(word.kind == "part" and word.what == "vertical" for word in _behind(words, "angle")):
+            return False  # its angle with the vertical
         if _is_of_another_force(names, words, text) or _holds_elsewhere(names, words, turned["parameter"]):
             return False
         return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)

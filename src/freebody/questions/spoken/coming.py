@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, dimensions, joining, lookup, strings
+from freebody.questions.spoken import along_lines, dimensions, joining, lookup, poses, strings
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -18,6 +18,13 @@ def _angles_at(names: Names, who: str) -> list[str]:
     if who in names.measures or who not in lookup.moving(names):
         return []
     return lookup.angles(names, who) if who in lookup.turning(names) else lookup.hung(names, who)
+
+
+def angles_of(names: Names, who: str) -> list[str]:
+    """The angles of something, or of the line on which it hangs; of a rod without mass that of what hangs on it."""
+    found = lookup.angles(names, who) or lookup.hung(names, who)
+    hung = names.connections[who].mentions(names) if who in names.connections and not found else set[str]()
+    return found or [angle for body in sorted(hung) if body in names.bodies for angle in lookup.hung(names, body)]
 
 
 def _turning_in(names: Names, who: str) -> str:
@@ -71,6 +78,10 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         return
     if set(verbs) <= {"reach"} and clause.names[-1:] == [("from", of[-1] if of else "")]:  # it is 0.8 m from the axle
         yield along_lines.counted_from(names, who if len(of) > 1 else "", of[-1], value)
+        return
+    way = next((part for part in clause.all("part") if part in ("horizontal", "vertical")), "")
+    if way and dimensions.is_angle(value):  # 30 deg to the vertical
+        yield [f"{angle} = {value}" for angle in poses.counting_from(names, angles_of(names, who), way)]
         return
     doing = {"reach" if verb == "hold" and dimensions.is_angle(value) else verb for verb in verbs} - {"start"}
     who = _turning_in(names, who) if doing == {"turn"} or dimensions.is_angle(value) else who

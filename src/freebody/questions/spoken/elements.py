@@ -31,6 +31,7 @@ class Elements:
         default_factory=dict[tuple[str, ...], list[tuple[Element, str, int]]]
     )
 
+    space: bool = False
     bodies: set[str] = field(default_factory=set[str])  # that move
     touching: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])  # bodies, by connection
     hanging: frozenset[str] = frozenset()  # bodies that strings alone hold, straight below them

@@ -12,7 +12,7 @@ from freebody.questions.course import can_change
 from freebody.questions.event import leads_to
 from freebody.questions.spoken import along_lines, dimensions, joining, lookup, losing, poses, strings
 from freebody.questions.spoken.asking import quantities
-from freebody.questions.spoken.coming import come_so_far, going_at
+from freebody.questions.spoken.coming import angles_of, come_so_far, going_at
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -166,12 +166,13 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
     is_zero = value in ("0", "zero") or value.startswith("0 ")
     for quantity in clause.all("quantity")[-1:]:
         if quantity == "angle":
-            found = lookup.angles(names, of) or lookup.hung(names, of)
+            found = angles_of(names, of)
             is_joint = of in names.connections and not found  # the cam angle
             led = (
                 [] if of and not is_joint else [angle for angle in found if angle in joining.driven(names)]
             )  # that of the motor
-            yield [f"{angle} = {value}" for angle in led or found]
+            way = next((part for part in clause.all("part") if part in ("horizontal", "vertical")), "")
+            yield [f"{angle} = {value}" for angle in poses.counting_from(names, led or found, way)]
         elif quantity == "height":
             yield lookup.lifted(names, of, value)
             yield [f"height of {of} = {value}"] if of else []

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, joining, lookup
+from freebody.questions.spoken import dimensions, joining, lookup, within
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups
 from freebody.questions.spoken.keeping import n_freedoms
@@ -33,6 +33,8 @@ def geared(names: Names, sentence: Sentence) -> Groups:
         return
     main, given = parted
     driver = _driving(names, given)
+    at = within.equation_at_end(main) if main.has("relation") else None
+    main, when = (main, "") if at is None else (at[0], f" when {at[1]}")  # for theta = 90 deg
     if driver is None or main.has("value") or main.has("instant") or main.has("degree"):
         return
     if any(name in names.connections for _, name in main.names) or _n_freedoms(names) > 1:
@@ -43,7 +45,8 @@ def geared(names: Names, sentence: Sentence) -> Groups:
     for group in quantities(names, _turning(names, main)):
         plain = [text for text in group if JOINT not in text and text.startswith(tuple(f"{v} of " for v in _SPEEDS))]
         yield [
-            f"{value} * ratio of {text} to {speed}" for text in dict.fromkeys(_signed(names, text) for text in plain)
+            f"{value} * ratio of {text} to {speed}{when}"
+            for text in dict.fromkeys(_signed(names, text) for text in plain)
         ]
 
 
@@ -117,7 +120,7 @@ def _driving(names: Names, given: Clause) -> tuple[str, str, str] | None:
     of, values = [name for _, name in given.names], [value for _, value in given.values]
     if len(of) != 1 or len(values) != 1 or not given.only(*_MAY_STAND) or given.all("part"):
         return None
-    if not set(given.all("verb")) <= _RUNS or not set(given.all("quantity")) <= {*_SPEEDS}:
+    if not set(given.all("verb")) <= {*_RUNS, "turn_fully"} or not set(given.all("quantity")) <= {*_SPEEDS}:
         return None
     if not given.has("verb") and not given.has("quantity"):
         return None

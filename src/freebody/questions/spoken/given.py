@@ -230,3 +230,11 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     )
     found = [name for name in found if kind.is_angle or name not in sizes]
     return [name for name in found if kind.is_angle or name not in held] or found
+
+
+def counts_from_level(names: Names, parameter: str) -> bool:
+    """Whether a parameter is the angle of a body, or of a line of the ground, which counts from the horizontal."""
+    lying = [body.start.angle for name, body in names.bodies.items() if name != GROUND]
+    led = [line.direction for line in names.bodies[GROUND].lines.values()]
+    sloping = any(parameter in free_symbols(part) for way in led for part in way.components)
+    return sloping or any(angle == Symbol(parameter) for angle in lying)

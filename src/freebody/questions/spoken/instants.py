@@ -56,6 +56,7 @@ _PLACES = {
     "after engagement": losing.engaged,
     "at the end": losing.at_the_end,
 }
+_COMMA = Word("preposition", ",")
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
 _LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
@@ -152,6 +153,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     begins = {"start"} < set(main.all("verb")) <= {"start", *GOES_ON}
     if begins and main.all("instant") == ["after the impact"] and main.has("quantity") and not others:
         main = main.without("verb")  # with what speed does it begin to swing
+    sets_off = begins and main.has("quantity", "velocity", "speed", "angular velocity") and main.has("ask", "with")
+    is_sent = not lookup.rests(names) or joining.is_struck_at_start_alone(names)
+    if sets_off and is_sent and not others and not main.has("instant"):  # with what speed it sets off
+        main = Clause([*main.without("verb").words, Word("instant", "at start")])
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
     accelerates = accelerates and not joining.is_still(names)
     if (
@@ -516,8 +521,53 @@ def _is_of_drive(names: Names, main: Clause) -> bool:
     return main.has("quantity", "angular velocity") and bool(rates) and not turned
 
 
+def without_course(names: Names, words: list[Word]) -> list[Word]:
+    """Words without what only says that something moves as it does, and without who is let go at the start: the
+    acceleration of the wedge while the block slides, that of the drum after the motor is switched on."""
+    kept = list(words)
+    for begin in [k for k, word in enumerate(words) if word.kind == "mark"][::-1]:
+        stops = (k for k in range(begin + 1, len(kept)) if kept[k].kind == "mark" or kept[k] == _COMMA)
+        end = next(stops, len(kept))
+        clause = Clause([w for w in kept[begin + 1 : end] if w.kind != "filler"])
+        is_empty = kept[begin].what == "while" and not clause.words and begin > 0  # while braking
+        if is_empty or (clause.names and is_throughout(names, kept[begin].what, clause)):
+            kept = [*kept[:begin], *kept[end + (begin == 0) :]]
+    kept = _without_catcher(names, kept)
+    begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]
+    for k in begins:
+        let_go = next((j for j in range(k + 1, len(kept)) if kept[j].kind != "filler"), len(kept))
+        pushes = let_go < len(kept) and kept[let_go].kind == "quantity" and kept[let_go].what in ("force", "torque")
+        if pushes and any(w.kind == "quantity" for w in kept[:k]):  # after the force is applied
+            kept = [*kept[:let_go], *kept[let_go + 1 :]]
+        others = [w.what for w in kept[:k] if w.kind == "name"]
+        own = kept[let_go : let_go + 1]
+        if (
+            own
+            and own[0].kind == "name"
+            and own[0].what in (*names.loads, *names.parameters, *lookup.moving(names))
+            and others
+        ):
+            return [*kept[:let_go], *kept[let_go + 1 :]]
+    return kept
+
+
+def _without_catcher(names: Names, words: list[Word]) -> list[Word]:
+    """After it is caught by the peg is after the impact, where nothing else catches it."""
+    blows = (*_BLOWS, "at the impact", "in the impact")
+    said = [k for k, word in enumerate(words) if word.kind != "filler"]
+    for blow, by, who in zip(said, said[1:], said[2:], strict=False):
+        is_caught = words[blow].kind == "instant" and words[blow].what in blows and words[by].what == "by"
+        if is_caught and words[who].kind == "name" and _is_caught(names, words[who].what):
+            return [*words[: blow + 1], *words[who + 1 :]] if len(names.closing_later) == 1 else words
+    return words
+
+
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
     lasts = {"move", "roll", "turn", "fly", "fall", "rise", "accelerate", "exert"}
+    rubs = any(row.reaction.startswith("friction") for row in names.constraint_rows)
+    lasts |= set[str]() if rubs else {"slide"}
     goes_on = set(clause.all("verb")) <= lasts and clause.has("verb")
-    return mark in ("while", "when") and goes_on and joining.goes_on(names) and clause.only("verb", "pronoun", "name")
+    is_told = set(clause.all("verb")) <= {"slide"} and not rubs  # down the slope, as it does
+    plain = clause.only("verb", "pronoun", "name", *(("updown", "preposition") if is_told else ()))
+    return mark in ("while", "when") and goes_on and joining.goes_on(names) and plain

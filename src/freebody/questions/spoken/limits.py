@@ -28,6 +28,8 @@ _VERBS = _ENDS_REST | {"hold", "stop", "exert", "act", "end"}
 _MARKS = ("until", "so_that", "to", "when", "without")
 _OF_LIMIT = re.compile(r"^(?:least|largest|range of) (\w+) (?:so that|that keeps|for which) ")
 _ALONG = {"horizontal": {"right", "left"}, "vertical": {"up", "down"}}  # a force, and the directions of a file
+_TO_LEVEL, _TILTED = Word("quantity", "angle to the horizontal"), "from level"
+_TILT = Word("part", _TILTED)
 _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not tip"
 
 
@@ -37,6 +39,11 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if joining.is_still(names):  # the acceleration that can be reached
         light = {"reach", "accelerate"} | ({"move"} if Word("ask", "fast") in words and "may" in modal else set[str]())
         words = [w for w in words if w.kind != "verb" or w.what not in light]
+    is_tilted = "may" in modal and {Word("ask", "far"), Word("verb", "turn")} <= {*words}
+    if is_tilted:  # through what angle may it be tilted
+        put = {Word("ask", "far"): Word("quantity", "angle")}
+        words = [put.get(w, w) for w in words if w.kind != "verb" or w.what not in ("turn", "become")]
+    words = _from_level(words)
     clause = Clause(words)
     known = clause.only("ask", "degree", "quantity", "name", "verb", "not", "mark", "instant", "part", *SILENT)
     if known and not lookup.rests(names):
@@ -45,11 +52,16 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         return
     ways = [part for part in clause.all("part") if part in _ALONG]
     clause = clause.without("part", *ways) if ways else clause
-    if set(clause.all("instant")) - {"in equilibrium"} or set(clause.all("part")) - {"only", "upward", "downward"}:
+    parts = {"only", "upward", "downward", _TILTED}
+    if set(clause.all("instant")) - {"in equilibrium"} or set(clause.all("part")) - parts:
         return
     words = [word for word in words if word.kind != "part" or word.what not in ways]
     if clause.has("ask", "where", "when", "long", "soon", "way"):
         return
+    moving = [name for _, name in clause.names if name in names.bodies]
+    turned = any(lookup.angles(names, body) for body in moving)
+    if clause.all("verb") == ["stop"] and clause.has("quantity", "angle") and turned:
+        return  # at what angle it comes to rest is that of the body
     if any(mark not in _MARKS for mark in clause.all("mark")) or len(clause.all("degree")) > 1:
         return
     if not modal and not (clause.has("ask") or clause.has("degree") or clause.has("mark")):
@@ -68,6 +80,9 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     parameter = _parameter(names, head, [name for _, name in state.names if name in names.loads])
     if lasts is None or parameter is None or _is_lifted_by_choice(names, clause, parameter):
         return
+    is_tilt = names.parameters[parameter].is_angle and given.counts_from_level(names, parameter)
+    if not is_tilt and Word("part", _TILTED) in words:
+        return
     if not all(_pushes_along(names, parameter, way) for way in ways):
         return
     end = _end(names, head, state, modal)
@@ -77,6 +92,17 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         yield [f"range of {parameter} for which {lasts}"]
     elif end == "range":
         yield [f"range of {parameter} that keeps it at rest"]
+
+
+def _from_level(words: list[Word]) -> list[Word]:
+    """The angle with the horizontal as an angle that counts from there."""
+    angle, level = Word("quantity", "angle"), Word("part", "horizontal")
+    words = [own for w in words for own in ((angle, _TILT) if w == _TO_LEVEL else (w,))]
+    said = [k for k, w in enumerate(words) if w.kind != "filler"]
+    for one, two, three in zip(said, said[1:], said[2:], strict=False):
+        if words[one] == angle and words[two].kind == "preposition" and words[three] == level:
+            return [*words[:two], _TILT, *words[three + 1 :]]
+    return words
 
 
 def _pushes_along(names: Names, parameter: str, way: str) -> bool:

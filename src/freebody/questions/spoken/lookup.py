@@ -236,9 +236,19 @@ def come(names: Names, measure: str, by: str, sense: int = 1) -> str:
 def gone_either_way(names: Names, measure: str, by: str) -> str:
     """The condition that a measure is so far from where it starts, on the side to which the motion begins: what is let
     go from rest goes where it is pulled, and what its own rate does not tell is found from the motion."""
-    if by.startswith("-") or (names.lets_go_from_rest and not is_forced(names)) or rises(names, measure, 1):
+    is_let_go = names.lets_go_from_rest and not is_forced(names) and not _may_fall(names, measure)
+    if by.startswith("-") or is_let_go or rises(names, measure, 1):
         return come(names, measure, by)
     return come(names, measure, by, -1) if rises(names, measure, -1) else f"{measure} has moved {by}"
+
+
+def _may_fall(names: Names, measure: str) -> bool:
+    """Whether a measure counts up a slope, down which things slide, or along a line that moves."""
+    own = names.measures[measure]
+    if not all("gravity" in names.called.get(load, ()) for load in names.loads):
+        return False  # it goes where it is pulled
+    is_led = isinstance(own, Displacement) and own.along.body != GROUND
+    return is_led or (measure, 1) in (*heights(names, ""), *inclined(names, ""))
 
 
 def _factor(value: str) -> str:

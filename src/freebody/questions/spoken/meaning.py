@@ -77,6 +77,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
     said = rewording.on_the_way_back(names, rewording.placed(said, modal))
+    said = rewording.so_far_that(names, said, modal)
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
     said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said))))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
@@ -259,13 +260,15 @@ def _rough_enough_to_roll(names: Names, clause: Clause) -> Groups:
     doing = set(clause.all("verb"))
     rolls = doing == {"roll"} or ("slide" in doing <= {"slide", "roll"} and clause.has("not"))
     known = ("quantity", "degree", "ask", "verb", "not", "name", "mark", *SILENT)
+    when = " at start" if clause.all("instant") == ["at start"] else ""
+    clause = clause.without("instant", "at start")
     if not (is_asked and rolls and clause.only(*known)) or set(clause.all("degree")) - {"least"}:
         return
     if len(clause.all("quantity")) > 1 or given.parameters(names, "friction coefficient", ""):
         return
     rough = joining.rough(names, "")
     joints = [joint for joint in rough if all(joining.touches(names, joint, name) for _, name in clause.names)]
-    yield [f"ratio of |friction force of {joint}| to normal force of {joint}" for joint in joints]
+    yield [f"ratio of |friction force of {joint}| to normal force of {joint}{when}" for joint in joints]
 
 
 def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
@@ -376,6 +379,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["does it hold"]
     if sentence.others or main.has("value") or main.has("relation") or main.has("turns"):
         return
+    asks_when = main.words[:1] and main.words[0].kind == "ask" and main.words[0].what in ("when", "soon", "with")
+    if asks_when and verbs == {"stable"} and main.all("quantity") == ["equilibrium"] and not of:
+        yield ["stability of equilibrium"]  # whose answer says when
     if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))

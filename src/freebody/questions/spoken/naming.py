@@ -75,7 +75,7 @@ class Way:
 
 def elements_of(names: Names) -> Elements:
     """What can be named in a model."""
-    found = Elements()
+    found = Elements(space=names.space)
     sides = (*names.bodies[GROUND].lines, *names.bodies[GROUND].planes)
     found.add(GROUND, () if sides else _CEILING)
     free = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
@@ -213,6 +213,9 @@ def linked(elements: Elements, text: str) -> list[Way]:
     if (*motors.NO_LOAD.split(), "speed") in elements.spoken:
         told = _NO_LOAD.sub(f"{motors.NO_LOAD} speed", told)
     tokens: list[str] = _TOKEN.findall(told)
+    begun = f"{tokens[0][:1].lower()}{tokens[0][1:]}" if tokens else ""
+    if tokens and tokens[0] not in elements.exact and begun in elements.exact:  # Drive force at t = 1 s
+        tokens[0] = begun
     ways = list(islice(_linked(elements, tokens, 0, Way("", 0)), MOST))
     return sorted(ways, key=lambda way: way.distance)
 
@@ -315,6 +318,9 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
         meant = [one for one in meant if one[1].replace("_", "") == written[0]]  # m is not M, but v0 may be v_0
     for element, text, distance in as_written or meant:
         yield element.name, distance + (WRITTEN if text == " ".join(written) else ALIKE)
+    if len(words) > 1 and not meant:  # the half ring
+        said = " ".join(words)
+        yield from ((e.name, INFERRED) for e in elements.exact.values() if "." not in e.name and said in e.words)
     if len(words) == 1 and not as_written:  # every thing of a kind
         of_kind = [e for e in elements.exact.values() if "." not in e.name and words[0] in e.words]
         of_kind = [e for e in of_kind if _PINION not in e.name.lower()] or of_kind  # the wheel that it drives

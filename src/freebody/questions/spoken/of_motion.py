@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup, losing, polar
+from freebody.questions.spoken import along_lines, joining, lookup, losing, polar
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -72,6 +72,11 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         acted = {body for p in names.applied_loads if p.load == name for body in p.measure.bodies()} - {GROUND}
         name = next(iter(acted)) if len(acted) == 1 else name
         quantity = "angular velocity" if joining.axle_of(names, name) == "center" else quantity
+    carrier = along.removeprefix(" along ")
+    if quantity == "velocity" and not relative and carrier in lookup.moving(names) and name != carrier:
+        own = [m for m in lookup.places(names, name) if along_lines.is_along(names, m, carrier)]
+        yield [f"rate of {m}" for m in own] or [f"{quantity} of {name} relative to {carrier}"]  # of what goes along it
+        return
     axle = joining.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
     if quantity == "speed" and axle:  # what turns about its centre has no other speed
         yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]

@@ -254,6 +254,22 @@ def level(names: Names, body: str) -> list[str]:
     return found
 
 
+def counting_from(names: Names, angles: list[str], way: str) -> list[str]:
+    """Those of some angles that are zero where what they tell of is level (way horizontal), or upright (vertical);
+    all where no way is said."""
+    pointing = {"horizontal": 0.0, "vertical": 90.0}.get(way)
+    if pointing is None:
+        return angles
+    found: list[str] = []
+    for angle in angles:
+        told = [going.value(pointing) for going in _going(names, angle) if going.measure == angle]
+        own, _ = _signed(names.measures[angle]) if angle in names.measures else (None, 1)
+        if not told and isinstance(own, Angle) and (reference := names.numeric(own.reference)) is not None:
+            told = [pointing - math.degrees(reference)]  # of a wheel, that of its own axis
+        found += [angle] if any(abs(math.remainder(value, 180.0)) < _NEAR for value in told) else []
+    return found
+
+
 def _is_aslant(pointing: float) -> bool:
     """Whether a line that points so is neither level nor upright."""
     return abs(math.remainder(pointing, 90.0)) > _NEAR

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, given, joining, lookup, losing, transmitting
+from freebody.questions.spoken import along_lines, dimensions, given, joining, lookup, losing, transmitting
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.lexicon import Word
@@ -64,6 +64,34 @@ def balanced_at(names: Names, words: list[Word]) -> list[Word]:
     if not (asks and rests and plain and len(measures) == 1) or others:
         return words
     return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
+
+
+def so_far_that(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """How far the hand must move so that the load rises by 1 m is how far until it has risen so far; how long it needs
+    to reach a speed, from rest where it starts so, how long until it has reached that."""
+    until = Word("mark", "until")
+    reaches = Word("ask", "long") in words and Word("verb", "reach") in words and any(w.kind == "value" for w in words)
+    if reaches and (_TO in words or until in words):
+        at_start = Word("instant", "at start")
+        words = [until if word == _TO else word for word in words if word != at_start or not lookup.rests(names)]
+        k = words.index(until)
+        return [*words[: k + 1], *(word for word in words[k + 1 :] if word.kind != "preposition")]
+    is_geared = {Word("ask", "fast"), _SO_THAT} <= {*words} and "must" in modal
+    values = [w.what for w in words if w.kind == "value"]
+    is_speed = len(values) == 1 and (dimensions.is_speed(*values) or dimensions.is_turning_speed(*values))
+    if is_geared and is_speed and not any(w.kind in ("not", "degree") for w in words):
+        named = [w.what for w in words[: words.index(_SO_THAT)] if w.kind == "name"]
+        if all(name in lookup.moving(names) for name in named) and named:  # and no parameter that is to be chosen
+            return [Word("mark", "when") if word == _SO_THAT else word for word in words]
+    is_way = "must" in modal and Word("ask", "far") in words and _SO_THAT in words
+    if not is_way or any(word.kind in ("quantity", "relation", "not", "degree") for word in words):
+        return words
+    k = words.index(_SO_THAT)
+    state = words[k + 1 :]
+    if not any(w.kind == "value" for w in state) or any(w.kind == "verb" and w.what not in GOES_ON for w in words):
+        return words
+    named = any(word.kind == "name" for word in state)
+    return [*words[:k], Word("mark", "until"), *(w for w in state if not (named and w == Word("pronoun", "it")))]
 
 
 def placed(words: list[Word], modal: set[str]) -> list[Word]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from itertools import pairwise
 from typing import TYPE_CHECKING, cast
 
@@ -14,6 +15,7 @@ from freebody.questions.spoken import lookup
 from freebody.questions.spoken.joining import given_of, joined_by
 
 if TYPE_CHECKING:
+    from freebody.model.elements import ConstraintRow
     from freebody.model.names import Names
 
 _LEVEL = 1e-9  # of a direction that is level, or straight up
@@ -85,13 +87,29 @@ def sections(names: Names, string: str, *, level: bool) -> list[tuple[str, ...]]
 def spans(names: Names, string: str) -> list[str]:
     """Where the parts of a string are, in the words of the grammar: at the body at its end, or between two."""
     rows = [row for row in names.constraint_rows if row.connection == string and row.reaction == "tension"]
-    pairs = [pair for row in rows for pair in pairwise(row.ends)]
+    pairs = [pair for row in rows for pair in (_rubbed(names, row) if len(row.stretches) > 1 else pairwise(row.ends))]
     found: list[str] = []
     for pair in pairs:
         plain = [end for end in pair if end in names.bodies and not names.bodies[end].is_wheel and end != GROUND]
         is_end = len(plain) == 1 and sum(plain[0] in other for other in pairs) == 1
         found.append(f"at {plain[0]}" if is_end else f"between {' and '.join(pair)}")
     return list(dict.fromkeys(found))
+
+
+def _rubbed(names: Names, row: ConstraintRow) -> list[tuple[str, str]]:
+    """The bodies at the ends of the parts of a string that has another tension behind each drum on which it rubs; of a
+    body to which both ends are tied, its points."""
+    ends = [end for stretch in row.stretches for end in (stretch.places[0], _last(stretch.places))]
+    n_ends = Counter(end.partition(".")[0] for end in ends)
+    bodies = [end.partition(".")[0] for end in ends]
+    tied = {body for body in bodies if n_ends[body] > 1 and names.bodies[body].radius is None}
+    told = [end if body in tied else body for end, body in zip(ends, bodies, strict=True)]
+    return [*zip(told[::2], told[1::2], strict=True)]
+
+
+def _last(places: tuple[str, ...]) -> str:
+    """The last place, as its point where a body is there by one of its own."""
+    return places[-2] if places[-2].startswith(f"{places[-1]}.") else places[-1]
 
 
 def _is_along(names: Names, measure: Displacement, *, level: bool) -> bool:

@@ -23,6 +23,7 @@ _OF_JOINTS = ("T", "S", "N", "F", "R", "M")  # symbols of what connections exert
 _CENTERS = ("G", "CG", "CM")  # indices that stand for the mass centre of what is named behind them
 _FREQUENCIES = ("frequency", "frequenz")
 _OF_TURNING = ("omega", "ω", "alpha", "α")
+_SHORTEST_BEGIN = 2
 _SHORTEST_WORD = 3  # letters of an index that is written without a bar: vmax
 _AT_TIME = re.compile(r"\((?:t ?= ?)?(?P<time>\d[\d.]*(?: ?m?s)?)\)")
 _EXTREME = re.compile(r"(?<![\w.])(?P<name>[^\W\d_]\w*)_(?P<end>min|max)(?![\w(])")
@@ -69,10 +70,13 @@ def _in_words(elements: Elements, found: re.Match[str], language: str) -> str:
     if written in elements.exact or (written.lower(),) in elements.spoken:
         return ""
     if found["sign"]:
+        if elements.space and found["sign"].startswith("L_"):  # of which the sign tells one component
+            return ""
         before = found.string[: found.start()].split()[-1:]
         if before and before[0].lower().endswith(_FREQUENCIES):  # the circular frequency ω0 has its words
             return ""
-        is_of_body = bool(elements.turning) and found["sign"].startswith(_OF_TURNING)  # omega_2 of the second one
+        is_counted = found["sign"][-1:].isdigit()  # omega_2 of the second one
+        is_of_body = bool(elements.turning) and found["sign"].startswith(_OF_TURNING) and is_counted
         return "" if is_of_body else f"{signs(language)[found['sign']]}{behind}"
     head = symbols(language)[symbol][0]
     if not index:  # N(r)
@@ -133,6 +137,9 @@ def _of(elements: Elements, symbol: str, index: str) -> str:
         return index
     own = elements.touching.keys() if symbol in _OF_JOINTS else elements.bodies
     found = [name for name in own if re.search(rf"(?<!\d){re.escape(index)}$", name)] if index.isdigit() else []
-    if index.isalpha() and len(index) >= _SHORTEST_WORD:  # v_block
-        found = [index] if any(index.lower() in element.words for element in elements.exact.values()) else []
+    if index.isalpha() and len(index) >= _SHORTEST_BEGIN:  # v_block
+        is_word = len(index) >= _SHORTEST_WORD
+        found = [index] if is_word and any(index.lower() in e.words for e in elements.exact.values()) else []
+        begun = [name for name in own if name.lower().startswith(index.lower())] if not found else []
+        found = begun if len(begun) == 1 else found  # omega_in of the input
     return found[0] if len(found) == 1 else ""

@@ -28,6 +28,7 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
     words = _for_push(words)
     yield from _leaving_at_top(names, Clause(words))
     yield from _leaving_by_choice(names, Clause(words))
+    yield from _begun_too_fast(names, Clause(words))
     yield from _without_leaving(names, Clause(words), whole)
     parted = _parted(names, _begun(names, words))
     if parted is None:
@@ -175,6 +176,18 @@ def _without_leaving(names: Names, clause: Clause, whole: Callable[..., Groups])
         state = Clause([Word("name", bodies[0]), Word("not", "not"), Word("verb", "leave"), *others])
         for group in so(names, state, whole):
             yield [f"largest {speeds[0]} so that {text}" for text in group]
+
+
+def _begun_too_fast(names: Names, clause: Clause) -> Groups:
+    """At what initial speed does the sled leave the snow: above the largest with which it never does."""
+    is_initial = clause.has("part", "initial") and clause.all("quantity") in (["speed"], ["velocity"])
+    known = clause.only("ask", "quantity", "name", "verb", "part", *SILENT) and clause.has("ask", "with", "from", "for")
+    bodies = [name for _, name in clause.names if name in lookup.moving(names)] or lookup.massive(names)
+    others = [name for _, name in clause.names if name not in bodies]
+    speeds = given.started_with(names, bodies)
+    if is_initial and known and clause.all("verb") == ["leave"] and len(bodies) == len(speeds) == 1 >= len(others):
+        held = f"never leaves {others[0]}" if others else "stays on"
+        yield [f"largest {speeds[0]} so that {bodies[0]} {held}"]
 
 
 def _asked(parameter: str, text: str, end: str) -> Groups:

@@ -55,6 +55,8 @@ _TIMED_ALONG = re.compile(
 _WHAT_IS = re.compile(
     r"^(?:what(?:[’' ]s| is| are)|find|determine|calculate|compute|give|tell) (?:me )?(?:the )?", re.IGNORECASE
 )
+_UNKNOWN = re.compile(r"\s*=\s*[?]+[\s.!]*$")  # v_B = ?
+_SYMBOL = re.compile(r"(?<=[^\W\d]),? (?P<symbol>[^\W\d]_(?:[a-z]{1,3}|[RNHZ]))[ ?.!]*$")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
@@ -81,6 +83,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return []
     if len(text) > LONGEST:
         return []
+    if (put := _UNKNOWN.sub("", text)) != text:
+        del names.problems[n_before:]
+        return understood(names, put, read)
     if (put := _TIMED_ALONG.sub(r"\g<of> \g<along> \g<at>", text)) != text:
         del names.problems[n_before:]
         return understood(names, put, read)
@@ -104,6 +109,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return parted
     if not nearest and not instead:
         instead = _lacking(names, text, read)
+    if not nearest and (put := _named_besides(names, text)):
+        return understood(names, put, read)
     if not nearest and not instead:
         right = {language: spelt_as_known(names, text, language) for language in languages()}
         for said in dict.fromkeys(other for other in right.values() if other != text):
@@ -181,6 +188,16 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         if not names.lacks_elements:  # else it may be about what could not be read
             names.unknown(text, none, "find")
     return []
+
+
+def _named_besides(names: Names, text: str) -> str:
+    """A text without the symbol at its end that only names what stands before it: the friction torque M_R."""
+    found = _SYMBOL.search(text)
+    elements = elements_of(names)
+    is_known = found is not None and (
+        found["symbol"] in elements.exact or (found["symbol"].lower(),) in elements.spoken
+    )
+    return text[: found.start()] if found is not None and not is_known else ""
 
 
 def _asked_plainly(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import keyword
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -66,7 +67,13 @@ def is_of_an_instant(found: tuple[AskedT, ...] | Unread) -> bool:
 
 def is_specific(problems: list[Problem]) -> bool:
     """Whether they say more than that nothing of a text can be read."""
-    return any(not (isinstance(p.message, Message) and _GENERAL & p.message.arguments.keys()) for p in problems)
+    return any(not _is_general(p.message) for p in problems)
+
+
+def _is_general(message: str) -> bool:
+    """Whether a message says only that nothing can be read, or takes a word of a sentence for a name."""
+    is_word = isinstance(message, Message) and message.arguments.get("name") in keyword.kwlist
+    return is_word or (isinstance(message, Message) and bool(_GENERAL & message.arguments.keys()))
 
 
 def unknown_parameters(problems: list[Problem]) -> set[str]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken.assumed import without_what_holds
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.instants import without_course
 from freebody.questions.spoken.lexicon import MARKED, Word, contexts, languages, phrases_at, several, translated
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
@@ -60,6 +61,7 @@ def ways_to_mean(names: Names, text: str, *, guess: bool = False) -> list[Meanin
                 words = words_of(way.text, language, guess=guess, parameters=names.parameters.keys())
             except Unknown:
                 continue
+            words = without_course(names, words)
             if not _hangs_on_another(text, words, language):
                 told_by = (*_passed_over(names, way.text, words, language), *words)
                 found.append(Meaning(meanings(names, words), way.distance, told_by))
