@@ -3,6 +3,8 @@ stand in the file."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 import freebody as fb
@@ -107,6 +109,10 @@ BODIES = {
         "p: {particle: {mass: 1 kg}, at: {x: 1 m, y: 2 m}, velocity: {x: 3 m/s, y: 0}}",
         "p: {particle: {mass: 1 kg}, at: [1 m, 2 m], velocity: [3 m/s, 0]}",
     ),
+    "a word for shapes with what every body may have among its fields": (
+        "c: {block: {mass: 1 kg, width: 2 m, height: 1 m, at: [1 m, 0], velocity: [1 m/s, 0]}}",
+        "c: {rectangle: {mass: 1 kg, width: 2 m, height: 1 m}, at: [1 m, 0], velocity: [1 m/s, 0]}",
+    ),
     "the shape as a field": ("w: {type: disk, mass: 1 kg, radius: R}", "w: {disk: {mass: 1 kg, radius: R}}"),
     "the shape as the name": ("pulley: {radius: R, at: [1 m, 0]}", "pulley: {disk: {radius: R}, at: [1 m, 0]}"),
     "what belongs to a shape beside it": (
@@ -177,6 +183,12 @@ def test_letters_of_points_do_not_hang_on_the_order_of_the_entries() -> None:
     assert one.loads["b"].first == other.loads["b"].first == "ground.A"  # from left to right
 
 
+def test_a_start_at_rest_gives_no_value() -> None:
+    loose = fb.System.from_text(f"{BASE}start: at rest\n")
+    assert not loose.start
+    assert not loose.start_rates
+
+
 def test_coordinates_that_are_given_twice_are_one_point() -> None:
     base = BASE.replace("points: {A: [0, 0], B: [2 m, 0]}, ", "")
     system = fb.System.from_text(
@@ -184,6 +196,16 @@ def test_coordinates_that_are_given_twice_are_one_point() -> None:
         "loads: {a: {spring: {from: [0, 0], to: block, k: k}}}\n"
     )
     assert set(system.bodies["ground"].points) == {"origin", "A"}
+
+
+def test_a_rope_may_begin_at_coordinates(agrees: Callable[[fb.Solution, str, str], None]) -> None:
+    text = """
+parameters: {m: 10 kg, g: 9.81 m/s^2, a: 1 m}
+bodies: {lamp: {particle: {mass: m}, at: [0, 0]}}
+connections: {left: {rope: [[-a, a], lamp]}, right: {rope: [[a, a], lamp]}}
+loads: {weight: g}
+"""
+    agrees(fb.System.from_text(text).solve("tension of left"), "q1", "m*g/sqrt(2)")
 
 
 def test_a_floor_that_nobody_declares_is_level() -> None:

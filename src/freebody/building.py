@@ -203,8 +203,19 @@ class Model:
         self._section("ground").setdefault("points", {})[name] = as_text(at) if at else [None, None]
         return Place(f"ground.{name}")
 
-    def line(self, name: str, along: Along, through: Sequence[Given] | None = None) -> Written:
-        """A line of the ground, through a point, else through the origin."""
+    def line(
+        self,
+        name: str,
+        along: Along | None = None,
+        through: Sequence[Given] | None = None,
+        *,
+        angle: Along | None = None,
+    ) -> Written:
+        """A line of the ground along a direction or at an angle, through a point, else through the origin. Raises
+        TypeError where neither or both are given."""
+        if (along is None) == (angle is None):
+            raise TypeError(f"a line has a direction: model.line({name!r}, along='right'), or an angle")
+        along = angle if along is None else along
         given = {"along": as_text(along)} | ({} if through is None else {"through": as_text(through)})
         self._section("ground").setdefault("lines", {})[name] = given
         return Written(f"ground.{name}")

@@ -46,6 +46,7 @@ _SAYS_KIND = ("type", "kind", "shape")
 _SAYS_NAME = ("name", "id")
 _JOINED = ("connections", "loads")
 _NAMED = (*_JOINED, "bodies", "parameters", "measures", "start")
+_AT_REST = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
 _IN_SPACE = ("3d", "3", "yes", "spatial")
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 
@@ -74,6 +75,8 @@ class _Written:
         if (truss := with_truss(self.data, space=self.space)) is not None:
             self.data, self.moved, told = truss[0], self.moved | truss[1], truss[2]
             self.assumed.append(told)
+        if str(self.data.get("start")).lower() in _AT_REST:
+            del self.data["start"]
         self._rename_sections()
         for section in _NAMED:
             if isinstance(self.data.get(section), list):
@@ -296,6 +299,7 @@ class _Written:
         sections = (section, *(other for other in _JOINED if other != section)) if section in _JOINED else (section,)
         for at in sections:
             kinds = _kinds(at)
+            value = self._without_options(section, value)
             meant = written_kind(word, value, kinds, space=self.space)
             if meant is not None and (word in kinds or takes(kinds[meant], value) or at == section):
                 if at == section and word not in kinds and not takes(kinds[meant], value):
@@ -304,6 +308,13 @@ class _Written:
                         return other, _kinds(other)[word]
                 return at, kinds[meant]
         return section, None
+
+    def _without_options(self, section: str, value: Any) -> Any:
+        """The fields of a shape among which stands what every body may have."""
+        if section != "bodies" or not isinstance(value, dict):
+            return value
+        options = self._beside(section)
+        return {key: each for key, each in cast("Entry", value).items() if not _as_option(key, options)} or None
 
     def _section_of(self, section: str, word: str, value: Any) -> bool:
         return self._kind_of(section, word, value)[1] is not None

@@ -294,7 +294,7 @@ class Source:
         if GROUND not in self.names.bodies or str(fields.get("on", GROUND)).partition(".")[0] != GROUND:
             return
         types = kind.field_types()
-        ends = {info.alias or name: types[name] for name, info in kind.model_fields.items() if name in ENDS}
+        ends = {key: types[n] for n, f in kind.model_fields.items() if n in ENDS for key in (n, f.alias or n)}
         for field, given in fields.items():
             if ends.get(field) == "text" and self._is_a_place(given):
                 yield field, None, given
