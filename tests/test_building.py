@@ -110,3 +110,48 @@ def test_descriptions_show_their_fields() -> None:
     assert fb.Box("1 kg", ["1 m", "1 m", "1 m"]).size == ["1 m", "1 m", "1 m"]
     with pytest.raises(TypeError, match="first twice"):
         fb.Pin("a.P", "b.P", first="c.P")
+
+
+def test_what_one_tries_first_in_python_is_told() -> None:
+    model = fb.Model("a rod")
+    with pytest.raises(TypeError, match=r"parameters are given by model.parameters\(m='2 kg'\)"):
+        fb.Model("a rod", m="2 kg")
+    with pytest.raises(TypeError, match=r"model.body\('rod', fb.Rod\(mass=2, length=1\)\)"):
+        model.body("rod", mass=2, length=1)
+    with pytest.raises(AttributeError, match=r"write model.load\(name, fb.Gravity\(strength\)\)"):
+        model.gravity("9.81 m/s^2")
+    with pytest.raises(TypeError, match="a connection needs a name"):
+        model.connect(fb.Pin("ground", "rod"))
+    with pytest.raises(TypeError, match=r"model.line\(name, along=...\)"):
+        model.ground.line("slope", 1)
+    with pytest.raises(TypeError, match=r"freebody.solve\(freebody.System.load\('m.yaml'\)"):
+        fb.solve("m.yaml")
+    with pytest.raises(AttributeError, match=r"no attribute 'Block': write freebody\."):
+        fb.Block(mass=1)
+    with pytest.raises(TypeError, match="from_data"):
+        fb.System()
+
+
+def test_results_are_read_by_the_names_that_they_have() -> None:
+    from freebody import cos
+
+    model = fb.Model("pendulum")
+    m, L, g = model.parameters(m="2 kg", L="1 m", g="9.81 m/s^2")
+    bob = model.body("bob", fb.Particle(m))
+    model.connect("link", fb.Link(model.ground.O, bob, L))
+    model.load("weight", fb.Gravity(g))
+    theta = model.measure("theta", model.ground.O.bearing(bob, "down"))
+    model.start(theta="0.2 rad")
+    system = model.system()
+    solution = system.solve("acceleration of theta")
+    assert [(key, answer.id) for key, answer in solution.items()] == [("q1", "q1")]
+    assert [*solution] == ["q1"]
+    assert solution[0] is solution["q1"]
+    assert system.modes().frequencies == pytest.approx((9.81**0.5,))
+    run = system.simulate(1.0)
+    assert run["theta"][0] == pytest.approx(0.2)
+    assert run["t"][-1] == pytest.approx(1.0)
+    assert run["rate(theta)"][0] == pytest.approx(0.0)
+    with pytest.raises(KeyError, match="there is t, theta"):
+        run["phi"]
+    assert str(m * g * cos(theta))

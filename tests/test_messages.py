@@ -516,20 +516,9 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
         ("mu: 0.4", "mu: 0,4 m", "a comma separates entries; write a point: 0.4 m"),
         ("{pin: [ground.A, bob]}", "pin [ground.A, bob]", "a colon belongs behind the kind: p: {pin: [ground.A, bob]}"),
         ("rectangle:", "wheel:", "a body has no wheel. Did you mean one of"),
-        ("{pin: [ground.A, bob]}", "{spring: {first: ground.A, second: bob, stiffness: m}}", "it belongs under loads"),
         ("parameters:", "paramters:", "there is no section paramters. Did you mean parameters?"),
-        (
-            "parameters:",
-            "gravity: 9.81 m/s^2\nparameters:",
-            "gravity belongs under loads, with a name of",
-        ),
         ("mu: 0.4", "\u03bc: 0.4", "names have Latin letters, digits and underscores: write mu"),
         ("m: 80 kg", "m:80 kg", "a space belongs behind the colon: m: 80 kg"),
-        (
-            "bob: {particle: {mass: m}}",
-            "bob: {type: disk, mass: m, radius: 1 m}",
-            "bob: {disk: {mass: m, radius: 1 m}}",
-        ),
         (
             "{particle: {mass: m}}",
             "{particle: {mass: m}, velocity: 3 m/s}",
@@ -540,9 +529,7 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
         ("to: ground.B", "to: ground.B, length: 2 m", "string has no length: it is as long as"),
         ("questions:", "loads: {w: {gravity: [0, -9.81 m/s^2]}}", "gravity is a strength and a direction"),
         ("[crate, floor]", "[crate, flor]", "there is no body or line flor. Did you mean floor?"),
-        ("lines: {floor: {along: right}}", "{}", "ground: {lines: {floor: {along: right}}}"),
-        ("bob: {particle: {mass: m}}", "bob: {mass: m}", "bob needs a shape with these fields: bob: {particle:"),
-        ("pin:", "revolute:", "revolute is for models in space: write space: true; in the plane take pin"),
+        ("lines: {floor: {along: right}}", "{}", "ground: {lines: {slope: {along: right}}}"),
         ("[crate, floor]", "[crate, ground]", "name one of its lines: ground.floor"),
         ("mu: 0.4", "mu: 0.4, M: 3", "M must be a mass (kg), but has no unit: write M: 3 kg under parameters"),
         ("to: ground.B", "end: ground.B", "string has no end"),
@@ -568,7 +555,7 @@ connections:
     if new.startswith("loads:"):
         text += f"{new}\n"
     if new == "{}":
-        text = text.replace("ground: {lines: {floor: {along: right}}}\n", "")
+        text = text.replace("ground: {lines: {floor: {along: right}}}\n", "").replace("floor", "slope")
     if "M: 3" in new:
         text = text.replace("{crate: {rectangle: {mass: m", "{crate: {rectangle: {mass: M")
     if "g: 9.81 m/s" in new and "gravity" not in new:
@@ -608,11 +595,6 @@ questions: [reaction of A, reaction of B]
             "{spring: {first: ground.B, second: bar.end, stiffness: k}}",
             "{force: [3 N, 4 N]}",
             ["magnitude is missing, e.g."],
-        ),
-        (
-            "bodies: {bar: {rod: {mass: m, length: 1 m}}}",
-            "bodies: [{bar: {rod: {mass: m, length: 1 m}}}]",
-            ["not a list: each entry has its name"],
         ),
         (
             "first: ground.B, ",
@@ -700,11 +682,11 @@ def test_a_line_through_two_points_of_its_body() -> None:
 def test_a_name_that_stands_for_nothing_is_told_once() -> None:
     text = """
 bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}}
-connections: {p: {pin: [ground.A, bar]}, q: {pin: [ground.A, bar.end]}, c: {rolling: {body: a, on: floor}}}
+connections: {p: {pin: [ground.A, bar]}, q: {pin: [ground.A, bar.end]}, c: {rolling: {body: a, on: slope}}}
 measures: {x: x of bar}
 """
     with pytest.raises(fb.ModelError) as caught:
         fb.System.from_text(text)
-    bar, floor = caught.value.problems
+    bar, slope = caught.value.problems
     assert "there is no body bar" in bar.message
-    assert "ground: {lines: {floor: {along: right}}}" in floor.message
+    assert "ground: {lines: {slope: {along: right}}}" in slope.message

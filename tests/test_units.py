@@ -134,7 +134,6 @@ def test_usual_units_do_not_import_pint():
         ("3 newtn", "perhaps newton is meant"),
         ("3 Ns", "write N, or N s"),
         ("3 ftlb", "write ft lb"),
-        ("3 m/s2", r"write s\^2"),
         ("3 N m/rad s", "two ways"),
         ("3 m^99", "number up to 12"),
         ("3 m^", "a power is a number"),

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from freebody.building import Model
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree, SelfTestFailed
     from freebody.exercises.export import export
+    from freebody.functions import acos, asin, atan, cos, exp, log, sin, sqrt, tan
     from freebody.narrative.explain import explain
     from freebody.narrative.marking.check import check
     from freebody.narrative.synthesised import synthesise
@@ -77,6 +78,7 @@ _HOMES = {
     "CannotAnswer": "freebody.errors",
     "RoutesDisagree": "freebody.errors",
     "SelfTestFailed": "freebody.errors",
+    **dict.fromkeys(("acos", "asin", "atan", "cos", "exp", "log", "sin", "sqrt", "tan"), "freebody.functions"),
 }
 
 __all__ = [
@@ -102,18 +104,24 @@ __all__ = [
     "Statics",
     "Sweep",
     "System",
+    "acos",
+    "asin",
+    "atan",
     "check",
     "conserved",
+    "cos",
     "draw",
     "effort",
     "equations_of_motion",
     "equilibria",
+    "exp",
     "explain",
     "export",
     "fit",
     "free_body",
     "gradient",
     "inverse_dynamics",
+    "log",
     "mobility",
     "modes",
     "optimise",
@@ -122,11 +130,14 @@ __all__ = [
     "picture",
     "sensitivity",
     "simulate",
+    "sin",
     "solve",
     "speed_table",
+    "sqrt",
     "statics",
     "sweep",
     "synthesise",
+    "tan",
 ]
 
 
@@ -145,12 +156,19 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(
             f"module 'freebody' has no attribute {name!r}. A model file is read by freebody.System.load"
         )
+    if name in ("from_dict", "from_data", "from_text", "loads"):
+        raise AttributeError(
+            f"module 'freebody' has no attribute {name!r}. A model of plain data is read by freebody.System.from_data, "
+            "YAML text by freebody.System.from_text"
+        )
     if not name[:1].isupper():
         # also what `from freebody import progress` asks first: is it an attribute? Then it is imported as a module
         raise AttributeError(f"module 'freebody' has no attribute {name!r}")
     found = _descriptions().get(name)
     if found is None:
-        raise AttributeError(f"module 'freebody' has no attribute {name!r}")
+        also = [kind for kind, spec in _descriptions().items() if name.lower() in spec.also]
+        meant = f": write freebody.{' or freebody.'.join(also)}" if also else ""
+        raise AttributeError(f"module 'freebody' has no attribute {name!r}{meant}")
     return found
 
 

@@ -57,6 +57,15 @@ from freebody.errors import ModelError as ModelError
 from freebody.errors import RoutesDisagree as RoutesDisagree
 from freebody.errors import SelfTestFailed as SelfTestFailed
 from freebody.exercises.export import export as export
+from freebody.functions import acos as acos
+from freebody.functions import asin as asin
+from freebody.functions import atan as atan
+from freebody.functions import cos as cos
+from freebody.functions import exp as exp
+from freebody.functions import log as log
+from freebody.functions import sin as sin
+from freebody.functions import sqrt as sqrt
+from freebody.functions import tan as tan
 from freebody.loads.angular_impulse import AngularImpulse as _AngularImpulse
 from freebody.loads.attraction import Attraction as _Attraction
 from freebody.loads.buoyancy import Buoyancy as _Buoyancy
@@ -256,7 +265,7 @@ class Body(_Body):
     def __init__(
         self,
         mass: _Formula = ...,
-        inertia: _Formula | _List = ...,
+        inertia: _List = ...,
         center_of_mass: _List | None = ...,
         radius: _Formula | None = ...,
         about: _Formula | _List = ...,
@@ -280,7 +289,7 @@ class Brake(_Brake):
     def __init__(
         self,
         between: _List,
-        torque: _Formula | _Mapping,
+        torque: _Mapping,
     ) -> None: ...
 
 class Buoyancy(_Buoyancy):
@@ -353,7 +362,7 @@ class Clothoid(_Clothoid):
         ends: _List | None = ...,
         point: _Text = ...,
         leaves: bool = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
         scale: _Formula = ...,
         bends: _Text = ...,
     ) -> None: ...
@@ -433,7 +442,7 @@ class Contact(_Contact):
         self,
         between: _List | None = ...,
         among: _Text | _List | None = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
         restitution: _Formula = ...,
         rolling_resistance: _Formula = ...,
         spinning_resistance: _Formula = ...,
@@ -475,7 +484,7 @@ class CurvedRail(_CurvedRail):
         ends: _List | None = ...,
         point: _Text = ...,
         leaves: bool = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
         y: _Formula | None = ...,
         x: _Formula | None = ...,
         points: _Text | _List | None = ...,
@@ -532,7 +541,7 @@ class DiscClutch(_DiscClutch):
         self,
         between: _List,
         force: _Formula,
-        friction: _Formula | _Mapping,
+        friction: _Mapping,
         inner_radius: _Formula,
         outer_radius: _Formula,
         faces: _Formula = ...,
@@ -560,7 +569,7 @@ class Distributed(_Distributed):
     def __init__(
         self,
         between: Any,
-        intensity: _Formula | _List,
+        intensity: _List,
         along: _Along = ...,
     ) -> None: ...
 
@@ -649,7 +658,7 @@ class FrictionAlongMeasure(_FrictionAlongMeasure):
     def __init__(
         self,
         measure: _Mapping,
-        force: _Formula | _Mapping,
+        force: _Mapping,
     ) -> None: ...
 
 class Frustum(_Frustum):
@@ -790,7 +799,7 @@ class HeavyRope(_HeavyRope):
         to: _Text | None = ...,
         wound_on: _Text | None = ...,
         side: Any = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
         counterclockwise: bool = ...,
     ) -> None: ...
 
@@ -950,7 +959,7 @@ class Pin(_Pin):
         self,
         first: _Text,
         second: _Text,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
         radius: _Formula | None = ...,
         further: Any = ...,
     ) -> None: ...
@@ -978,7 +987,7 @@ class PointOnLine(_PointOnLine):
         point: _Text,
         through: _Text,
         along: _Along,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
     ) -> None: ...
 
 class PointOnPlane(_PointOnPlane):
@@ -1006,7 +1015,7 @@ class PointOnSurface(_PointOnSurface):
         z: _Formula,
         on: _Text = ...,
         leaves: bool = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
         reach: _Formula | None = ...,
     ) -> None: ...
 
@@ -1032,7 +1041,7 @@ class Prismatic(_Prismatic):
         second: _Text,
         along: _Along,
         second_axis: _Along | None = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
     ) -> None: ...
 
 class RackAndPinion(_RackAndPinion):
@@ -1184,7 +1193,7 @@ class Screw(_Screw):
         about: _Along,
         pitch: _Formula,
         second_axis: _Along | None = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
         radius: _Formula | None = ...,
     ) -> None: ...
 
@@ -1211,7 +1220,7 @@ class Slider(_Slider):
         along: _Along,
         on: _Text = ...,
         through: _Text | None = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
     ) -> None: ...
 
 class Slot(_Slot):
@@ -1225,7 +1234,7 @@ class Slot(_Slot):
         along: _Along,
         on: _Text = ...,
         through: _Text | None = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
     ) -> None: ...
 
 class Sphere(_Sphere):
@@ -1321,8 +1330,8 @@ class String(_String):
         grips: _List | None = ...,
         leads: _List | None = ...,
         swings: bool = ...,
-        friction: _Formula | _Mapping = ...,
-        wrap: _Formula | _Mapping | None = ...,
+        friction: _Mapping = ...,
+        wrap: _Mapping | None = ...,
         falls: _Formula = ...,
         efficiency: _Formula | None = ...,
     ) -> None: ...
@@ -1450,7 +1459,7 @@ class WormGear(_WormGear):
         lead_angle: _Formula,
         starts: _Formula = ...,
         on: _Text = ...,
-        friction: _Formula | _Mapping = ...,
+        friction: _Mapping = ...,
         pressure_angle: _Formula | None = ...,
         other_flank: bool = ...,
         left_handed: bool = ...,

@@ -38,6 +38,12 @@ Along = Given | Written | Sequence[Given]  # a direction
 class Place(Written):
     """A point, from which measures are made."""
 
+    def __call__(self, *_given: object, **_named: object) -> Any:
+        raise TypeError(
+            f"{self.text} is a point. What the ground has is declared by model.point(name, x, y) and model.line(name, "
+            "along=...), what a body has where that is made: model.body(name, shape, points={...})"
+        )
+
     def travel(self, along: Along, start: Place | str | None = None) -> Written:
         """How far it is along a direction, from a point, else from the origin of the ground."""
         return _phrase(f"travel of {self} along {_direction(along)}", start, "from")
@@ -152,7 +158,10 @@ class Joined(Written):
 class Model:
     """A model that is being written. title, about: what it shows; space: three dimensions."""
 
-    def __init__(self, title: str = "", about: str = "", *, space: bool = False) -> None:
+    def __init__(self, title: str = "", about: str = "", *, space: bool = False, **other: Any) -> None:
+        if other:
+            given = ", ".join(f"{name}={value!r}" for name, value in other.items())
+            raise TypeError(f"Model takes title, about and space; parameters are given by model.parameters({given})")
         head = {"title": title, "about": about, "space": space}
         self._data: dict[str, Any] = {name: value for name, value in head.items() if value}
         self._questions: list[dict[str, Any]] = []
@@ -161,8 +170,18 @@ class Model:
     ground = Body("ground")
 
     def __getattr__(self, name: str) -> Any:
-        """Who asks a model asks the system that it describes."""
+        """Who asks a model asks the system that it describes; what a model has is told by its kind."""
         meant = f": write model.system().{name}" if not name.startswith("_") and hasattr(System, name) else ""
+        for kinds, example in (
+            (Shape.kinds, "model.body(name, fb.{kind}({fields}))"),
+            (Connection.kinds, "model.connect(name, fb.{kind}({fields}))"),
+            (Load.kinds, "model.load(name, fb.{kind}({fields}))"),
+        ):
+            kind = next((spec for word, spec in kinds.items() if name in (word, *spec.also)), None)
+            if kind is not None and not meant:
+                needed = [f.alias or key for key, f in kind.model_fields.items() if f.is_required()]
+                fields = ", ".join(needed or [*kind.model_fields][:2])
+                meant = f": write {example.format(kind=_class_name(kind), fields=fields)}"
         raise AttributeError(f"a Model has no {name}{meant}")
 
     def parameters(self, **values: Formula) -> tuple[Symbol, ...]:
@@ -184,27 +203,54 @@ class Model:
         self._section("ground").setdefault("points", {})[name] = as_text(at) if at else [None, None]
         return Place(f"ground.{name}")
 
-    def line(self, name: str, along: Along, through: Sequence[Given] | None = None) -> Written:
-        """A line of the ground, through a point, else through the origin."""
+    def line(
+        self,
+        name: str,
+        along: Along | None = None,
+        through: Sequence[Given] | None = None,
+        *,
+        angle: Along | None = None,
+    ) -> Written:
+        """A line of the ground along a direction or at an angle, through a point, else through the origin. Raises
+        TypeError where neither or both are given."""
+        if (along is None) == (angle is None):
+            raise TypeError(f"a line has a direction: model.line({name!r}, along='right'), or an angle")
+        along = angle if along is None else along
         given = {"along": as_text(along)} | ({} if through is None else {"through": as_text(through)})
         self._section("ground").setdefault("lines", {})[name] = given
         return Written(f"ground.{name}")
 
-    def body(self, name: str, shape: Shape, **more: Any) -> Body:
-        """A body with its shape. more: what else stands there in a file, such as `at`, `angle`, `points`, `fixed`."""
+    def body(self, name: str, shape: Shape | None = None, **more: Any) -> Body:
+        """A body with its shape. more: what else stands there in a file, such as `at`, `angle`, `points`, `fixed`.
+        Raises TypeError without a shape."""
+        if shape is None:
+            given = ", ".join(f"{key}={value!r}" for key, value in more.items())
+            able = [
+                _class_name(spec)
+                for spec in Shape.kinds.values()
+                if not spec.space_only and {*more} <= {*spec.model_fields}
+            ]
+            others = f" (or {', '.join(able[1:4])})" if len(able) > 1 else ""
+            raise TypeError(
+                f"a body needs its shape: model.body({name!r}, fb.{(able or ['Disk'])[0]}({given})){others}"
+            )
         self._section("bodies")[name] = {shape.kind: shape.model_dump(exclude_defaults=True, by_alias=True)} | as_text(
             more
         )
         return Body(name)
 
-    def connect(self, name: str, connection: Connection, closes: str | None = None) -> Joined:
-        """A connection. closes: `at start`, or `when EVENT`."""
+    def connect(self, name: str, connection: Connection | None = None, closes: str | None = None) -> Joined:
+        """A connection. closes: `at start`, or `when EVENT`. Raises TypeError without a name."""
+        if connection is None:
+            raise TypeError("a connection needs a name, by which questions know it: model.connect(name, fb.Pin(...))")
         entry = {connection.kind: connection.model_dump(exclude_defaults=True, by_alias=True)}
         self._section("connections")[name] = entry | ({} if closes is None else {"closes": closes})
         return Joined(name)
 
-    def load(self, name: str, load: Load) -> Joined:
-        """A load."""
+    def load(self, name: str, load: Load | None = None) -> Joined:
+        """A load. Raises TypeError without a name."""
+        if load is None:
+            raise TypeError("a load needs a name, by which questions know it: model.load(name, fb.Gravity(...))")
         self._section("loads")[name] = {load.kind: load.model_dump(exclude_defaults=True, by_alias=True)}
         return Joined(name)
 
@@ -219,9 +265,10 @@ class Model:
         self._section("states")[name] = as_text(rate)
         return Symbol(name)
 
-    def start(self, values: Mapping[Measure | Expr | str, Given]) -> None:
-        """Values of measures and their rates at the start: `{s: 0, s.rate: v0}`."""
-        self._section("start").update(as_text(values))
+    def start(self, values: Mapping[Measure | Expr | str, Given] | None = None, **named: Given) -> None:
+        """Values of measures and their rates at the start: `{s: 0, s.rate: v0}`; of measures by their names as well,
+        `start(s=0)`."""
+        self._section("start").update(as_text(dict(values or {}) | named))
 
     def ask(
         self,
@@ -261,3 +308,7 @@ def _phrase(text: str, other: Written | str | None, word: str) -> Written:
 def _direction(along: Along) -> str:
     text = as_text(along)
     return f"[{', '.join(map(str, cast('list[Any]', text)))}]" if isinstance(text, list) else str(text)
+
+
+def _class_name(kind: type) -> str:
+    return kind.__name__

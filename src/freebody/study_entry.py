@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import wraps
 from importlib import import_module
 from inspect import Parameter, Signature, signature
+from pathlib import Path
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from freebody.narrative.words import languages
@@ -82,6 +83,9 @@ def _in_language(own: Callable[..., Any]) -> Callable[..., Any]:
 
     @wraps(own)
     def told(system: Any, /, *args: Any, language: str = "en", **kwargs: Any) -> Any:
+        if isinstance(system, str | Path):
+            read = f"freebody.System.load({str(system)!r})"
+            raise TypeError(f"{own.__name__} takes a system: freebody.{own.__name__}({read}, ...)")
         if language == "en":
             return own(system, *args, **kwargs)
         from freebody.narrative.telling.catalogue import Catalogue

@@ -8,7 +8,7 @@ It may offer natural coordinates (`offers`), which are used where the user named
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, cast
 
 from freebody.connections.pairs import OutlinePair
 from freebody.language.expression import Expr
@@ -50,6 +50,11 @@ class Connection(Spec):
     in_space_take: ClassVar[Message | None] = None
     # its forces act where its bodies touch: people call the place "the contact point"
     has_contact_point: ClassVar[bool] = False
+
+    def as_meant(self, names: Names) -> Self:
+        """Itself, or as it is read where the bodies that it joins leave one meaning."""
+        del names
+        return self
 
     # of equal bodies on one carrier (`copies`): each has such a connection of its own, or all share one
     with_copies: ClassVar[Literal["", "each", "together"]] = ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
@@ -11,6 +11,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, TIME, TORQUE, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
@@ -38,6 +39,17 @@ class Brake(Connection, kind="brake"):
 bodies: {drum: {disk: {mass: 1 kg, radius: 0.1 m}}}
 connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], torque: 0.1 N m}}}
 """
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`{on: drum, torque: T}`: a brake of one body is held by the ground."""
+        given = super().from_plain(value)
+        word = next((word for word in ("on", "body", "wheel", "drum") if isinstance(given.get(word), str)), None)
+        if word is not None and "between" not in given:
+            return {"between": [given[word], GROUND], **{key: each for key, each in given.items() if key != word}}
+        return given
+
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(("on", "body", "wheel", "drum"), ("between",))
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         if len(self.between) != 2:

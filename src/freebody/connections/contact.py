@@ -86,6 +86,7 @@ class Contact(Connection, kind="contact"):
     spinning_resistance (2/3 of the coefficient of friction times the radius where the pressure is even and it only
     spins); else it ends, saying so."""
 
+    also: ClassVar[tuple[str, ...]] = ("collision", "impact", "Stoß", "Kontakt")
     elsewhere: ClassVar[Mapping[str, str]] = {
         **dict.fromkeys(
             ("body", "with", "on", "surface", "first", "second", "from", "to"),

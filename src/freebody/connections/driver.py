@@ -25,17 +25,19 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_LED = ("on", "drive", "wheel", "shaft", "link", "gear", "member", "of")  # what people call the body that is led
+
+
 class Driver(Connection, kind="driver"):
     """`driver: {measure: theta, follows: omega*t}`. The driving force or torque does positive work when it pushes
     the measure up (1 row). `speed: omega` in place of a law: it goes on evenly from where it starts; `body: crank` in
     place of a measure: the angle of that body."""
 
     called: ClassVar[tuple[str, ...]] = ("drive", "motor")
-    also: ClassVar[tuple[str, ...]] = ("drive", "motor")
+    also: ClassVar[tuple[str, ...]] = ("drive", "motor", "Antrieb")
 
     elsewhere: ClassVar[Mapping[str, str]] = {
         "joint": Message("it leads the angle of a body, or a measure: {{body: arm, speed: w}}"),
-        "rpm": Message("the unit stands behind the number: {{body: crank, speed: 1000 rpm}}"),
         **dict.fromkeys(
             ("angular_acceleration", "acceleration"), Message("a law in the time says it: {{follows: a*t^2/2}}")
         ),
@@ -43,6 +45,11 @@ class Driver(Connection, kind="driver"):
             ("x", "y", "z", "phi", "theta"),
             Message("it leads a measure: {{measure: y of cart, follows: Y*sin(Omega*t)}}"),
         ),
+    }
+
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        **dict.fromkeys(_LED, ("body",)),
+        **dict.fromkeys(("rpm", "n"), ("speed",)),
     }
 
     measure: str | dict[str, Any] | None = None
@@ -56,6 +63,24 @@ bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {p: {pin: [ground.A, rod.start]}, it: {driver: {measure: angle of rod, follows: w*t}}}
 parameters: {w: 2 rad/s}
 """
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`{on: crank, rpm: 3000}` and `{crank: 300 rpm}` as what is led and its speed."""
+        given = super().from_plain(value)
+        if isinstance(value, dict) and "measure" not in given:
+            word = next((word for word in _LED if isinstance(given.get(word), str)), None)
+            if word is not None and "body" not in given and len(given) > 1:
+                given["body"] = given.pop(word)
+            if (rpm := given.get("rpm")) is not None and "speed" not in given and not isinstance(rpm, bool):
+                given["speed"] = f"{given.pop('rpm')} rpm" if isinstance(rpm, int | float) else given.pop("rpm")
+            if "n" in given and "speed" not in given:
+                given["speed"] = given.pop("n")
+            known = {*cls.model_fields, *cls.elsewhere}
+            if len(given) == 1 and not given.keys() & known:
+                ((name, speed),) = given.items()
+                given = {"body": name, "speed": speed} if name.isidentifier() else given
+        return given
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         if (self.measure is None) == (self.body is None):
@@ -72,9 +97,10 @@ parameters: {w: 2 rad/s}
         return [ConstraintRow("drive", what.get(measure.dimension, "driving force"), measure, target)]
 
     def _led(self, names: Names) -> Measure | None:
-        if self.measure is not None:
+        is_body = isinstance(self.measure, str) and self.measure in names.bodies
+        if self.measure is not None and not is_body:
             return measure_of(names, self.measure, "measure")
-        body = names.body(str(self.body), "body")
+        body = names.body(str(self.measure if is_body else self.body), "body")
         if not body.turns:
             names.problem(Message("{body} is a particle and does not turn", body=body.name), "body")
             return None

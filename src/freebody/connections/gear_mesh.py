@@ -7,7 +7,7 @@ force: whichever gear drives gives (1 + mu) F r and the other one gets (1 - mu) 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Self, cast
 
 from freebody.connections.circles import look_at_fit, own_radius, touching
 from freebody.connections.shared_by_copies import SharedByCopies, gathered
@@ -71,6 +71,22 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
             return None
         own = dict(zip(gears, cast("list[Any]", teeth), strict=False)).get(body)
         return None if own is None else f"({module})*({own})/2"
+
+    def as_meant(self, names: Names) -> Self:
+        """With the ring gear first."""
+        first, second = names.bodies.get(self.first), names.bodies.get(self.second)
+        if first is None or second is None or second.teeth is None or not second.teeth.is_internal:
+            return self
+        if first.teeth is not None and first.teeth.is_internal:
+            return self
+        swapped = {
+            "first": self.second,
+            "second": self.first,
+            "first_radius": self.second_radius,
+            "second_radius": self.first_radius,
+            "teeth": None if self.teeth is None else self.teeth[::-1],
+        }
+        return self.model_copy(update=swapped)
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.body(self.first, "first"), names.body(self.second, "second")

@@ -136,6 +136,14 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
             name=body_name,
             hint=did_you_mean(body_name, [*names.bodies, *names.bodies[GROUND].lines]),
         )
+        if "wall" in body_name.lower() or "wand" in body_name.lower():
+            told = Message(
+                "there is no body or line {name}: a wall on the right is {right}, one on the left {left}, as a line is "
+                "solid on its right",
+                name=body_name,
+                right=f"ground: {{lines: {{{body_name}: {{along: up}}}}}}",
+                left="{along: down}",
+            )
         names.unknown(body_name, told, *path)
         return None
     body = names.body(body_name, *path)

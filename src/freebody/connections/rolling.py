@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import look_at_fit, touching
@@ -48,6 +48,10 @@ if TYPE_CHECKING:
 _RIMS = (DISK, RING)
 
 
+_ROLLS = ("wheel", "disk", "ball", "cylinder", "roller", "sphere")  # what people call the body that rolls
+_BELOW = ("ground", "floor", "surface", "line", "road", "incline")
+
+
 class Rolling(Connection, kind="rolling"):
     """`rolling: {body: disk, on: ground.incline}`; `on` a line or a round body, or `inside` a ring. Holds the
     gap and the slip (2 rows). The circle lies on the left of the line as its direction points, which is above it
@@ -75,6 +79,21 @@ class Rolling(Connection, kind="rolling"):
         "a sphere rolls on planes, spheres and cylinders, a cylinder on planes and along or across a cylinder, the rim "
         "of a disk or a ring on planes and spheres, a cone on planes only"
     )
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        **dict.fromkeys(_ROLLS, ("body",)),
+        **dict.fromkeys(_BELOW, ("on",)),
+    }
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`{wheel: w, ground: floor}` as what rolls and on what."""
+        given = super().from_plain(value)
+        for field, words in (("body", _ROLLS), ("on", _BELOW)):
+            word = next((word for word in words if isinstance(given.get(word), str)), None)
+            if word is not None and field not in given:
+                given[field] = given.pop(word)
+        return given
+
     elsewhere: ClassVar[Mapping[str, str]] = {
         "friction": Message(
             "what rolls here never slips; where friction may be too little write contact: {{between: [wheel, floor], "
@@ -253,9 +272,10 @@ connections:
             "{name} is neither a plane, a line nor a round body.{hint} For a plane: ground: {{planes: {{floor: "
             "{{normal: up}}}}}}"
             if names.space
-            else "{name} is neither a line nor a round body.{hint} A line: ground: {{lines: {{floor: {{along: "
+            else "{name} is neither a line nor a round body.{hint} A line: ground: {{lines: {{{line}: {{along: "
             "right}}}}}}",
             name=self.on,
+            line=self.on if str(self.on).isidentifier() else "floor",
             hint=did_you_mean(str(self.on), known),
         )
         names.unknown(str(self.on), told, "on")

@@ -121,13 +121,16 @@ def _led(names: Names, point: Point, normal: Direction, seen: frozenset[str]) ->
     return None
 
 
+_EITHER_WAY = {"horizontal": "right", "vertical": "up"}  # a guide runs both ways
+
+
 class Slider(Connection, kind="slider"):
     """`slider: {body: block, along: right}`; `on` is the guiding body (default the ground), `through` a point
     of the guide. Holds the displacement across the guide and the angle (2 rows).
     `friction`: the force that resists is mu times the normal force."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "rail", "track")
-    also: ClassVar[tuple[str, ...]] = ("guide",)
+    also: ClassVar[tuple[str, ...]] = ("guide", "Führung", "Schiebehülse")
 
     body: str
     along: Heading
@@ -145,6 +148,18 @@ class Slider(Connection, kind="slider"):
 bodies: {block: {rectangle: {mass: 1 kg, width: 1 m, height: 1 m}}}
 connections: {it: {slider: {body: block, along: right}}}
 """
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`{body: block, on: wedge.slope}`: along the line that it is on."""
+        given = super().from_plain(value)
+        given["along"] = _EITHER_WAY.get(str(given.get("along")), given.get("along"))
+        if given["along"] is None:
+            del given["along"]
+        if "along" not in given and isinstance(line := given.get("on"), str) and line != GROUND:
+            owner, dot, _name = line.partition(".")
+            given |= {"along": line, "on": owner if dot else GROUND}
+        return given
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         point = names.point(self.body, "body")

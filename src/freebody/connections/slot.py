@@ -26,7 +26,7 @@ class Slot(Connection, kind="slot"):
     times the normal force. A support on rollers is `roller: {at: beam.end, on: floor}`, or `along: right`."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
-    also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
+    also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller", "Loslager")
 
     meeting = ("through", "pin")
 
@@ -43,7 +43,7 @@ class Slot(Connection, kind="slot"):
     has_contact_point = True
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
-connections: {it: {slot: {pin: rod.end, along: up}}}
+connections: {it: {slot: {pin: rod.end, along: right}}}
 """
 
     @classmethod

@@ -55,6 +55,8 @@ loads: {it: {distributed: {between: [beam.start, beam.end], along: down, intensi
     def from_plain(cls, value: object) -> dict[str, Any]:
         """`{on: beam}` is all of a rod, `{on: beam, from: start, to: B}` a part of it, `{from: beam.start, to: beam.B}`
         as well."""
+        if isinstance(value, str | int | float):
+            return {"intensity": value}
         given = super().from_plain(value)
         body, *ends = (given.get(word) for word in ("on", "from", "to"))
         is_whole = isinstance(body, str) and ends == [None, None]

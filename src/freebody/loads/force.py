@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -22,6 +23,17 @@ if TYPE_CHECKING:
 
 
 _WAYS = ("right", "left", "up", "down")
+_ALSO_WAYS = {
+    **{f"{way}wards": way for way in ("up", "down")},
+    **{f"{way}ward": way for way in ("up", "down")},
+    **{f"to the {way}": way for way in ("right", "left")},
+    **{"nach oben": "up", "nach unten": "down", "nach rechts": "right", "nach links": "left"},
+}
+_WAY = "|".join(sorted((*_WAYS, *_ALSO_WAYS), key=len, reverse=True))
+_IN_WORDS = re.compile(
+    rf"(?P<magnitude>\S.*?)\s+(?:(?P<way>{_WAY})\s+(?:at|on|bei|an)\s+(?P<at>[\w.]+)"
+    rf"|(?:at|on|bei|an)\s+(?P<at_first>[\w.]+)\s+(?P<way_then>{_WAY}))"
+)
 
 
 def pushed_along(names: Names, point: Point, heading: Heading) -> Measure | NonholonomicForm:
@@ -40,13 +52,18 @@ class Force(Load, kind="force"):
     """`force: {at: rod.end, along: right, magnitude: F}`. The magnitude may depend on time `t` and on named
     measures and their rates; `along: rod.y` turns with the rod."""
 
+    also: ClassVar[tuple[str, ...]] = ("Kraft",)
+
     at: str
     along: Heading
     magnitude: Formula
     at_most: Formula | None = None
 
     is_chosen = True
-    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(_WAYS, ("along", "magnitude"))
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        **dict.fromkeys(_WAYS, ("along", "magnitude")),
+        "angle": ("along",),
+    }
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("x", "y", "z", "components", "vector"),
         Message("it has a direction and a magnitude: {{along: [3, 4], magnitude: 5 N}}"),
@@ -66,10 +83,21 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
     def from_plain(cls, value: object) -> dict[str, Any]:
         """`down: F` is `along: down, magnitude: F`."""
         given = super().from_plain(value)
+        if "angle" in given and "along" not in given:
+            given["along"] = given.pop("angle")
         ways = [way for way in _WAYS if way in given]
         if len(ways) == 1 and not {"along", "magnitude"} & given.keys():
             given |= {"along": ways[0], "magnitude": given.pop(ways[0])}
         return given
+
+    @classmethod
+    def in_words(cls, text: str) -> dict[str, Any] | None:
+        """`5 N down at bar.end`, `5 N at bar.end down`."""
+        if (said := _IN_WORDS.fullmatch(text.strip())) is None:
+            return None
+        way = said["way"] or said["way_then"]
+        along = _ALSO_WAYS.get(way, way)
+        return {"at": said["at"] or said["at_first"], "along": along, "magnitude": said["magnitude"]}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         pushed = pushed_along(names, names.point(self.at, "at"), self.along)

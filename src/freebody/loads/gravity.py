@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from freebody.errors import UnitError
 from freebody.language.expression import Expr, multiply
 from freebody.language.sentences import Message
-from freebody.language.units import ACCELERATION, parse_quantity
+from freebody.language.units import ACCELERATION, FORCE, Dimension, parse_quantity
 from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ZERO, Direction
@@ -25,6 +25,7 @@ class Gravity(Load, kind="gravity"):
     """`gravity: g`, `gravity: {strength: g, along: down}`. Pushes each mass centre with m g."""
 
     called: ClassVar[tuple[str, ...]] = ("weight",)
+    also: ClassVar[tuple[str, ...]] = ("weight", "g", "Gewicht", "Gewichtskraft", "Schwerkraft")
 
     strength: Formula
     along: Heading = "down"
@@ -37,12 +38,20 @@ loads: {it: {gravity: 9.81 m/s^2}}
 """
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
-        if _is_an_acceleration(self.along):
+        if _is_of(self.along, ACCELERATION):
             told = Message(
                 "gravity is a strength and a direction, not components: gravity: 9.81 m/s^2, or "
                 "{{strength: 9.81 m/s^2, along: down}}"
             )
             names.problem(told)
+            return []
+        if _is_of(self.strength, FORCE):
+            told = Message(
+                "gravity takes the acceleration g and pulls on every body by its own mass: gravity: 9.81 m/s^2; a "
+                "single weight is a force: force: {{at: POINT, along: down, magnitude: {weight}}}",
+                weight=self.strength,
+            )
+            names.problem(told, "strength")
             return []
         g = names.positive(self, "strength", ACCELERATION)
         along = names.direction(self.along, "along")
@@ -67,9 +76,9 @@ loads: {it: {gravity: 9.81 m/s^2}}
         yield glyphs.Field(names.direction(self.along, "along"))
 
 
-def _is_an_acceleration(value: Heading) -> bool:
-    """Whether a component of gravity stands where its direction belongs."""
+def _is_of(value: Heading, dimension: Dimension) -> bool:
+    """Whether a quantity of some dimension stands where another one belongs."""
     try:
-        return isinstance(value, str) and parse_quantity(value).dimension == ACCELERATION
+        return isinstance(value, str) and parse_quantity(value).dimension == dimension
     except UnitError:
         return False

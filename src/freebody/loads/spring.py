@@ -43,6 +43,8 @@ class Spring(Load, kind="spring"):
     and is not touched where they are farther apart; with a preload it pushes with that at once. `only: stretched` pulls
     alone."""
 
+    also: ClassVar[tuple[str, ...]] = ("Feder",)
+
     first: str
     second: str
     stiffness: Formula
@@ -119,7 +121,7 @@ class Damper(Load, kind="damper"):
     apart (`stretched`), and resists both ways there, as the damper beside a buffer of the same length."""
 
     called: ClassVar[tuple[str, ...]] = ("dashpot", "shock absorber")
-    also: ClassVar[tuple[str, ...]] = ("dashpot",)
+    also: ClassVar[tuple[str, ...]] = ("dashpot", "Dämpfer")
 
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("damping_ratio", "zeta"),
@@ -180,6 +182,8 @@ def turn_about(names: Names, body: str, on: str, about: Heading | None) -> Measu
 class TorsionalSpring(Load, kind="torsional_spring"):
     """`torsional_spring: {body: rod, stiffness: k, on: ground, angle: 0}`: turns the body back with
     k (theta - angle). In space theta is the turn `about` an axis of the body that it is on."""
+
+    also: ClassVar[tuple[str, ...]] = ("Drehfeder",)
 
     called: ClassVar[tuple[str, ...]] = ("spring",)
 

@@ -73,6 +73,12 @@ class Torque(Couple, kind="torque"):
     says the axis: a direction fixed in the ground, or in a body (`about: rotor.x`). `at_most: T_max` where a motor can
     give no more either way."""
 
+    also: ClassVar[tuple[str, ...]] = (
+        "Moment",
+        "Drehmoment",
+        "moment",
+    )
+
     called: ClassVar[tuple[str, ...]] = ("motor", "couple", "moment")
 
     on: str

@@ -194,6 +194,13 @@ class Joining(Protocol):
         ...
 
 
+# What does not move, as people call it: the name of a point of the ground where nothing else is called so.
+SURROUNDINGS = frozenset((
+    "wall", "ceiling", "support", "frame", "base", "anchor", "hook", "bracket", "foundation", "fixed", "Wand", "Decke",
+    "Gestell", "Lager", "Fundament",
+))  # fmt: skip
+
+
 class Names(Formulas):
     """The names of one model in the making."""
 
@@ -295,6 +302,8 @@ class Names(Formulas):
         body_name, _, point_name = text.strip().partition(".")
         if body_name not in self.bodies and not point_name and self._is_ground_point(body_name):
             body_name, point_name = GROUND, body_name
+        if body_name not in self.bodies and not point_name and body_name in SURROUNDINGS:
+            body_name, point_name = GROUND, body_name
         body = self.body(body_name, *path)
         if body_name not in self.bodies or body.is_placeholder:
             return body.point()
@@ -316,13 +325,16 @@ class Names(Formulas):
             )
             self.problem(told, *path)
             return body.point()
+        hint = did_you_mean(point_name, body.points)
+        if {"start", "end"} <= body.points.keys():
+            hint = Message(" Its ends are {body}.start and {body}.end, in its middle is {body}.center.", body=body_name)
         self.problem(
             Message(
                 "{body_name} has no point {point_name}.{hint} Points of your own: {body_name}: {{points: "
                 "{{{point_name}: {example}}}}}",
                 body_name=body_name,
                 point_name=point_name,
-                hint=did_you_mean(point_name, body.points),
+                hint=hint,
                 example=self._example,
             ),
             *path,

@@ -85,6 +85,11 @@ class Noting:
         finally:
             self._path = before
 
+    @property
+    def here(self) -> tuple[str | int, ...]:
+        """The place of the model that is being read."""
+        return self._path
+
     @contextmanager
     def reading(self, section: str, name: str, *path: str | int) -> Generator[None]:
         """As `at`; a name of which a problem is noted inside is broken. Where a length of 0 stands under a fraction,

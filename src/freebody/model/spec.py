@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from inspect import Parameter, Signature
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast, get_origin
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, Strict, ValidationError
 
 from freebody.language.written import as_text
 
@@ -19,9 +19,10 @@ if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
 
 # What stands for a number: an expression in the parameters, a quantity with unit, or a plain SI number.
-Formula = str | int | float
+# True is none: `gravity: true` would be a gravity of 1.
+Formula = str | Annotated[int, Strict()] | Annotated[float, Strict()]
 # What stands for a direction: right, left, up, down, an angle, components, or a line or axis of a body.
-Heading = str | int | float | list[Formula] | tuple[Formula, Formula]
+Heading = Formula | list[Formula] | tuple[Formula, Formula]
 
 FieldType = Literal["direction", "formula", "text", "flag", "other"]
 _TYPES: tuple[tuple[Any, FieldType], ...] = (
@@ -53,13 +54,14 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "torque": ("magnitude",),
     "g": ("strength",),
     "body": ("on", "at", "pinion"),
-    "point": ("pin",),
+    "point": ("pin", "at"),
     "on": ("at",),
     "at": ("pin", "on"),
     "position": ("at",),
     "place": ("at",),
     "location": ("at",),
-    **dict.fromkeys(("speed", "initial_velocity", "v0"), ("velocity",)),
+    "speed": ("velocity", "angular_velocity"),
+    **dict.fromkeys(("initial_velocity", "v0"), ("velocity",)),
     **dict.fromkeys(("omega", "initial_angular_velocity", "spin"), ("angular_velocity", "speed")),
     "initial_angle": ("angle",),
     "weight": ("mass",),
@@ -75,6 +77,14 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "in": ("inside",),
     "q": ("intensity",),
     "diameter": ("radius",),
+    "von": ("from", "first", "start"),
+    "nach": ("to", "second"),
+    "Masse": ("mass",),
+    "Länge": ("length",),
+    "Radius": ("radius",),
+    "Durchmesser": ("radius",),
+    "Winkel": ("angle",),
+    "Federkonstante": ("stiffness",),
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
@@ -83,11 +93,12 @@ SAME: frozenset[str] = frozenset((
     "rest_length", "natural_length", "free_length", "unstretched_length",
     "position", "initial_position", "initial_angle", "initial_velocity", "initial_angular_velocity",
     "r", "R", "m", "M", "l", "L", "F", "J", "I", "diameter", "angular_velocity", "angular_speed", "in", "q", "bodies",
+    "point", "von", "nach", "Masse", "Länge", "Radius", "Winkel", "Federkonstante", "Durchmesser",
 ))  # fmt: skip
 # Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
-ENDS = ("first", "second", "between", "through", "center")
+ENDS = ("first", "second", "between", "through", "center", "start", "to", "path")
 # Of these the words for another size, with the formula that makes the field of it.
-SIZES: Mapping[str, str] = {"diameter": "({})/2"}
+SIZES: Mapping[str, str] = dict.fromkeys(("diameter", "Durchmesser"), "({})/2")
 _ModelClass: Any = type(BaseModel)
 
 
@@ -181,6 +192,12 @@ class Spec(BaseModel, metaclass=_Described):
         return {fields[0]: value}
 
     @classmethod
+    def in_words(cls, text: str) -> dict[str, Any] | None:
+        """The fields that a text says in place of the kind and its fields; None where it is no such text."""
+        del text
+        return None
+
+    @classmethod
     def _meant(cls, key: str, value: Any, beside: Mapping[str, Any]) -> list[tuple[str, Any]]:
         """A field with its value, also under a word that means the same, or those that a list under one word gives.
         beside: all that is given."""
@@ -193,7 +210,7 @@ class Spec(BaseModel, metaclass=_Described):
         is_same = key in SAME and key not in cls.elsewhere and not {*fields} & others
         if len(fields) != 1 or not is_same:
             return [(key, value)]
-        is_formula = isinstance(value, Formula)
+        is_formula = isinstance(value, str | int | float)
         return [(fields[0], SIZES[key].format(value) if key in SIZES and is_formula else value)]
 
     @classmethod

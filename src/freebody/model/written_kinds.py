@@ -18,7 +18,7 @@ def written_kind(word: str, value: Any, kinds: Mapping[str, type[Spec]], *, spac
         return word
     here = [name for name, kind in kinds.items() if not (kind.in_plane if space else kind.space_only)]
     called = [name for name in here if word in kinds[name].also]
-    able = sorted((len(kinds[name].model_fields), name) for name in called if _takes(kinds[name], value))
+    able = sorted((len(kinds[name].model_fields), name) for name in called if takes(kinds[name], value))
     if not able and own is not None:
         return word
     if not able:
@@ -35,9 +35,19 @@ def words_also(kinds: Mapping[str, type[Spec]]) -> dict[str, list[str]]:
     return found
 
 
-def _takes(kind: type[Spec], value: Any) -> bool:
+def takes(kind: type[Spec], value: Any) -> bool:
     """Whether a kind has all fields that are given, and needs no others. A field may be called as people call it."""
     fields = {info.alias or name: info for name, info in kind.model_fields.items()}
     meant = {key: (key,) if key in fields else kind.meant(key) for key in kind.from_plain(value)}
     needed = {name for name, info in fields.items() if info.is_required()}
     return all(meant.values()) and needed <= {field for each in meant.values() for field in each}
+
+
+def put_inside(kind: type[Spec], own: Any, beside: dict[str, Any]) -> dict[str, Any]:
+    """The fields of a kind, some of which somebody wrote beside it. What stands behind the kind, `F` in
+    `force: F`, is its first field if that does not stand beside, else the one that is left to give."""
+    inside = kind.from_plain(own)
+    if own is None or isinstance(own, list | dict) or not inside.keys() & beside.keys():
+        return {**inside, **beside}
+    left = [f.alias or name for name, f in kind.model_fields.items() if f.is_required() and name not in beside]
+    return {**beside, left[0]: own} if len(left) == 1 else beside

@@ -38,10 +38,11 @@ from freebody.model.rotations import dot
 from freebody.model.surfaces import SurfacePlace
 from freebody.system.modes import sticking_rows
 from freebody.system.reading.bodies import BodySections
-from freebody.system.reading.connections import CLOSES, read_bounds
+from freebody.system.reading.connections import read_bounds
 from freebody.system.reading.head import read_space
 from freebody.system.reading.measures import read_measures
 from freebody.system.reading.parameters import read_parameters
+from freebody.system.reading.sections import CLOSES
 from freebody.system.reading.source import Source
 from freebody.system.system import System
 

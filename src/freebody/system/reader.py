@@ -15,9 +15,9 @@ from freebody.loads.base import Load
 from freebody.questions.reading import read_questions
 from freebody.system.blows import gathered
 from freebody.system.description import SystemDescription
+from freebody.system.reading.as_written import as_read
 from freebody.system.reading.bodies import BodySections
 from freebody.system.reading.connections import (
-    CLOSES,
     closing_at_start,
     closing_when,
     parted,
@@ -29,12 +29,17 @@ from freebody.system.reading.connections import (
 )
 from freebody.system.reading.copies import add_copies
 from freebody.system.reading.drawing import read_drawing
-from freebody.system.reading.ground import place_ground_points, place_joined_ground_points
+from freebody.system.reading.ground import (
+    joined_where_they_stand,
+    place_ground_points,
+    place_joined_ground_points,
+)
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.measures import add_place_of_the_only_body, add_turned_at_start, read_measures
 from freebody.system.reading.nodes import with_pins_of_nodes
 from freebody.system.reading.parameters import read_parameters
+from freebody.system.reading.sections import CLOSES
 from freebody.system.reading.source import Source
 from freebody.system.reading.start import read_mode, read_start
 from freebody.system.reading.states import read_states
@@ -46,9 +51,11 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     """What a document describes. A parameter with neither number nor unit has the unit with which it is used: read
     once more with the units that were missed, until none is found. Raises ModelError with all its problems."""
     units: dict[str, Dimension] = {}
+    document, assumed = as_read(document)
     while True:
         source = Source(document, file)
         source.names.units_of_use.update(units)
+        source.names.assumptions += assumed
         try:
             return _read(source, document, file)
         except ModelError:
@@ -74,6 +81,10 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     # by name: which of several leads, guides or carries something hangs on no order of the file
     connections, loads = add_copies(names, connections, source.specs("loads", Load.kinds))
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
+    connections |= {name: meant for name, each in connections.items() if (meant := each.as_meant(names)) is not each}
+    names.connections |= {name: connections[name] for name in names.connections}
+    connections |= (joined := joined_where_they_stand(names))
+    names.connections |= joined
     place_joined_ground_points(names)
     loads |= brought_loads(names, connections)
     names.called |= {name: spec.words() for name, spec in {**connections, **loads}.items() if name not in names.bodies}

@@ -38,6 +38,12 @@ class System(SystemDescription):
             raise TypeError(f"write {cls.__name__}.from_data(...), or load(...) for a file")
         return super().__new__(cls)
 
+    def __init__(self, **fields: Any) -> None:
+        """Of its parts; who makes a model calls `load`, `from_text` or `from_data`. Raises TypeError without them."""
+        if not fields:
+            raise TypeError(f"write {type(self).__name__}.from_data({{...}}), or load(...) for a file")
+        super().__init__(**fields)
+
     # -- making -------------------------------------------------------------------------------
     @classmethod
     def load(cls, path: str | Path) -> Self:

@@ -90,9 +90,12 @@ class String(Connection, kind="string"):
         "rope friction",
         "bollard",
     )
-    also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread")
+    also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil")
     elsewhere: ClassVar[Mapping[str, str]] = {
-        "length": Message("it is as long as where its ends and the bodies on its way are put (at) makes it"),
+        "length": Message(
+            "it is as long as where its ends and the bodies on its way are put (at) makes it; two points at a fixed "
+            "distance are a link: {{from: A, to: B, length: L}}"
+        ),
         **dict.fromkeys(
             ("bodies", "between", "ends", "pulley", "pulleys", "around"),
             Message("its way is from one end over pulleys to the other: {{from: a, over: [pulley], to: b}}"),

@@ -33,7 +33,7 @@ class Document:
     Made by `read`, `load` or `from_plain`; each raises ModelError with every problem found.
     """
 
-    __slots__ = ("_composed", "_has_places", "_plain", "_text", "file", "folders")
+    __slots__ = ("_composed", "_has_places", "_plain", "_stood", "_text", "file", "folders")
 
     def __init__(
         self,
@@ -43,13 +43,16 @@ class Document:
         has_places: bool,
         plain: Any = None,
         folders: Sequence[Path] | None = None,
+        stood: tuple[Document, Mapping[Place, Place]] | None = None,
     ) -> None:
         """Without a root it is known what the text says (`plain`), and it is read when places in it are needed.
-        folders: where the files are that it names, that of the document unless it is said."""
+        folders: where the files are that it names, that of the document unless it is said. stood: the document that
+        somebody wrote, and where in it stands what has another place in this one."""
         self._text = text
         self._composed = root
         self._plain = plain
         self._has_places = has_places
+        self._stood = stood
         self.file = file
         own = () if file is None else (Path(file).parent,)
         self.folders = own if folders is None else tuple(folders)
@@ -86,6 +89,12 @@ class Document:
         except ModelError as error:
             raise ModelError([Problem(p.path, p.message) for p in error.problems]) from None
 
+    def rewritten(self, data: Mapping[Any, Any], moved: Mapping[Place, Place]) -> Document:
+        """The document of the same model in another form. moved: where in this one stands what has another place there;
+        so problems are told where somebody wrote what they are about."""
+        new = Document.from_plain(data)
+        return Document(new._text, self.file, new._composed, False, new._plain, self.folders, (self, moved))
+
     @property
     def _root(self) -> DocumentNode:
         if self._composed is None:
@@ -104,6 +113,10 @@ class Document:
         The key stands for a value that is empty or starts on a later line. None for a document made from
         plain data, whose text nobody has seen.
         """
+        if self._stood is not None:
+            written, moved = self._stood
+            n = next((n for n in range(len(path), 0, -1) if path[:n] in moved), 0)
+            return written.place((*moved[path[:n]], *path[n:]) if n else path)
         if not self._has_places:
             return None
         steps = self._walk(path)

@@ -65,7 +65,10 @@ class _UnitReader:
                 if self._text[place] == ",":
                     raise self._fault(Message("decimals stand after a point, as in 0.5"))
                 raise self._fault(Message("'{x}' cannot be used in a unit", x=self._text[place]))
-            self._tokens += self._words(found)
+            words = self._words(found)
+            if words[0].isdigit() and self._is_run_on(place, words[0]):
+                words = ["^", *words]  # m/s2
+            self._tokens += words
             place = found.end()
         self._at = 0
 
@@ -77,6 +80,11 @@ class _UnitReader:
         if parts and parts[1] and (parts[2] != "s" or parts[3]):  # kgm^2 is kg m^2; Ns may be newtons, a pound a force
             return [part for part in parts.groups() if part]
         return [{"**": "^", "·": "*", "⋅": "*", "−": "-"}.get(word, word)]
+
+    def _is_run_on(self, place: int, digit: str) -> bool:
+        """Whether a digit stands at a name without a space, in a unit of several: `m2` alone may be a name."""
+        follows = bool(self._tokens) and self._tokens[-1].isalpha() and self._text[place : place + 1] == digit
+        return follows and digit in "23456" and sum(token.isalpha() for token in self._tokens) > 1
 
     @property
     def _now(self) -> str:

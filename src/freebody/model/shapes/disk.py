@@ -27,7 +27,19 @@ class Disk(Shape, kind="disk"):
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("teeth", "module"), Message("teeth and a module are those of a gear: {{gear: {{teeth: 20, module: 2 mm}}}}")
     )
-    also: ClassVar[tuple[str, ...]] = ("disc", "cylinder", "pulley", "roller", "drum", "flywheel", "sprocket")
+    also: ClassVar[tuple[str, ...]] = (
+        "disc",
+        "cylinder",
+        "pulley",
+        "roller",
+        "drum",
+        "flywheel",
+        "sprocket",
+        "Scheibe",
+        "Rolle",
+        "Walze",
+        "Schwungrad",
+    )
 
     mass: Formula = 0
     radius: Formula | None = None

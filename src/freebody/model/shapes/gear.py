@@ -29,7 +29,7 @@ class Gear(Shape, kind="gear"):
     ring, M r^2. A `radius` in place of teeth and module where only the ratio counts."""
 
     called: ClassVar[tuple[str, ...]] = ("disk", "gear wheel", "cog", "pinion")
-    also: ClassVar[tuple[str, ...]] = ("pinion",)
+    also: ClassVar[tuple[str, ...]] = ("pinion", "Zahnrad")
 
     elsewhere: ClassVar[Mapping[str, str]] = {"m": Message("m may be its mass or its module: write mass, or module")}
 

@@ -20,7 +20,18 @@ class Particle(Shape, kind="particle"):
         *("block", "bob", "bead", "ball", "object", "weight"),
         *("piston", "car", "cart", "collar"),
     )
-    also: ClassVar[tuple[str, ...]] = ("block", "bob", "bead", "piston", "car", "cart", "collar")
+    also: ClassVar[tuple[str, ...]] = (
+        "block",
+        "bob",
+        "bead",
+        "piston",
+        "car",
+        "cart",
+        "collar",
+        "Massenpunkt",
+        "Punktmasse",
+        "Kolben",
+    )
 
     mass: Formula = 0
 

@@ -24,7 +24,19 @@ class Rod(Shape, kind="rod"):
     """A slender uniform rod from `start` to `end`, along its own x axis; I = m L^2/12."""
 
     called: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "link", "crank", "stick", "pole", "arm")
-    also: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "crank", "stick", "pole", "arm")
+    also: ClassVar[tuple[str, ...]] = (
+        "bar",
+        "beam",
+        "ladder",
+        "crank",
+        "stick",
+        "pole",
+        "arm",
+        "Stab",
+        "Balken",
+        "Leiter",
+        "Kurbel",
+    )
 
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("from", "to"), Message("its ends are put beside the shape: {{rod: , at: {{start: A, end: B}}}}")

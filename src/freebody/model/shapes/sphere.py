@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 class Sphere(Shape, kind="sphere"):
     """A homogeneous ball; I = 2/5 m R^2 about any axis through its centre."""
 
+    also: ClassVar[tuple[str, ...]] = ("Kugel",)
+
     called: ClassVar[tuple[str, ...]] = ("ball",)
 
     mass: Formula = 0

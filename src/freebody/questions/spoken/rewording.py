@@ -78,7 +78,7 @@ def so_far_that(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
         return [*words[: k + 1], *(word for word in words[k + 1 :] if word.kind != "preposition")]
     is_geared = {Word("ask", "fast"), _SO_THAT} <= {*words} and "must" in modal
     values = [w.what for w in words if w.kind == "value"]
-    is_speed = len(values) == 1 and (dimensions.is_speed(*values) or dimensions.is_turning_speed(*values))
+    is_speed = len(values) == 1 and (dimensions.is_speed(values[0]) or dimensions.is_turning_speed(values[0]))
     if is_geared and is_speed and not any(w.kind in ("not", "degree") for w in words):
         named = [w.what for w in words[: words.index(_SO_THAT)] if w.kind == "name"]
         if all(name in lookup.moving(names) for name in named) and named:  # and no parameter that is to be chosen

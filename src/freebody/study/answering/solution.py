@@ -50,12 +50,31 @@ class Solution(Result):
         dof, redundant = model.degrees_of_freedom - len(system.states), tuple(model.redundant)
         return cls(system, dof, coordinates, dependent, redundant, answers, phases, assumed)
 
-    def __getitem__(self, id: str) -> Answer:
-        """The answer with an id."""
+    def __getitem__(self, id: str | int) -> Answer:
+        """The answer with an id, or in a place."""
+        if isinstance(id, int):
+            return self.answers[id]
         for answer in self.answers:
             if answer.id == id:
                 return answer
         raise KeyError(f"no question has the id {id}; there are {', '.join(a.id for a in self.answers)}")
+
+    def keys(self) -> tuple[str, ...]:
+        """The ids of the answers."""
+        return tuple(answer.id for answer in self.answers)
+
+    def values(self) -> tuple[Answer, ...]:
+        return self.answers
+
+    def items(self) -> tuple[tuple[str, Answer], ...]:
+        """Ids and answers."""
+        return tuple((answer.id, answer) for answer in self.answers)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
+
+    def __len__(self) -> int:
+        return len(self.answers)
 
     @property
     def assumptions(self) -> tuple[str, ...]:

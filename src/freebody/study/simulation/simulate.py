@@ -47,6 +47,15 @@ class Simulation(MeasuredMotion, Result):
         """The summary and a plot, for notebooks."""
         return super()._repr_html_() + self.plot()._repr_svg_()
 
+    def __getitem__(self, name: str) -> Array:
+        """A named measure at the output times, `t` for these; `rate(x)` is the rate of x. Raises KeyError."""
+        if name in ("t", "time"):
+            return self.course.times
+        inner = name.removeprefix("rate(").removesuffix(")") if name.startswith("rate(") else name
+        if inner not in self.series:
+            raise KeyError(f"{name} is no named measure; there is {', '.join(('t', *self.series))}")
+        return self.series[inner][0 if inner == name else 1]
+
     @property
     def report(self) -> Report:
         from freebody.present.report.results import summary

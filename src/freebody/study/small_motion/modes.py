@@ -71,6 +71,11 @@ class NaturalModes(Result):
         return self.modes[k]
 
     @property
+    def frequencies(self) -> tuple[float | None, ...]:
+        """Natural angular frequencies [rad/s], slowest first; see `NaturalMode.frequency`."""
+        return tuple(mode.frequency for mode in self.modes)
+
+    @property
     def coordinates(self) -> tuple[str, ...]:
         return tuple(c.name for c in self.small.positions)
 

@@ -22,14 +22,14 @@ from freebody.system.reading.body_start import POSE_KEYS, start_of_body
 from freebody.system.reading.copies import copied_names
 from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane
+from freebody.system.reading.sections import OF_LINES, PLANAR_OPTIONS, SPATIAL_OPTIONS
 from freebody.system.reading.source import Source, kind_meant, known_keys
 from freebody.system.reading.two_places import distance_of_ends
 
-_ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "copies")
-PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
-SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")
 _CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
-_OF_LINES = ("through", "along", "angle", "solid", "x", "y")
+_LIES = ("on", "lies_on", "rests_on")
+_FLAT = ("floor", "table", "road", "street", "Boden", "Tisch", "Fahrbahn")
+_ENDS_IN_WORDS = {"von": "from", "nach": "to"}
 _SHOWN = 4  # of shapes that fit
 
 
@@ -84,19 +84,39 @@ class BodySections:
             if key not in known and self._is_line(key, value):
                 fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
                 line = {"along": fields.get("along", fields.get("angle", "right"))}
+                others = {name: each for name, each in fields.items() if name not in OF_LINES}
+                hint: Message | str = ""
+                if others:
+                    contact = {"contact": {"between": ["BODY", key], **others}}
+                    hint = Message("; what else stands there is that of {contact}", contact=flow_text(contact)[1:-1])
                 told = Message(
-                    "a line of the ground stands under lines: ground: {{lines: {{{name}: {line}}}}}",
+                    "a line of the ground stands under lines: ground: {{lines: {{{name}: {line}}}}}{hint}",
                     name=key,
                     line=flow_text(line),
+                    hint=hint,
                 )
                 self.names.problem(told, "ground", key)
                 self.names.broken.add(key)
         entry = self._with_points({key: value for key, value in entry.items() if key not in self.names.broken}, known)
         known_keys(self.names, entry, known, "ground", "ground")
+        for name in self._floors(ground):
+            ground.lines[name] = read_line(self.names, ground, name, {"along": "right"})
+            told = Message("{name} is not declared: it is the horizontal line through the origin", name=name)
+            self.names.assumptions.append(told)
         with self.names.at("ground"):
             points = self.source.open.points(entry.get("points"), GROUND, ground.points.__contains__) or {}
             for name, value in points.items():
                 ground.points[name] = self.names.components(value, LENGTH, "points", name)
+
+    def _floors(self, ground: RigidBody) -> list[str]:
+        """Floors that connections name and nobody declares."""
+        given = self.source.mapping("ground")
+        taken = {name for key in ("points", "lines") for name in given.get(key) or ()} | self.names.bodies.keys()
+        taken |= (
+            given.keys() | self.source.mapping("bodies").keys() | ground.lines.keys() | self.names.parameters.keys()
+        )
+        named = set(_texts(self.source.data.get("connections")))
+        return [] if self.names.space else [name for name in _FLAT if name in named and name not in taken]
 
     def _with_points(self, entry: dict[str, Any], known: Collection[str]) -> dict[str, Any]:
         """`ground: {A: [0, 0]}` with its places among the points of the ground."""
@@ -115,7 +135,7 @@ class BodySections:
     def _is_line(self, key: str, value: Any) -> bool:
         """Whether an entry of the ground is one of its lines, without the section in which these stand."""
         fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
-        return not self.names.space and (key in _CALLED_LINES or (bool(fields) and fields.keys() <= {*_OF_LINES}))
+        return not self.names.space and (key in _CALLED_LINES or (bool(fields) and fields.keys() <= {*OF_LINES}))
 
     def body(self, name: str, value: Any) -> RigidBody | None:
         names = self.names
@@ -197,7 +217,8 @@ class BodySections:
         options = SPATIAL_OPTIONS if self.names.space else PLANAR_OPTIONS
         read: dict[str, Any] = {}
         for key, value in entry.items():
-            meant = [field for field in MEANT.get(key, ()) if field in options and key in SAME and key not in options]
+            same = key in SAME and key not in options and key != "on"  # it is on something: that is a contact
+            meant = [field for field in MEANT.get(key, ()) if field in options and same]
             read[meant[0] if len(meant) == 1 and meant[0] not in (*entry, *read) else key] = value
         return read
 
@@ -205,6 +226,7 @@ class BodySections:
         """`{bar: {from: A, to: B}}` as the same with the places of its ends beside the shape."""
         for word, value in entry.items():
             fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+            fields = {_ENDS_IN_WORDS.get(key, key): each for key, each in fields.items()}
             if "at" in entry or not {"from", "to"} <= fields.keys() or (kind := self._kind(word, fields)) is None:
                 continue
             if ends := Shape.kinds[kind].ends:
@@ -252,7 +274,13 @@ class BodySections:
                     hint = Message(" A body is massless where no mass is given, as in {{disk: {{radius: 0.1 m}}}}.")
                 if key == "angle":
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
-                if meant := [field for field in MEANT.get(key, ()) if field in options]:
+                if key in _LIES:
+                    where = {"between": [name, value]}
+                    hint = Message(
+                        " Where it lies is a connection: connections: {{{entry}}}",
+                        entry=flow_text({f"{name}_on_{value}": {"contact": where}})[1:-1],
+                    )
+                elif meant := [field for field in MEANT.get(key, ()) if field in options]:
                     hint = Message(" Did you mean {x}?", x=meant[0])
                 names.problem(Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), key)
         if len(kinds) > 1:
@@ -366,3 +394,15 @@ class BodySections:
                     k,
                 )
         return tuple(corners) if all(name in points for name in corners) else ()
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """All texts of an entry."""
+    if isinstance(value, dict):
+        for each in cast("dict[str, Any]", value).values():
+            yield from _texts(each)
+    elif isinstance(value, list):
+        for each in cast("list[Any]", value):
+            yield from _texts(each)
+    elif isinstance(value, str):
+        yield value

@@ -28,6 +28,15 @@ def start_of_body(names: Names, entry: dict[str, Any], default: str, points: Map
             names.problem(told, "angle")
         angle = angle_by_two(names, entry["at"], points)
     velocity = entry.get("velocity")
+    if not names.space and isinstance(velocity, str | int | float) and "angle" in entry:
+        told = Message(
+            "a velocity has two components, and angle says how the body is turned: velocity: [{v}*cos({a}), "
+            "{v}*sin({a})]",
+            v=velocity,
+            a=entry["angle"],
+        )
+        names.problem(told, "velocity")
+        velocity = None
     start = Start(
         _place(names, entry.get("at"), default, points),
         angle,

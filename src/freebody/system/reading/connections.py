@@ -20,10 +20,10 @@ from freebody.model.surfaces import SurfacePlace
 from freebody.questions.event import AskedEvent, read_event
 from freebody.system.reading.loads import happening
 from freebody.system.reading.parameters import forms
+from freebody.system.reading.sections import CLOSES
 from freebody.system.reading.source import Source
 
 MOST_ASKED = 40
-CLOSES = "closes"  # the key beside the kind of a connection
 _AT_START = ("at start", "start")
 
 

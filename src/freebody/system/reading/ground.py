@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping
+from typing import cast
 
+from freebody.connections.base import Connection
 from freebody.errors import Problem
 from freebody.language.expression import add, negate
 from freebody.language.sentences import Message
@@ -15,6 +17,29 @@ from freebody.model.polynomials import polynomial
 from freebody.model.rotations import applied, columns_of, cosine_and_sine
 
 _ALIKE = 0.65  # of a name to that of a line: a slip of the pen
+
+
+def joined_where_they_stand(names: Names) -> dict[str, Connection]:
+    """The joints that hold a body to the `ground` that is put elsewhere than at its origin: it is held where it stands,
+    at a point of the ground with the name of the joint."""
+    points, found = names.bodies[GROUND].points, dict[str, Connection]()
+    for name, connection in names.connections.items():
+        fields = connection.meeting
+        texts = () if fields is None else tuple(getattr(connection, field) for field in fields)
+        if (
+            len(texts) != 2
+            or texts.count(GROUND) != 1
+            or name in points
+            or not isinstance(texts[1 - texts.index(GROUND)], str)
+        ):
+            continue
+        k = texts.index(GROUND)
+        place = _place_at_start(names, texts[1 - k].strip())
+        if fields is None or place is None or place == names.origin:
+            continue
+        points[name] = place
+        found[name] = cast("Connection", connection).model_copy(update={fields[k]: f"{GROUND}.{name}"})
+    return found
 
 
 def place_joined_ground_points(names: Names) -> None:

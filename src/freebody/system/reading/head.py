@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, cast
@@ -14,43 +13,8 @@ from freebody.language.sentences import Message, as_found
 from freebody.loads.base import Load
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT
+from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, SECTIONS
 from freebody.system.reading.source import Source, known_keys
-
-SECTIONS = (
-    "freebody",
-    "title",
-    "about",
-    "source",
-    "space",
-    "parameters",
-    "ground",
-    "frames",
-    "bodies",
-    "connections",
-    "loads",
-    "measures",
-    "states",
-    "start",
-    "questions",
-    "drawing",
-    "style",
-)
-
-# what people write for a section
-MEANT: Mapping[str, str] = {
-    **dict.fromkeys(
-        ("joints", "constraints", "supports", "contacts", "drivers", "motors", "collisions"), "connections"
-    ),
-    **dict.fromkeys(("forces", "torques", "springs", "dampers", "actions"), "loads"),
-    **dict.fromkeys(("initial", "initial_conditions", "initial_values", "at_start"), "start"),
-    **dict.fromkeys(("coordinates", "variables", "outputs"), "measures"),
-    **dict.fromkeys(("constants", "symbols", "values", "given"), "parameters"),
-    **dict.fromkeys(("find", "ask", "wanted"), "questions"),
-    **dict.fromkeys(("elements", "parts"), "bodies"),
-    **dict.fromkeys(("name",), "title"),
-    **dict.fromkeys(("description",), "about"),
-}
-OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
 
 
 def title(source: Source) -> str:
@@ -68,7 +32,7 @@ def check_sections(source: Source) -> None:
             continue
         source.names.problem(_no_section(key, value, empty), key)
         meant = _meant(key)
-        if meant and key not in MEANT and meant not in source.data:
+        if meant and key not in MEANT_SECTIONS and meant not in source.data:
             source.data[meant] = value
         else:
             source.names.is_cut_short = True
@@ -118,11 +82,11 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
 
 def _meant(key: str) -> str | None:
     """The section that is meant by another name."""
-    known = (*SECTIONS, *MEANT)
+    known = (*SECTIONS, *MEANT_SECTIONS)
     if key in OF_GROUND:
         return None
-    near = key if key in MEANT else next(iter(get_close_matches(key, known, n=1, cutoff=0.7)), None)
-    return None if near is None else MEANT.get(near, near)
+    near = key if key in MEANT_SECTIONS else next(iter(get_close_matches(key, known, n=1, cutoff=0.7)), None)
+    return None if near is None else MEANT_SECTIONS.get(near, near)
 
 
 def read_space(source: Source) -> None:

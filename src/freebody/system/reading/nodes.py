@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from freebody.connections.base import Connection
 from freebody.language.sentences import Message
-from freebody.system.reading.connections import CLOSES
+from freebody.system.reading.sections import CLOSES
 from freebody.system.reading.source import Source
 
 

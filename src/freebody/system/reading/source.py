@@ -4,25 +4,26 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from string import ascii_uppercase
 from typing import Any, TypeVar, cast
 
 from freebody.connections.base import Connection
-from freebody.errors import ModelError
+from freebody.errors import InputError, ModelError
 from freebody.language.document import Document
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
 from freebody.language.parser import in_ascii
 from freebody.language.sentences import Message, as_found, in_turn, listed
-from freebody.language.units import LENGTH
+from freebody.language.units import ANGULAR_VELOCITY, LENGTH, parse_quantity
 from freebody.loads.base import Load
 from freebody.measures.geometry import GROUND
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Shape
-from freebody.model.spec import ENDS, Spec, WrongFields
-from freebody.model.written_kinds import words_also, written_kind
+from freebody.model.spec import ENDS, MEANT, Spec, WrongFields
+from freebody.model.written_kinds import put_inside, takes, words_also, written_kind
 from freebody.system.unspecified import Unspecified
 
 SpecT = TypeVar("SpecT", bound=Spec)
@@ -98,6 +99,13 @@ def kind_meant(
         return did_you_mean(key, near or known)
     if len(called) == 1:
         return Message(" Did you mean {x}{example}?", x=called[0], example=_example_of(fits[called[0]]))
+    if able and isinstance(fields, dict) and fields:
+        first, *others = sorted(called, key=lambda kind: (len(fits[kind].model_fields), kind))
+        return Message(
+            " Write {entry}, or one of {names}",
+            entry=flow_text({first: fields})[1:-1],
+            names=", ".join(others),
+        )
     return Message(" Did you mean one of {names}?", names=", ".join(called))
 
 
@@ -115,14 +123,27 @@ def _fields_of_example(kind: type[Spec]) -> Any:
     return None
 
 
-def _put_inside(kind: type[Spec], own: Any, beside: dict[str, Any]) -> dict[str, Any]:
-    """The fields of a kind, some of which somebody wrote beside it. What stands behind the kind, `F` in
-    `force: F`, is its first field if that does not stand beside, else the one that is left to give."""
-    inside = kind.from_plain(own)
-    if own is None or isinstance(own, list | dict) or not inside.keys() & beside.keys():
-        return {**inside, **beside}
-    left = [f.alias or name for name, f in kind.model_fields.items() if f.is_required() and name not in beside]
-    return {**beside, left[0]: own} if len(left) == 1 else beside
+_SPEEDS = ("velocity", "angular_velocity")  # that stand beside a shape
+
+
+def _is_of_turning(value: Any) -> bool:
+    """Whether a value is how fast something turns."""
+    try:
+        return parse_quantity(value).dimension == ANGULAR_VELOCITY
+    except (InputError, TypeError):
+        return False
+
+
+def _as_key(place: Sequence[Any]) -> tuple[str, ...]:
+    return tuple(map(str, place))
+
+
+def _in_order(coordinate: str) -> tuple[int, float, str]:
+    """Numbers by their size, then formulas."""
+    try:
+        return 0, parse_quantity(coordinate).value, ""
+    except (InputError, TypeError):
+        return 1, 0.0, coordinate
 
 
 class Source:
@@ -223,7 +244,8 @@ class Source:
                 self._too_short(kind, len(cast("list[Any]", value)), absent, *path)
             else:
                 inside = [key for key in reversed(strange) if key in beside]
-                self._misnamed(kind, absent, [key for key in reversed(strange) if key not in inside], *path)
+                misnamed = [key for key in reversed(strange) if key not in inside]
+                self._misnamed(kind, absent, misnamed, kind.from_plain(value), *path)
                 if inside:
                     self._inside_a_kind(kind, inside, value, *path)
             for where, fault in reversed(faults.items()):
@@ -237,39 +259,73 @@ class Source:
                     wanted=listed(list(dict.fromkeys(wanted)), "{first} or {second}"),
                     value=as_found(fault["input"]),
                 )
+                if isinstance(fault["input"], bool):
+                    message = Message(
+                        "{what} takes a value, not {value}{example}",
+                        what=what,
+                        value=str(fault["input"]).lower(),
+                        example=_example_of(kind),
+                    )
                 is_of_points = not issubclass(kind, Shape) and kind.field_types().get(what) == "text"
                 if fault["type"] == "string_type" and is_of_points and self._is_a_place(fault["input"]):
                     message = Message(
                         "{what} takes a point by its name: give the ground or a body points: {{P: {place}}}, then "
                         "{what}: ground.P, or that of the body",
                         what=what,
-                        place=flow_text(list(fault["input"])),
+                        place=flow_text(list(cast("list[Any]", fault["input"]))),
                     )
                 self.names.problem(message, *path, *where)
             return None
 
     def _with_ground_points(self, kind: type[Spec], fields: dict[str, Any], *path: str | int) -> dict[str, Any]:
-        """Fields in which coordinates stand where points are named: those are points of the ground, with the next
+        """Fields in which coordinates stand where points are named: those are points of the ground, called by the next
         letters that a file does not use for names. Beside `on` of a body they might be those of the body."""
-        if GROUND not in self.names.bodies or str(fields.get("on", GROUND)).partition(".")[0] != GROUND:
-            return fields
-        types, read = kind.field_types(), dict(fields)
-        ends = {info.alias or name: types[name] for name, info in kind.model_fields.items() if name in ENDS}
-        for field, given in fields.items():
-            if ends.get(field) == "text" and self._is_a_place(given):
-                read[field] = self._ground_point(given, *path, field)
-            elif field in ends and isinstance(given, list):
-                entries = enumerate(cast("list[Any]", given))
-                read[field] = [self._ground_point(e, *path, field, k) if self._is_a_place(e) else e for k, e in entries]
+        read = dict(fields)
+        for field, k, place in self._places_among(kind, fields):
+            point = self._ground_point(place, *path, field, *(() if k is None else (k,)))
+            if k is None:
+                read[field] = point
+            else:
+                read[field] = [point if n == k else each for n, each in enumerate(read[field])]
         return read
 
-    def _ground_point(self, place: Any, *path: str | int) -> str:
-        points = self.names.bodies[GROUND].points
-        used = self._words | points.keys() | self.names.parameters.keys()
-        letter = next((one for one in ascii_uppercase if one not in used), None)
-        name = letter or f"P{len(points)}"
-        points[name] = self.names.components(place, LENGTH, *path)
+    def _places_among(self, kind: type[Spec], fields: dict[str, Any]) -> Iterator[tuple[str, int | None, list[Any]]]:
+        """Coordinates among the ends of something: the field, the place in the list there, and they themselves."""
+        if GROUND not in self.names.bodies or str(fields.get("on", GROUND)).partition(".")[0] != GROUND:
+            return
+        types = kind.field_types()
+        ends = {key: types[n] for n, f in kind.model_fields.items() if n in ENDS for key in (n, f.alias or n)}
+        for field, given in fields.items():
+            if ends.get(field) == "text" and self._is_a_place(given):
+                yield field, None, given
+            elif field in ends and isinstance(given, list):
+                for k, each in enumerate(cast("list[Any]", given)):
+                    if self._is_a_place(each):
+                        yield field, k, each
+
+    def _ground_point(self, place: list[Any], *path: str | int) -> str:
+        points, name = self.names.bodies[GROUND].points, self._letters[_as_key(place)]
+        points.setdefault(name, self.names.components(place, LENGTH, *path))
         return f"{GROUND}.{name}"
+
+    @cached_property
+    def _letters(self) -> dict[tuple[str, ...], str]:
+        """Names of the points that coordinates make, from left to right and from below upwards: whatever the order of
+        the entries is."""
+        places: dict[tuple[str, ...], list[Any]] = {}
+        all_kinds = {"connections": Connection.kinds, "loads": Load.kinds}
+        for section, kinds in cast("dict[str, Mapping[str, type[Spec]]]", all_kinds).items():
+            entries = self.data.get(section)
+            for entry in cast("dict[str, Any]", entries).values() if isinstance(entries, dict) else ():
+                for word, value in cast("dict[str, Any]", entry).items() if isinstance(entry, dict) else ():
+                    meant = written_kind(word, value, kinds, space=self.names.space)
+                    if meant is not None:
+                        found = self._places_among(kinds[meant], kinds[meant].from_plain(value))
+                        places |= {_as_key(place): place for _field, _k, place in found}
+        used = self._words | self.names.bodies[GROUND].points.keys() | self.names.parameters.keys()
+        free = [letter for letter in ascii_uppercase if letter not in used]
+        ordered = sorted(places, key=lambda key: [_in_order(each) for each in key])
+        return {key: free[k] if k < len(free) else f"P{k}" for k, key in enumerate(ordered)}
 
     def _is_a_place(self, value: Any) -> bool:
         """Whether somebody wrote coordinates where names of points stand."""
@@ -292,6 +348,17 @@ class Source:
                 "a colon belongs behind the kind: {name}: {{{first}: {rest}}}", name=name, first=first, rest=rest
             )
         able = [kind for kind in sorted(kinds) if self.names.space or not kinds[kind].space_only]
+        fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+        if fit := sorted(
+            (len(kinds[kind].model_fields), kind) for kind in able if fields and takes(kinds[kind], fields)
+        ):
+            return Message(
+                "say of which kind it is: {name}: {{{kind}: {fields}}}{others}",
+                name=name,
+                kind=fit[0][1],
+                fields=flow_text(fields),
+                others=Message(" (or {names})", names=", ".join(kind for _n, kind in fit[1:])) if len(fit) > 1 else "",
+            )
         return Message(
             "give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {names}",
             name=name,
@@ -335,7 +402,24 @@ class Source:
         )
         self.names.problem(told, *path)
 
-    def _misnamed(self, kind: type[Spec], absent: Sequence[str], strange: Sequence[str], *path: str | int) -> None:
+    def _completed(self, kind: type[Spec], given: dict[str, Any], absent: Sequence[str]) -> str:
+        """', e.g. kind: {...}' with what is given and, for what is left out, what the example of the kind has: of a
+        point that meets another one, that point of the ground that has the name of the entry."""
+        own = _fields_of_example(kind)
+        example = {} if own is None else kind.from_plain(own)
+        meeting = cast("tuple[str, str] | None", getattr(kind, "meeting", None))
+        entry = self.names.here[1] if len(self.names.here) > 1 else ""
+        if meeting is not None and len(left := [field for field in meeting if field in absent]) == 1:
+            example[left[0]] = f"{GROUND}.{entry}"
+        known = {f.alias or n for n, f in kind.model_fields.items()}
+        if not given.keys() & known or not {*absent} <= example.keys():
+            return _example_of(kind)
+        whole = {key: each for key, each in given.items() if key in known} | {key: example[key] for key in absent}
+        return Message(", e.g. {example}", example=flow_text({kind.kind: whole})[1:-1])
+
+    def _misnamed(
+        self, kind: type[Spec], absent: Sequence[str], strange: Sequence[str], given: dict[str, Any], *path: str | int
+    ) -> None:
         """Fields that there are not and fields that are left out. Who writes `from` for `first` makes one mistake, and
         so does who means another kind and gives nothing of what this one needs."""
         known = [f.alias or n for n, f in kind.model_fields.items()]
@@ -353,6 +437,11 @@ class Source:
                 hint = Message(" Did you mean {x}?", x=listed(meant[key], "{first} and {second}"))
             elif absent:
                 continue  # told with what is left out
+            elif beside := [o for o in MEANT.get(key, ()) if kind in Shape.kinds.values() and o in _SPEEDS]:
+                value = given[key]
+                option = _SPEEDS[_is_of_turning(value)] if len(beside) > 1 else beside[0]
+                written = value if option != "velocity" else [value, 0]
+                hint = Message(" Beside it write {entry}", entry=flow_text({option: written})[1:-1])
             self.names.problem(Message("{what} has no {key}.{hint}", what=kind.kind, key=key, hint=hint), *path, key)
         left = [field for field in absent if not any(field in fields for fields in meant.values())]
         needed = [f.alias or name for name, f in kind.model_fields.items() if f.is_required()]
@@ -367,7 +456,7 @@ class Source:
             has_no=has_no,
             what=listed(left),
             names=", ".join(known),
-            example=_example_of(kind),
+            example=self._completed(kind, given, left),
         )
         self.names.problem(told, *path)
 
@@ -400,7 +489,7 @@ class Source:
                 meant = {key: found[0] if len(found := kind.meant(key)) == 1 else key for key in inside}
                 if len({*meant.values()}) == len(inside):
                     given = kind.from_plain({meant[key]: entry[key] for key in inside})
-                    whole = _put_inside(kind, entry[word], given)
+                    whole = put_inside(kind, entry[word], given)
                     example = Message(", so {entry}", entry=flow_text({word: whole})[1:-1])
             told = Message(
                 "what belongs to {kind} stands inside of it, not beside it: {keys}{example}",

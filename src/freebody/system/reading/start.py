@@ -57,9 +57,17 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
                 )
                 hint = Message(" Say what it is, e.g. {example}", example=example)
             elif not known and body and not name_problem(name):
-                of = "angle of" if names.bodies[body].turns else "x of"
-                example = f"measures: {{{name}: {of} {body}}}"
+                of = f"angle of {body} from down" if names.bodies[body].turns else f"x of {body}"
+                example = f"measures: {{{name}: {of}}}"
                 hint = Message(" Say what it is, e.g. {example}", example=example)
+                if names.bodies[body].turns:
+                    hint = Message(" Say what it is, e.g. {example}, or from right", example=example)
+            if (of := _body_of(names, key)) is not None:
+                hint = Message(
+                    " How a body moves at the start stands at the body: {body}: {{velocity: {example}}}",
+                    body=of,
+                    example=f"[{value}, 0]",
+                )
             told = Message("{key} is no named measure or rate of one.{hint}", key=key, hint=hint)
             names.unknown(name, told, "start", key)
             continue
@@ -75,6 +83,14 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
         else:
             rates[name] = names.formula(value, dimension / TIME, "start", key)
     return start, rates
+
+
+def _body_of(names: Names, key: str) -> str | None:
+    """The body of which a key says the velocity: `velocity of car`, `v_car`, `v car`."""
+    of, own = r"(?:velocity|speed|Geschwindigkeit)(?: (?:of|von))?[ _](\w+)", r"(\w+)[ _.](?:velocity|speed)"
+    words = re.fullmatch(rf"{of}|{own}|v[ _](\w+)", key)
+    body = next((word for word in words.groups() if word), "") if words else ""
+    return body if body in names.bodies and body != GROUND else None
 
 
 def _with_phrase(names: Names, key: str, measures: Mapping[str, Measure]) -> tuple[str, Mapping[str, Measure]]:

@@ -1,0 +1,52 @@
+"""The sections of a file, what people call them, and the keys that entries have beside their kinds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+SECTIONS = (
+    "freebody",
+    "title",
+    "about",
+    "source",
+    "space",
+    "parameters",
+    "ground",
+    "frames",
+    "bodies",
+    "connections",
+    "loads",
+    "measures",
+    "states",
+    "start",
+    "questions",
+    "drawing",
+    "style",
+)
+
+# what people write for a section
+MEANT_SECTIONS: Mapping[str, str] = {
+    **dict.fromkeys(
+        ("joints", "constraints", "supports", "contacts", "drivers", "motors", "collisions"), "connections"
+    ),
+    **dict.fromkeys(("forces", "torques", "springs", "dampers", "actions"), "loads"),
+    **dict.fromkeys(("initial", "initial_conditions", "initial_values", "at_start"), "start"),
+    **dict.fromkeys(("coordinates", "variables", "outputs"), "measures"),
+    **dict.fromkeys(("constants", "symbols", "values", "given"), "parameters"),
+    **dict.fromkeys(("find", "ask", "wanted"), "questions"),
+    **dict.fromkeys(("elements", "parts"), "bodies"),
+    **dict.fromkeys(("name",), "title"),
+    **{"Parameter": "parameters", "gegeben": "parameters", "Körper": "bodies", "verbindungen": "connections"},
+    **{"Verbindungen": "connections", "Gelenke": "connections", "Lager": "connections", "Boden": "ground"},
+    **{"Lasten": "loads", "lasten": "loads", "Kräfte": "loads", "Anfang": "start", "Fragen": "questions"},
+    **{"fragen": "questions", "gesucht": "questions", "körper": "bodies", "Titel": "title"},
+    **dict.fromkeys(("description",), "about"),
+}
+OF_LINES = ("through", "along", "angle", "solid", "x", "y")  # the fields of a line
+OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
+
+CLOSES = "closes"  # beside the kind of a connection
+# beside the shape of a body
+_ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "copies")
+PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
+SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")

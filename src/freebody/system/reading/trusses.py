@@ -1,0 +1,93 @@
+"""A truss as it is written in books: nodes with their places, members between them, supports of nodes.
+
+    nodes: {A: [0, 0], B: [4 m, 0], C: [2 m, 3 m]}
+    members: {AB: [A, B], AC: [A, C], BC: [B, C]}      also [[A, B], ...] or [AB, AC, BC]
+    supports: {A: pin, B: roller}
+
+Nodes are massless particles where they are put and members links between them, in the plane and in space; a pinned node
+is held by a pin (in space a spherical joint) with the name of the node, a roller moves along `right` where it says no
+other direction.
+"""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from freebody.language.document.tree import Place
+from freebody.language.expression import name_problem
+from freebody.language.sentences import Message
+
+Entry = dict[str, Any]
+
+MEMBERS = ("members", "bars", "struts", "truss_members", "Stäbe")
+PLACES = ("nodes", "joints", "points", "Knoten")
+_PINNED = ("pin", "pinned", "hinge", "fixed", "Festlager", "A-Lager")
+_ROLLER = ("roller", "Loslager", "B-Lager", "slider")
+
+
+def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], Message] | None:
+    """The data with bodies and connections for a truss, where what stands in the file, and what is taken for granted;
+    None where it has none, or not all of it can be read."""
+    members_key = next((key for key in MEMBERS if key in data), None)
+    places_key = next((key for key in PLACES if isinstance(data.get(key), dict)), None)
+    if members_key is None or places_key is None or data.get("bodies"):
+        return None
+    places: Entry = data[places_key]
+    members = _members(data[members_key], places)
+    supports: Any = data.get("supports") or {}
+    if members is None or not isinstance(supports, dict) or not cast("Entry", supports).keys() <= places.keys():
+        return None
+    connections: Entry = {name: {"link": [first, second]} for name, (_step, first, second) in members.items()}
+    moved: dict[Place, Place] = {("bodies", name): (places_key, name) for name in places}
+    moved |= {("connections", name): (members_key, step) for name, (step, _first, _second) in members.items()}
+    for node, said in cast("Entry", supports).items():
+        held = _support(node, said, space=space)
+        if held is None or node in connections:
+            return None
+        connections[node] = held
+        moved["connections", node] = ("supports", node)
+    there = data.get("connections") or {}
+    if not isinstance(there, dict) or connections.keys() & cast("Entry", there).keys():
+        return None
+    bodies: Entry = {name: {"particle": None, "at": place} for name, place in places.items()}
+    new = {key: value for key, value in data.items() if key not in (members_key, places_key, "supports")}
+    told = Message("the members are hinged at the nodes, so that each carries a force along itself only")
+    return {**new, "bodies": bodies, "connections": {**cast("Entry", there), **connections}}, moved, told
+
+
+def _members(given: Any, nodes: Entry) -> dict[str, tuple[str | int, str, str]] | None:
+    """Members by name: where each is given, and its two nodes."""
+    entries = [*cast("Entry", given).items()] if isinstance(given, dict) else [*enumerate(given or ())]
+    found: dict[str, tuple[str | int, str, str]] = {}
+    for step, entry in entries:
+        ends = _ends(entry, nodes)
+        if ends is None:
+            return None
+        name = step if isinstance(step, str) else entry if isinstance(entry, str) else "".join(ends)
+        if name in found or name in nodes or name_problem(name):
+            return None
+        found[name] = (step, *ends)
+    return found or None
+
+
+def _ends(entry: Any, nodes: Entry) -> tuple[str, str] | None:
+    """The two nodes of a member: of a list, of `{from: A, to: B}`, or of a name that is put together of both."""
+    if isinstance(entry, dict):
+        fields = cast("Entry", entry)
+        entry = fields.get("nodes") or fields.get("between") or [fields.get("from"), fields.get("to")]
+    if isinstance(entry, str):
+        split = [(entry[:k], entry[k:].lstrip("-_ ")) for k in range(1, len(entry))]
+        able = [pair for pair in split if pair[0].rstrip("-_ ") in nodes and pair[1] in nodes]
+        return (able[0][0].rstrip("-_ "), able[0][1]) if len({(a.rstrip("-_ "), b) for a, b in able}) == 1 else None
+    ends = [str(end) for end in cast("list[Any]", entry)] if isinstance(entry, list) else []
+    return (ends[0], ends[1]) if len(ends) == 2 and {*ends} <= nodes.keys() else None
+
+
+def _support(node: str, said: Any, *, space: bool) -> Entry | None:
+    fields = cast("Entry", said) if isinstance(said, dict) else {"type": said}
+    word, along = str(fields.get("type")), fields.get("along", fields.get("direction"))
+    if word in _PINNED and fields.keys() <= {"type"}:
+        return {"spherical" if space else "pin": [f"ground.{node}", node]}
+    if word in _ROLLER and not space and fields.keys() <= {"type", "along", "direction"}:
+        return {"slot": {"pin": node, "along": along or "right"}}
+    return None

@@ -1,0 +1,334 @@
+"""Files as people write them first: what can mean only one thing is read as that, and problems are told where they
+stand in the file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+import freebody as fb
+
+BASE = """
+parameters: {m: 2 kg, L: 1 m, R: 0.1 m, k: 50 N/m, mu: 0.3, g: 9.81 m/s^2, w: 3 rad/s}
+ground: {points: {A: [0, 0], B: [2 m, 0]}, lines: {floor: {along: right}}}
+bodies: {rod: {rod: {mass: m, length: L}}, block: {particle: {mass: m}}}
+"""
+SAME = {
+    "a load called by its kind": ("loads: {gravity: g}", "loads: {gravity: {gravity: g}}"),
+    "a load called by a word for its kind": ("loads: {weight: g}", "loads: {weight: {weight: g}}"),
+    "a spring called spring": (
+        "loads: {spring: {from: ground.A, to: block, k: k}}",
+        "loads: {spring: {spring: {from: ground.A, to: block, k: k}}}",
+    ),
+    "a load beside the sections": ("gravity: g", "loads: {gravity: {gravity: g}}"),
+    "what belongs to a kind beside it": (
+        "connections: {c: {contact: [rod.end, floor], mu: mu}}",
+        "connections: {c: {contact: {between: [rod.end, floor], friction: mu}}}",
+    ),
+    "a force and what belongs to it side by side": (
+        "loads: {F: {force: 5 N, on: block, direction: right}}",
+        "loads: {F: {force: {at: block, along: right, magnitude: 5 N}}}",
+    ),
+    "a force in words": (
+        "loads: {F: 5 N down at rod.end}",
+        "loads: {F: {force: {at: rod.end, along: down, magnitude: 5 N}}}",
+    ),
+    "a force in German words": (
+        "loads: {F: m*g an rod.end nach unten}",
+        "loads: {F: {force: {at: rod.end, along: down, magnitude: m*g}}}",
+    ),
+    "a kind as a field": (
+        "connections: {p: {type: pin, between: [ground.A, rod.start]}}",
+        "connections: {p: {pin: {between: [ground.A, rod.start]}}}",
+    ),
+    "a spring among the connections": (
+        "connections: {s: {spring: [ground.A, block], k: k}}",
+        "loads: {s: {spring: {first: ground.A, second: block, stiffness: k}}}",
+    ),
+    "a joint among the loads": (
+        "loads: {p: {pin: [ground.A, rod.start]}}",
+        "connections: {p: {pin: [ground.A, rod.start]}}",
+    ),
+    "a list of connections": (
+        "connections:\n- pin: [ground.A, rod.start]\n- {slider: block, along: right}",
+        "connections: {pin: {pin: [ground.A, rod.start]}, slider: {slider: {body: block, along: right}}}",
+    ),
+    "a list with two of a kind": (
+        "loads: [{gravity: g}, {spring: [ground.A, block], k: k}, {spring: [ground.B, block], k: k}]",
+        "loads: {gravity: {gravity: g}, spring_1: {spring: {first: ground.A, second: block, stiffness: k}}, spring_2: "
+        "{spring: {first: ground.B, second: block, stiffness: k}}}",
+    ),
+    "a list whose items have names": (
+        "connections: [{name: p, type: pin, between: [ground.A, rod.start]}]",
+        "connections: {p: {pin: {between: [ground.A, rod.start]}}}",
+    ),
+    "sections by other names": (
+        "joints: {p: {pin: [ground.A, rod.start]}}\nforces: {F: {force: {at: rod.end, down: 5 N}}}",
+        "connections: {p: {pin: [ground.A, rod.start]}}\nloads: {F: {force: {at: rod.end, down: 5 N}}}",
+    ),
+    "two sections that are one": (
+        "joints: {p: {pin: [ground.A, rod.start]}}\nsupports: {s: {roller: {at: rod.end, on: floor}}}",
+        "connections: {p: {pin: [ground.A, rod.start]}, s: {roller: {at: rod.end, on: floor}}}",
+    ),
+    "when something closes": (
+        "connections: {hit: {weld: [block, rod.end], when: at start}}",
+        "connections: {hit: {weld: [block, rod.end], closes: at start}}",
+    ),
+    "a list and a motor beside it": (
+        "joints: [{pin: [ground.A, rod.start]}]\nmotor: {rod: w}",
+        "connections: {pin: {pin: [ground.A, rod.start]}, motor: {driver: {body: rod, speed: w}}}",
+    ),
+    "a load of so much per length": (
+        "loads: {q: {distributed: 3 N/m, on: rod}}",
+        "loads: {q: {distributed: {between: [rod.start, rod.end], intensity: 3 N/m}}}",
+    ),
+    "one question in place of a list": ("questions: acceleration of block", "questions: [acceleration of block]"),
+    "one question": ("find: acceleration of block", "questions: [acceleration of block]"),
+    "what is driven and how fast": (
+        "connections: {p: {pin: [ground.A, rod.start]}, motor: {on: rod, rpm: 30}}",
+        "connections: {p: {pin: [ground.A, rod.start]}, motor: {motor: {body: rod, speed: 30 rpm}}}",
+    ),
+}
+
+
+@pytest.mark.parametrize("written", SAME)
+def test_what_can_mean_one_thing_is_read_as_that(written: str) -> None:
+    loose, strict = (fb.System.from_text(f"{BASE}{text}\n") for text in SAME[written])
+    assert loose.connections == strict.connections
+    assert loose.loads == strict.loads
+    assert [q.text for q in loose.questions] == [q.text for q in strict.questions]
+
+
+BODIES = {
+    "what every body may have inside its shape": (
+        "w: {disk: {mass: 1 kg, radius: R, at: [1 m, 0], angular_velocity: w}}",
+        "w: {disk: {mass: 1 kg, radius: R}, at: [1 m, 0], angular_velocity: w}",
+    ),
+    "components by their axes": (
+        "p: {particle: {mass: 1 kg}, at: {x: 1 m, y: 2 m}, velocity: {x: 3 m/s, y: 0}}",
+        "p: {particle: {mass: 1 kg}, at: [1 m, 2 m], velocity: [3 m/s, 0]}",
+    ),
+    "a word for shapes with what every body may have among its fields": (
+        "c: {block: {mass: 1 kg, width: 2 m, height: 1 m, at: [1 m, 0], velocity: [1 m/s, 0]}}",
+        "c: {rectangle: {mass: 1 kg, width: 2 m, height: 1 m}, at: [1 m, 0], velocity: [1 m/s, 0]}",
+    ),
+    "the shape as a field": ("w: {type: disk, mass: 1 kg, radius: R}", "w: {disk: {mass: 1 kg, radius: R}}"),
+    "the shape as the name": ("pulley: {radius: R, at: [1 m, 0]}", "pulley: {disk: {radius: R}, at: [1 m, 0]}"),
+    "what belongs to a shape beside it": (
+        "w: {mass: 1 kg, inertia: 2 kg m^2, disk: {radius: R}}",
+        "w: {disk: {mass: 1 kg, inertia: 2 kg m^2, radius: R}}",
+    ),
+}
+
+
+@pytest.mark.parametrize("written", BODIES)
+def test_a_body_is_read_as_it_can_only_be_meant(written: str) -> None:
+    head = "parameters: {R: 0.1 m, w: 3 rad/s}\nbodies: "
+    loose, strict = (fb.System.from_text(f"{head}{{{text}}}") for text in BODIES[written])
+    assert loose.bodies == strict.bodies
+    listed = BODIES[written][0].partition(": ")
+    as_list = fb.System.from_text(f"{head}[{{{listed[0]}: {listed[2]}}}]")
+    assert as_list.bodies == strict.bodies
+
+
+def test_a_problem_stands_where_it_is_written() -> None:
+    text = """parameters: {g: 9.81 m/s^2}
+bodies:
+- name: crank
+  type: rod
+  lenth: 1 m
+joints:
+- pin: [ground.A, crank.strat]
+loads:
+  gravity: 9.81 m
+"""
+    with pytest.raises(fb.ModelError) as refused:
+        fb.System.from_text(text)
+    assert (5, "rod has no lenth. Did you mean length?") in [(p.line, p.message) for p in refused.value.problems]
+    with pytest.raises(fb.ModelError) as refused:
+        fb.System.from_text(text.replace("lenth", "length"))
+    lines = [p.line for p in refused.value.problems]
+    assert lines == [7, 9]
+
+
+def test_what_is_said_twice_or_of_two_kinds_is_not_put_elsewhere() -> None:
+    for written in (
+        "c: {contact: {between: [b, f], friction: 0.1}, mu: 0.2}",
+        "c: {pin: [b, ground], weld: [b, ground]}",
+    ):
+        with pytest.raises(fb.ModelError):
+            fb.System.from_text(f"bodies: {{b: {{disk: {{mass: 1 kg, radius: 1 m}}}}}}\nconnections: {{{written}}}")
+
+
+def test_a_truth_value_is_no_number() -> None:
+    # it was a gravity of 1 m/s^2
+    with pytest.raises(fb.ModelError, match=r"strength takes a value, not true, e.g. gravity: 9.81 m/s\^2"):
+        fb.System.from_text("bodies: {b: {particle: {mass: 1 kg}}}\nloads: {weight: {gravity: true}}")
+    with pytest.raises(TypeError):
+        fb.Gravity(True)
+
+
+def test_a_model_may_be_changed_and_written_in_the_form_in_which_it_is_read() -> None:
+    system = fb.System.from_text(f"{BASE}loads: {{gravity: g}}\n")
+    assert system.with_parameters(m="5 kg").to_yaml().splitlines()[-1].strip() == "gravity: {gravity: g}"
+    assert "gravity: g" in system.to_yaml()
+
+
+def test_letters_of_points_do_not_hang_on_the_order_of_the_entries() -> None:
+    springs = ["a: {spring: {from: [2 m, 0], to: block, k: k}}", "b: {spring: {from: [-1 m, 0], to: block, k: k}}"]
+    base = BASE.replace("points: {A: [0, 0], B: [2 m, 0]}, ", "")
+    one, other = (fb.System.from_text(f"{base}loads: {{{', '.join(order)}}}\n") for order in (springs, springs[::-1]))
+    assert one.bodies["ground"].points == other.bodies["ground"].points
+    assert one.loads["b"].first == other.loads["b"].first == "ground.A"  # from left to right
+
+
+def test_a_start_at_rest_gives_no_value() -> None:
+    loose = fb.System.from_text(f"{BASE}start: at rest\n")
+    assert not loose.start
+    assert not loose.start_rates
+
+
+def test_coordinates_that_are_given_twice_are_one_point() -> None:
+    base = BASE.replace("points: {A: [0, 0], B: [2 m, 0]}, ", "")
+    system = fb.System.from_text(
+        f"{base}connections: {{p: {{pin: {{between: [[0, 0], rod.start]}}}}}}\n"
+        "loads: {a: {spring: {from: [0, 0], to: block, k: k}}}\n"
+    )
+    assert set(system.bodies["ground"].points) == {"origin", "A"}
+
+
+def test_a_rope_may_begin_at_coordinates(agrees: Callable[[fb.Solution, str, str], None]) -> None:
+    text = """
+parameters: {m: 10 kg, g: 9.81 m/s^2, a: 1 m}
+bodies: {lamp: {particle: {mass: m}, at: [0, 0]}}
+connections: {left: {rope: [[-a, a], lamp]}, right: {rope: [[a, a], lamp]}}
+loads: {weight: g}
+"""
+    agrees(fb.System.from_text(text).solve("tension of left"), "q1", "m*g/sqrt(2)")
+
+
+def test_a_floor_that_nobody_declares_is_level() -> None:
+    text = BASE.replace(", lines: {floor: {along: right}}", "")
+    system = fb.System.from_text(f"{text}connections: {{c: {{contact: [rod.end, floor]}}}}\n")
+    assert "floor is not declared: it is the horizontal line through the origin" in [str(a) for a in system.assumptions]
+
+
+def test_what_does_not_move_is_a_point_of_the_ground() -> None:
+    text = BASE.replace("points: {A: [0, 0], B: [2 m, 0]}, ", "")
+    system = fb.System.from_text(f"{text}loads: {{s: {{spring: {{from: wall, to: block, k: k}}}}}}\n")
+    assert system.bodies["ground"].points["wall"] == system.bodies["ground"].points["origin"]
+
+
+def test_what_is_pinned_to_the_ground_is_pinned_where_it_stands() -> None:
+    text = """
+parameters: {r: 0.1 m, R: 0.3 m, n: 300 rpm}
+bodies: {a: {disk: {radius: r}, at: [0, 0]}, b: {disk: {radius: R}, at: [1 m, 0]}}
+connections: {p: {pin: [a, ground]}, q: {pin: [ground, b]}, belt: {belt: [a, b]}, motor: {drive: a, speed: n}}
+"""
+    system = fb.System.from_text(text)
+    assert system.connections["q"].first == "ground.q"
+    (answer,) = fb.solve(system, "angular velocity of b").answers
+    assert answer.value == pytest.approx(10 * 3.141592653589793 / 3)
+
+
+TRUSS = """
+nodes: {A: [0, 0], B: [4 m, 0], C: [2 m, 3 m]}
+MEMBERS
+supports: {A: pin, B: roller}
+loads: {F: 10 kN down at C}
+"""
+
+
+@pytest.mark.parametrize(
+    "members",
+    ["members: {AB: [A, B], AC: [A, C], BC: [B, C]}", "bars: [[A, B], [A, C], [B, C]]", "members: [AB, AC, BC]"],
+)
+def test_a_truss_is_read_as_its_nodes_members_and_supports(members: str) -> None:
+    # node C: 2 S sin = -F with sin = 3/sqrt(13); node A: S_AB = -S cos
+    system = fb.System.from_text(TRUSS.replace("MEMBERS", members))
+    forces = [a.value for a in system.solve(["force in AC", "force in member AB", "reaction of A"]).answers]
+    assert forces[0] == pytest.approx(-5000 * 13**0.5 / 3)
+    assert forces[1] == pytest.approx(10000 / 3)
+    assert forces[2] == pytest.approx((0, 5000))
+    assert "the members are hinged at the nodes" in str(system.assumptions[0])
+
+
+def test_a_tripod_is_a_truss_in_space() -> None:
+    text = """
+space: {up: z}
+nodes: {D: [0, 0, 3], A: [2, 0, 0], B: [-1, 1.5, 0], C: [-1, -1.5, 0]}
+members: [AD, BD, CD]
+supports: {A: pin, B: pin, C: pin}
+loads: {F: 12 kN down at D}
+"""
+    # x: 2 a = b + c with forces per length a, b, c; z: 3 (a + b + c) = -F
+    (answer,) = fb.solve(fb.System.from_text(text), "force in AD").answers
+    assert answer.value == pytest.approx(-4000 * 13**0.5 / 3)
+
+
+def test_a_line_of_the_ground_may_stand_beside_its_points() -> None:
+    text = "parameters: {beta: 30 deg}\nground: GROUND\nbodies: {b: {particle: {mass: 1 kg}}}\n"
+    loose, strict = (
+        fb.System.from_text(text.replace("GROUND", ground)).bodies["ground"].lines
+        for ground in ("{slope: {angle: beta}}", "{lines: {slope: {along: beta}}}")
+    )
+    assert loose == strict
+
+
+def test_a_line_with_friction_is_told_where_friction_stands() -> None:
+    with pytest.raises(fb.ModelError, match=r"contact: \{between: \[BODY, slope\], friction: mu\}"):
+        fb.System.from_text(
+            "parameters: {mu: 0.2}\nground: {slope: {angle: 30 deg, friction: mu}}\n"
+            "bodies: {b: {particle: {mass: 1 kg}}}\n"
+        )
+
+
+def test_a_wall_that_nobody_declares_is_told_upright() -> None:
+    with pytest.raises(fb.ModelError, match=r"\{wall: \{along: up\}\}"):
+        fb.System.from_text(f"{BASE}connections: {{c: {{contact: [rod.end, wall]}}}}\n")
+
+
+def test_what_is_left_out_is_told_in_the_names_of_the_file() -> None:
+    with pytest.raises(fb.ModelError, match=r"e.g. pin: \{first: rod.start, second: ground.hinge\}"):
+        fb.System.from_text(f"{BASE}connections: {{hinge: {{pin: rod.start}}}}\n")
+    with pytest.raises(fb.ModelError, match=r"Beside it write angular_velocity: 3 rad/s"):
+        fb.System.from_text("bodies: {w: {disk: {mass: 1 kg, radius: 1 m, speed: 3 rad/s}}}")
+
+
+def test_a_section_of_things_of_one_kind_says_the_kind() -> None:
+    loose = fb.System.from_text(f"{BASE}springs: {{s: {{between: [ground.A, block], k: k}}}}\n")
+    strict = fb.System.from_text(f"{BASE}loads: {{s: {{spring: {{first: ground.A, second: block, stiffness: k}}}}}}\n")
+    assert loose.loads == strict.loads
+
+
+def test_the_ring_gear_may_be_named_second() -> None:
+    text = """
+bodies:
+  sun: {gear: {teeth: 20, module: 2 mm}}
+  planet: {gear: {teeth: 20, module: 2 mm}}
+  ring: {gear: {teeth: 60, module: 2 mm, internal: true}, fixed: true}
+  carrier: {rod: {length: 40 mm}}
+connections:
+  s: {pin: [ground, sun]}
+  c: {pin: [ground, carrier.start]}
+  p: {pin: [carrier.end, planet]}
+  m1: {gear_mesh: [sun, planet]}
+  m2: {gear_mesh: ORDER}
+"""
+    for order in ("[planet, ring]", "[ring, planet]"):
+        system = fb.System.from_text(text.replace("ORDER", order))
+        (answer,) = fb.solve(system, "ratio of angular velocity of sun to angular velocity of carrier").answers
+        assert answer.value == pytest.approx(4)
+
+
+def test_german_words_stand_for_kinds_and_fields() -> None:
+    text = """
+Boden: {points: {A: [0, 0], B: [3 m, 0], C: [0, 2 m]}}
+Körper: {Balken: {Stab: {von: A, nach: B}}, Zug: {Stab: {von: C, nach: B}}}
+Verbindungen: {a: {Gelenk: [A, Balken.start]}, b: {Gelenk: [Balken.end, Zug.end]}, c: {Festlager: [C, Zug.start]}}
+Lasten: {F: 6 kN nach unten an Balken.end}
+Fragen: [Stabkraft in Zug]
+"""
+    (answer,) = fb.System.from_text(text).solve().answers
+    assert answer.value == pytest.approx(3000 * 13**0.5)  # T 2/sqrt(13) = 6 kN
