@@ -126,3 +126,20 @@ loads: {weight: {gravity: g}}
     is_formula(tongs, "tension of t1", "m*g*sqrt(b^2 + c^2)/(2*c)", factors=(1.0,))
     pressed = is_formula(tongs, "normal force of jl", "m*g*(a + 2*b)/(2*h)", factors=(1.0,))
     assert "while it stays at rest" in pressed.notes
+
+
+def test_the_greatest_reaction_at_rest_is_the_end_of_what_rest_allows() -> None:
+    """A ladder whose wall is rough: its friction is nu N either way, so that N = K/(tan(alpha) -+ nu)."""
+    ladder = """
+parameters: {m: 15 kg, M: 75 kg, L: 5 m, alpha: 62 deg, mu: 0.35, nu: 0.2, d: 3 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up, through: [0, 0]}}}
+bodies: {ladder: {rod: {mass: m, length: L}, angle: alpha, points: {P: [d - L/2, 0]}}}
+connections:
+  floor: {contact: {between: [ladder, ground.floor], friction: mu}}
+  wall: {contact: {between: [ladder, ground.wall], friction: nu}}
+loads: {weight: {gravity: g}, painter: {force: {at: ladder.P, along: down, magnitude: M*g}}}
+"""
+    is_formula(ladder, "largest normal force of wall", "g*(m/2 + M*d/L)/(tan(alpha) - nu)", factors=(1.0,))
+    is_formula(ladder, "least normal force of wall", "g*(m/2 + M*d/L)/(tan(alpha) + nu)", factors=(1.0,))
+    (told,) = fb.System.from_text(ladder).explain("largest normal force of wall").derivations
+    assert told.reason  # none is written yet

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
+from freebody.errors import InputError
 from freebody.narrative.contact.settings import has_phases
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -20,7 +22,8 @@ def at_first_turn(system: System, question: Question, answer: Answer) -> Questio
     of, event, _side = turn
     own = replace(question, quantity=of, options={}, key=None)
     for asked in (replace(own, event=event), own) if question.transition is not None else (replace(own, event=event),):
-        (given,) = solve(replace(system, questions=(asked,))).answers
-        if given.expression == answer.expression:
-            return asked
+        with suppress(InputError):  # where a force turns back is no event that a simulation watches
+            (given,) = solve(replace(system, questions=(asked,))).answers
+            if given.expression == answer.expression:
+                return asked
     return None

@@ -13,6 +13,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
+from freebody.questions.base import Quantity
 from freebody.questions.reactions_by_component import component_of
 from freebody.questions.reading import Question
 from freebody.questions.rest import ReactionRange
@@ -22,15 +23,30 @@ from freebody.system.modes import depends_on_time
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
+_AT_REST = Message("while it stays at rest")
+
 
 def reaction_at_rest(system: System, question: Question) -> Answer | None:
-    """The reaction of a system that starts at rest and stays there; None where it does not, or others balance it."""
+    """The reaction of a system that starts at rest and stays there; None where it does not, or others balance it. The
+    greatest or least one is the end of what rest allows."""
+    if question.quantity.turn is not None:
+        return None if depends_on_time(system) else _end_at_rest(system, question, *question.quantity.turn)
     found = range_at_rest(system, question)
     if found is None or not isinstance(found.expression, Expr) or not isinstance(found.value, float):
         return None
     if depends_on_time(system):
         return replace(found, notes=(Message("at the start, while nothing slips beside what is driven"),))
-    return replace(found, notes=(Message("while it stays at rest"),))
+    return replace(found, notes=(_AT_REST,))
+
+
+def _end_at_rest(system: System, question: Question, of: Quantity, _event: object, side: int) -> Answer | None:
+    found = range_at_rest(system, replace(question, quantity=of))
+    if found is None or not isinstance(found.expression, tuple) or not isinstance(found.value, tuple):
+        return found and replace(found, notes=(_AT_REST,))
+    if question.options:  # these were judged beside both ends
+        return None
+    k = 0 if side < 0 else -1
+    return replace(found, expression=found.expression[k], value=found.value[k], notes=(_AT_REST,))
 
 
 def range_at_rest(system: System, question: Question) -> Answer | None:
