@@ -155,6 +155,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = main.without("verb")  # with what speed does it begin to swing
     sets_off = begins and main.has("quantity", "velocity", "speed", "angular velocity") and main.has("ask", "with")
     is_sent = not lookup.rests(names) or joining.is_struck_at_start_alone(names)
+    is_sent &= set(main.all("verb")) <= {"start", "turn", "move"} and not joining.is_rough(names)  # or it rolls later
     if sets_off and is_sent and not others and not main.has("instant"):  # with what speed it sets off
         main = Clause([*main.without("verb").words, Word("instant", "at start")])
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")

@@ -20,6 +20,7 @@ _PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
 _TURNS = ("torque", "moment", "driving torque")
 _HOW_HARD = (Word("ask", "large"), Word("ask", "much"))
 _WAY_BACK = Word("quantity", "way back")
+_OF_SPEED = (dimensions.is_speed, dimensions.is_turning_speed)
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
 _RUNS = ("slack tension", "tight tension")  # of the two runs of a belt
 _PULLS = ("force", "tension", "belt force")
@@ -78,7 +79,7 @@ def so_far_that(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
         return [*words[: k + 1], *(word for word in words[k + 1 :] if word.kind != "preposition")]
     is_geared = {Word("ask", "fast"), _SO_THAT} <= {*words} and "must" in modal
     values = [w.what for w in words if w.kind == "value"]
-    is_speed = len(values) == 1 and (dimensions.is_speed(values[0]) or dimensions.is_turning_speed(values[0]))
+    is_speed = len(values) == 1 and any(is_of(values[0]) for is_of in _OF_SPEED)
     if is_geared and is_speed and not any(w.kind in ("not", "degree") for w in words):
         named = [w.what for w in words[: words.index(_SO_THAT)] if w.kind == "name"]
         if all(name in lookup.moving(names) for name in named) and named:  # and no parameter that is to be chosen
