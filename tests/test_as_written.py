@@ -332,3 +332,15 @@ Fragen: [Stabkraft in Zug]
 """
     (answer,) = fb.System.from_text(text).solve().answers
     assert answer.value == pytest.approx(3000 * 13**0.5)  # T 2/sqrt(13) = 6 kN
+
+
+def test_places_in_the_text_are_those_of_what_somebody_wrote() -> None:
+    text = "bodies: {w: {disk: {mass: 1 kg, radius: 1 m, at: [2 m, 0]}}}\nloads: {gravity: 9.81 m/s^2}\n"
+    document = fb.System.from_text(text).document
+    for path, words in ((("bodies", "w", "at"), "[2 m, 0]"), (("loads", "gravity", "gravity"), "9.81 m/s^2")):
+        span = document.span(path)
+        assert span is not None
+        assert text[slice(*span)] == words
+    key = document.key_span(("bodies", "w", "at"))
+    assert key is not None
+    assert text[slice(*key)] == "at"

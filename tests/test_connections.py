@@ -1057,10 +1057,6 @@ def test_a_contact_with_a_misspelt_line_of_the_ground_is_told_which_is_meant() -
     ("entry", "told"),
     [
         (
-            "{slider: {body: block}, along: right}",
-            "what belongs to slider stands inside of it, not beside it: along, so slider: {body: block, along: right}",
-        ),
-        (
             "{slider: {body: block, along: right}, size: 2}",
             "it has no size; slider takes body, along, on, through, friction, e.g.",
         ),
@@ -1076,14 +1072,6 @@ def test_what_stands_beside_a_kind_is_led_to_where_it_belongs(entry: str, told: 
     with pytest.raises(fb.ModelError) as found:
         fb.System.from_text(text)
     assert told in str(found.value)
-
-
-def test_the_place_of_a_body_written_into_its_shape_is_led_beside_it() -> None:
-    with pytest.raises(fb.ModelError) as found:
-        fb.System.from_text("bodies: {A: {rod: {mass: 1 kg, length: 1 m, angle: 30 deg, points: {P: [0, 0]}}}}")
-    assert "write angle and points beside rod, not inside it: {rod: {mass: 1 kg, length: 1 m}, angle: 30 deg" in str(
-        found.value
-    )
 
 
 CABLE = """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Mapping, Sequence
 from copy import copy
@@ -326,7 +327,9 @@ class Names(Formulas):
             self.problem(told, *path)
             return body.point()
         hint = did_you_mean(point_name, body.points)
-        if {"start", "end"} <= body.points.keys():
+        if {"start", "end"} <= body.points.keys() and not difflib.get_close_matches(
+            point_name, body.points, cutoff=0.6
+        ):
             hint = Message(" Its ends are {body}.start and {body}.end, in its middle is {body}.center.", body=body_name)
         self.problem(
             Message(

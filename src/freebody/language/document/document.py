@@ -114,9 +114,7 @@ class Document:
         plain data, whose text nobody has seen.
         """
         if self._stood is not None:
-            written, moved = self._stood
-            n = next((n for n in range(len(path), 0, -1) if path[:n] in moved), 0)
-            return written.place((*moved[path[:n]], *path[n:]) if n else path)
+            return self._stood[0].place(self._where_it_stood(path))
         if not self._has_places:
             return None
         steps = self._walk(path)
@@ -125,13 +123,23 @@ class Document:
             return last.key.line, last.key.column
         return last.node.line, last.node.column
 
+    def _where_it_stood(self, path: Place) -> Place:
+        """The place in the document that somebody wrote of what has a place in this one."""
+        moved = {} if self._stood is None else self._stood[1]
+        n = next((n for n in range(len(path), 0, -1) if path[:n] in moved), 0)
+        return (*moved[path[:n]], *path[n:]) if n else path
+
     def span(self, path: Place) -> tuple[int, int] | None:
         """The indices in the text between which the value at `path` stands; None where there is no such value."""
+        if self._stood is not None:
+            return self._stood[0].span(self._where_it_stood(path))
         steps = self._walk(path)
         return (steps[-1].node.start, steps[-1].node.end) if len(steps) == len(path) + 1 else None
 
     def key_span(self, path: Place) -> tuple[int, int] | None:
         """The same for its key, which items of a list do not have."""
+        if self._stood is not None:
+            return self._stood[0].key_span(self._where_it_stood(path))
         steps = self._walk(path)
         key = steps[-1].key
         if key is None or len(steps) != len(path) + 1:
