@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Call, Symbol, evaluate
 from freebody.language.notation import to_text
+from freebody.study.answering.chain import n_terms_in_all
 from freebody.symbolic.angle_factors import factors_of, open_parts
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.functions import cos_sin, functions
@@ -358,3 +359,13 @@ def test_a_sum_of_squares_under_a_root_is_shown_as_one() -> None:
     wanted = 1.3 * 0.2 * 1.9**2 / math.hypot(4.1 - 1.3 * 1.9**2, 0.7 * 1.9)
     assert float(evaluate(amplitude, numbers)) == pytest.approx(wanted, rel=1e-14)
     assert to_text(tidy(f.sqrt(m**2 + c**2))) == "√(m² + c²)"
+
+
+def test_a_formula_is_as_long_as_what_stands_under_its_roots_and_in_its_numbers() -> None:
+    f = SignedField()
+    x, y = f.parameter("x"), f.parameter("y")
+    root = f.sqrt((x + y + 1) ** 3 + 5)
+    assert root.n_terms == 1
+    assert n_terms_in_all(root) > 10
+    assert n_terms_in_all(x + y) == 2
+    assert n_terms_in_all(7**100 * x) > 8

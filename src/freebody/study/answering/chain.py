@@ -49,6 +49,7 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
 _MOST_STEPS = 60  # of a chain that anybody would follow
+_WORD = 32  # bits of a number that is read like a name
 LONG = 70  # operations, some twelve terms: what is longer is not read at a glance
 FEW_TERMS, MOST_TERMS = 8, 60  # of sums, multiplied out: so few are short, and more than so many are not
 _MOST_TERMS_OF_A_STEP = 300  # of one name, multiplied out: nobody would follow more
@@ -88,8 +89,16 @@ def chain_alone(setup: Setup, quantity: Quantity, state: SymbolicState) -> InNam
 
 def is_long_formula(parts: Sequence[Ratio]) -> bool:
     """Whether it is more than is read at a glance."""
-    n_terms = sum(x.n_terms for x in parts)
+    n_terms = sum(map(n_terms_in_all, parts))
     return n_terms > MOST_TERMS or (n_terms > FEW_TERMS and sum(n_operations(tidy(x)) for x in parts) > LONG)
+
+
+def n_terms_in_all(x: Ratio) -> int:
+    """The terms of an element, and of what stands under its roots; a number of many digits counts as several."""
+    f = x.field
+    roots = [g for g in f.ingredients(x) if f.generators[g].kind == "root" and f.generators[g].made_of]
+    digits = sum(int(c).bit_length() // _WORD for c in x.num.coeffs())
+    return x.n_terms + digits + sum(f.radicand(g).n_terms for g in roots)
 
 
 def inputs(setup: Setup, numbers: Mapping[int, float]) -> dict[str, float]:

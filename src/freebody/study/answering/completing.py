@@ -21,6 +21,7 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.questions.reading import Question
 from freebody.study.answering import loops
 from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made
+from freebody.study.answering.chain import n_terms_in_all
 from freebody.study.answering.comparing import which_is_greater
 from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
 from freebody.study.answering.crosscheck import element_at, holds
@@ -101,7 +102,7 @@ class AnswerCompletion:
     def _expression(self, element: Elements, chain: Chain | None) -> Expr | tuple[Expr, ...]:
         """The whole formula; by the names of its chain where nobody would read it."""
         parts = element if isinstance(element, tuple) else (element,)
-        is_long = sum(x.n_terms for x in parts) > _READ_WHOLE
+        is_long = sum(map(n_terms_in_all, parts)) > _READ_WHOLE
         shown = chain.result if chain is not None and is_long else tuple(map(tidy, parts))
         return shown if isinstance(element, tuple) else shown[0]
 
