@@ -153,6 +153,7 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
         return _ground_stands(names, thing, things)
     if _is_point_of_moving(names, thing):  # another point of its body is not meant, nor its body
         places = {joining.pinned_at(names, thing), joining.joined_at(names, thing)}
+        places |= {joint for joint in things & names.connections.keys() if thing in joining.ends_of(names, joint)}
         return bool(places & things) or any(along_lines.is_along(names, other, body) for other in things)
     if any(other.partition(".")[0] == body for other in things):
         return True
