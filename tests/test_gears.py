@@ -103,7 +103,6 @@ def test_gears_by_their_teeth_mesh_by_their_pitch_circles(
     ("one", "other", "mesh", "told"),
     [
         ("teeth: 17, module: 2 mm", "teeth: 51, module: 3 mm", "a, b", "only teeth of one module mesh"),
-        ("teeth: 17, module: 2 mm", "teeth: 51, module: 2 mm, internal: true", "a, b", r"write it first, \[b, a\]"),
         ("teeth: 17.5, module: 2 mm", "teeth: 51, module: 2 mm", "a, b", "a number of teeth is whole, e.g. 18"),
         ("teeth: 17", "teeth: 51, module: 2 mm", "a, b", "a gear has teeth and a module"),
     ],

@@ -80,7 +80,7 @@ def test_nobody_hears_what_follows_for_the_place_of_a_body_that_could_not_be_rea
         fb.System.from_text("""
 bodies:
   sun: {gear: {inertia: 0.001 kg m^2}}
-  carrier: {body: {mass: 1 kg, inertia: 0.01 kg m^2, points: {P: [50 mm, 0]}}}
+  carrier: {body: {mass: 1 kg, inertia: 0.01 kg m^2, colour: red}, points: {P: [50 mm, 0]}}
   planet: {gear: {mass: 0.5 kg, inertia: 0.0004 kg m^2}, copies: 3}
 connections:
   A: {pin: [ground.O, sun]}
@@ -88,9 +88,7 @@ connections:
   C: {pin: [carrier.P, planet]}
   s: {gear_mesh: {first: sun, second: planet, module: 2 mm, teeth: [20, 30]}}
 """)
-    assert [problem.message.split(":")[0] for problem in refused.value.problems] == [
-        "write points beside body, not inside it"
-    ]
+    assert [problem.message.split(":")[0] for problem in refused.value.problems] == ["body has no colour. There is"]
 
 
 def test_numbers_in_place_of_a_number_are_no_place() -> None:

@@ -111,7 +111,8 @@ class BodySections:
     def _floors(self, ground: RigidBody) -> list[str]:
         """Floors that connections name and nobody declares."""
         given = self.source.mapping("ground")
-        taken = {name for key in ("points", "lines") for name in given.get(key) or ()} | self.names.bodies.keys()
+        owned = [value for key in ("points", "lines") if isinstance(value := given.get(key), dict | list)]
+        taken = {name for value in owned for name in value if isinstance(name, str)} | self.names.bodies.keys()
         taken |= (
             given.keys() | self.source.mapping("bodies").keys() | ground.lines.keys() | self.names.parameters.keys()
         )
