@@ -192,3 +192,17 @@ def test_the_derivation_puts_in_the_length_that_the_start_gives() -> None:
     ):
         model = model.replace(line, "")
     assert "erhalten bleibt" in is_derived(model, "tension of rope")["de"]
+
+
+def test_a_string_over_a_pinion_asks_nobody_twice() -> None:
+    """On which side of its rack a pinion lies hangs on where it starts, and that on its string: no endless circle."""
+    system = fb.System.from_text("""
+parameters: {k1: 0.2 kg, k2: 3 m, k3: 0.2 kg, k4: 1 m}
+bodies:
+  p: {half_disk: {mass: k1, radius: k2}, near: {at: [-1 m, 1 m]}}
+  q: {sector: {mass: k3, radius: k4/3, angle: 1/3}, near: {at: [0.5 m, 1 m]}, fixed: true}
+connections:
+  c0: {rack_and_pinion: {pinion: p, rack: q}}
+  c1: {string: {from: q, over: [p], to: q}}
+""")
+    assert [row.connection for row in system.constraint_rows].count("c0") > 0

@@ -49,22 +49,22 @@ N_DRAWN = 100
 
 @pytest.fixture(scope="module")
 def made() -> list[Maker]:
-    """A hundred models, drawn."""
-    found = [maker(seed) for seed in range(N_DRAWN)]
+    """Two hundred models, drawn: there are 86 kinds, and the rare ones need a partner that fits."""
+    found = [maker(seed) for seed in range(2 * N_DRAWN)]
     for one in found:
         one.model()
     return found
 
 
 @pytest.mark.slow
-def test_nearly_all_kinds_are_drawn_in_a_hundred_models(made: list[Maker]) -> None:
+def test_nearly_all_kinds_are_drawn_in_two_hundred_models(made: list[Maker]) -> None:
     seen: set[str] = set()
     for one in made:
         seen |= {kind for body in one.data["bodies"].values() for kind in body}
         for section in ("connections", "loads"):
             seen |= {kind for entry in one.data.get(section, {}).values() for kind in entry}
     kinds = {*Connection.kinds, *Load.kinds, *(name for name, shape in Shape.kinds.items() if not shape.needs_file)}
-    assert len(kinds - seen) <= len(kinds) / 8, kinds - seen  # the rare ones need a partner that fits
+    assert len(kinds - seen) <= len(kinds) / 16, kinds - seen
 
 
 @pytest.mark.slow

@@ -253,8 +253,9 @@ connections:
         run = run_over(names, way, self.leads)
         goes_round = is_sure(names, run, "path" if self.path else "over" if self.over else "under")
         names.standing = before
+        found = with_carried_leads(names, run) if goes_round else None
         names.laying.pop()
-        return with_carried_leads(names, run) if goes_round else None
+        return found
 
     def _run_in_space(self, names: Names, way: list[StringNode]) -> StringRun | None:
         """How it lies over wheels whose planes need not be that of x and y; None with a problem noted."""
