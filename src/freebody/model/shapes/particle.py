@@ -21,16 +21,8 @@ class Particle(Shape, kind="particle"):
         *("piston", "car", "cart", "collar"),
     )
     also: ClassVar[tuple[str, ...]] = (
-        "block",
-        "bob",
-        "bead",
-        "piston",
-        "car",
-        "cart",
-        "collar",
-        "Massenpunkt",
-        "Punktmasse",
-        "Kolben",
+        *("block", "bob", "bead", "piston", "car", "cart", "collar"),
+        *("Massenpunkt", "Punktmasse", "Kolben", "Klotz", "Perle", "Wagen"),
     )
 
     mass: Formula = 0

@@ -25,17 +25,8 @@ class Rod(Shape, kind="rod"):
 
     called: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "link", "crank", "stick", "pole", "arm")
     also: ClassVar[tuple[str, ...]] = (
-        "bar",
-        "beam",
-        "ladder",
-        "crank",
-        "stick",
-        "pole",
-        "arm",
-        "Stab",
-        "Balken",
-        "Leiter",
-        "Kurbel",
+        *("bar", "beam", "ladder", "crank", "stick", "pole", "arm"),
+        *("Stab", "Balken", "Leiter", "Kurbel"),
     )
 
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
