@@ -12,7 +12,7 @@ import pytest
 
 import freebody as fb
 from freebody.api import System
-from posed import is_formula
+from posed import is_formula, posed
 
 HOOP = """
 parameters: {M: 2 kg, m: 1 kg, r: 0.4 m, g: 9.81 m/s^2}
@@ -71,6 +71,13 @@ MOTION = {
 )
 def test_a_hoop_with_a_lump(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula, factors=(1.0, 1.02, 0.98))
+
+
+def test_a_hoop_that_its_lump_lifts_off_has_no_formula() -> None:
+    heavy = HOOP.replace("M: 2 kg, m: 1 kg", "M: 0.1 kg, m: 5 kg").replace("phi: 90 deg", "phi: 20 deg")
+    found = posed(heavy, "greatest angular velocity of wheel")
+    assert found.expression is None
+    assert "floor does not hold all the time" in found.reason
 
 
 def test_a_string_runs_over_the_only_circle() -> None:

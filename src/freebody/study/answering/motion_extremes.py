@@ -194,14 +194,20 @@ class Along:
 
     def _check(self, chosen: Stationary, side: int) -> None:
         """No value on the way is beyond the chosen one at the first sample: no stationary place was missed."""
+        best, seen = self._first(chosen.value), self.seen()
+        size = max(map(abs, seen))
+        if not all(side * (v - best) <= _ROUND_OFF * size for v in seen):
+            raise _NO_FORM
+
+    def seen(self) -> list[float]:
+        """The quantity at places of the way, at the first sample."""
         samples, f = self.setup.model.samples, self.setup.model.field
         if self.span.ends is None:
             low = self._first(self.way.q0)
             high = low + math.tau
         else:
             low, high = (self._first(end) for end in self.span.ends)
-        best, speed = self._first(chosen.value), f.variable(self.c.speed)
-        x = self.even + self.odd * speed
+        x = self.even + self.odd * f.variable(self.c.speed)
         seen: list[float] = []
         for k in range(_N_STEPS):
             q = low + (high - low) * (k + 0.5) / _N_STEPS
@@ -209,9 +215,7 @@ class Along:
             for sense in self.senses:
                 rate = sense * math.sqrt(max(square, 0.0))
                 seen.append(samples.at_start_with(x, 0, {self.c.index: q, self.c.speed: rate}))
-        size = max(map(abs, seen))
-        if not all(side * (v - best) <= _ROUND_OFF * size for v in seen):
-            raise _NO_FORM
+        return seen
 
     # -- what is told -------------------------------------------------------------------------
     def value_of(self, s: Stationary) -> Ratio:
@@ -374,6 +378,10 @@ def _kept(setup: Setup) -> list[Condition]:
         try:
             least = seen.value_of(seen.best(seen.candidates(), -1))
         except CannotAnswer:
+            if min(seen.seen()) < 0.0:
+                raise CannotAnswer(
+                    Message("{connection} does not hold all the time", connection=row.connection)
+                ) from None
             is_of_place = seen.odd.is_zero() and not seen.is_root
             x = seen.even if is_of_place else OneSided(row).value(setup.system, setup.state)
             found.append(Condition(x, ">=", purpose))
