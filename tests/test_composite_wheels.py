@@ -101,3 +101,49 @@ def test_a_body_of_parts_touches_by_a_circle_that_is_named() -> None:
 def test_a_string_tied_to_the_axle_of_a_drum_of_parts_is_told() -> None:
     model = System.from_text(DRUM.replace("path: [wound on drum radius r, load]", "from: load, to: drum"))
     assert any("is tied to the centre of drum" in str(w) for w in model.warnings)
+
+
+# a spool of its radius of gyration: on a rail by its hub, and down a slope held by a rope that is wound on the hub,
+# which slides: with a = r alpha, m a = m g sin b - T - mu N, m k^2 alpha = T r - mu N R, N = m g cos b
+# (Hibbeler, Dynamics, 17.5; Meriam & Kraige, Dynamics, 6/5)
+SPOOL = """
+parameters: {m: 75 kg, k: 0.38 m, r: 0.3 m, R: 0.6 m, b: 30 deg, mu: 0.15, g: 9.81 m/s^2, L: 3 m}
+ground:
+  points: {top: [(R + r)*sin(b) - L*cos(b), (R + r)*cos(b) + L*sin(b)]}
+  lines: {slope: {along: -b}}
+bodies: {spool: {disk: {mass: m, radius: R, hub: r, radius_of_gyration: k}}}
+connections:
+  contact: {contact: {between: [spool, slope], friction: mu}}
+  rope: {string: {path: [ground.top, wound on spool.hub at top], leads: [slope]}}
+loads: {weight: {gravity: g}}
+"""
+RAIL = """
+parameters: {m: 4 kg, k: 0.2 m, r: 0.1 m, R: 0.3 m, mu: 0.4, F: 5 N, g: 9.81 m/s^2}
+ground: {lines: {rail: {along: right}}}
+bodies: {spool: {body: {mass: m, radius: R, hub: r, radius_of_gyration: k}}}
+connections: {rail: {contact: {between: [spool.hub, rail], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: spool.origin, along: right, magnitude: F}}}
+"""
+PULLED = """
+parameters: {m: 4 kg, M: 2 kg, k: 0.2 m, r: 0.1 m, R: 0.3 m, g: 9.81 m/s^2}
+bodies: {drum: {ring: {mass: m, radius: R, hub: r, radius_of_gyration: k}}, load: {particle: {mass: M}}}
+connections: {axle: {pin: [ground.O, drum]}, rope: {string: {from: load, to: wound on drum.hub}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        (SPOOL, "angular acceleration of spool", "g*(r*sin(b) - mu*(r + R)*cos(b))/(k^2 + r^2)"),
+        (SPOOL, "tension of rope", "m*g*(k^2*sin(b) - mu*cos(b)*(k^2 - r*R))/(k^2 + r^2)"),
+        (RAIL, "angular acceleration of spool", "-F*r/(m*(k^2 + r^2))"),
+        (PULLED, "tension of rope", "M*m*k^2*g/(M*r^2 + m*k^2)"),
+    ],
+)
+def test_a_hub_is_a_circle_that_carries_ropes_and_touches(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula)
+
+
+def test_a_rim_may_hang_beside_the_rail_on_which_the_hub_runs() -> None:
+    assert not System.from_text(RAIL).warnings

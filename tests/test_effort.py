@@ -12,7 +12,16 @@ import pytest
 import freebody as fb
 from freebody.budgets import allowed, effort
 from freebody.study.mobility.conflicts import conflict
+from posed import is_formula
 
+_ROD = """
+parameters: {m: 2 kg, l: 0.8 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: l}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of rod from down}}
+start: {phi: 40 deg}
+"""
 FOLDER = Path(__file__).resolve().parents[1] / "examples"
 UNREACHED = """
 parameters: {m: 1 kg, k: 4 N/m, b: 0.3 N/m^3}
@@ -85,3 +94,9 @@ def test_effort_multiplies_budgets_and_ends_with_its_block() -> None:
     for factor in (0.0, -1.0, float("nan"), float("inf")):
         with pytest.raises(fb.InputError, match="positive number"), effort(factor):
             pass
+
+
+def test_what_has_no_chain_is_told_in_one_piece_whatever_that_takes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The work that is allowed only decides whether the chain of a loop is told in place of one formula."""
+    monkeypatch.setattr("freebody.study.answering.closed_form._MOST_PAIRS", 0)
+    is_formula(_ROD, "period of small oscillations of phi", "2*pi*sqrt(2*l/(3*g))")

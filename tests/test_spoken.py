@@ -439,7 +439,7 @@ MORE |= {
     ],
 }
 SPOKEN |= {name: [*SPOKEN.get(name, ()), *pairs] for name, pairs in MORE.items()}
-SPOKEN["block_on_rough_incline"] += [("Verzögerung in g", "(|acceleration of x|)/g")]
+SPOKEN["block_on_rough_incline"] += [("Verzögerung in g", "(|acceleration of x|)/(g)")]
 SPOKEN["loop_the_loop"] += [
     (
         "From what minimum height must the car start to complete the loop?",

@@ -257,7 +257,7 @@ class BevelGears(_BevelGears):
 class Body(_Body):
     """A body given by mass, moment of inertia about its mass centre, and the mass centre's place in the body's
     own frame, whose origin is the reference point `origin`; `radius_of_gyration: k` in place of the inertia. A `radius`
-    makes its rim a circle about the origin.
+    makes its rim a circle about the origin, `hub: r` another one, on which a rope is wound (`wound on spool.hub`).
 
     In space `inertia` is the three moments about its axes, [Ixx, Iyy, Izz], or the tensor as three rows, about the mass
     centre, or `about: origin`, or another place by components."""
@@ -268,6 +268,7 @@ class Body(_Body):
         inertia: _List = ...,
         center_of_mass: _List | None = ...,
         radius: _Formula | None = ...,
+        hub: _Formula | None = ...,
         about: _Formula | _List = ...,
     ) -> None: ...
 
@@ -550,14 +551,17 @@ class DiscClutch(_DiscClutch):
     ) -> None: ...
 
 class Disk(_Disk):
-    """A uniform disk (or cylinder, pulley, gear wheel); I = m R^2/2 unless `inertia` is given. In space it is thin,
-    about its `axis` (z), with half of that inertia about its diameters."""
+    """A uniform disk (or cylinder, pulley, gear wheel); I = m R^2/2 unless `inertia`, or `radius_of_gyration: k`, is
+    given. `hub: r` is the radius of a second circle about its middle, on which a rope is wound (`wound on spool.hub`)
+    or that touches something (`spool.hub`). In space it is thin, about its `axis` (z), with half of that inertia about
+    its diameters."""
 
     def __init__(
         self,
         mass: _Formula = ...,
         radius: _Formula | None = ...,
         inertia: _Formula | None = ...,
+        hub: _Formula | None = ...,
         axis: _Along = ...,
     ) -> None: ...
 
@@ -1088,13 +1092,15 @@ class Revolute(_Revolute):
     ) -> None: ...
 
 class Ring(_Ring):
-    """A thin ring or hoop; I = m R^2 unless `inertia` is given. Wheels may run on its inside."""
+    """A thin ring or hoop; I = m R^2 unless `inertia`, or `radius_of_gyration: k`, is given. Wheels may run on its
+    inside. `hub: r` is the radius of a second circle about its middle, on which a rope is wound."""
 
     def __init__(
         self,
         mass: _Formula = ...,
         radius: _Formula | None = ...,
         inertia: _Formula | None = ...,
+        hub: _Formula | None = ...,
         axis: _Along = ...,
     ) -> None: ...
 

@@ -96,6 +96,10 @@ class FormulaTooLong(CannotAnswer):
     """The closed form would be too long to be made in one piece; named parts of it may be short."""
 
 
+class FormulaTooDear(FormulaTooLong):
+    """Making the closed form in one piece took more work than it was allowed; it need not be long."""
+
+
 class NeverHappens(CannotAnswer):
     """The event that a question is about does not happen after the start, and that is proved."""
 

@@ -328,7 +328,8 @@ class _Reader:
     def _wheel(self, plain: Figure, body: RigidBody, rim: float) -> Figure:
         """A round body: with what touches its circles, and whether there is room inside."""
         center, mass = plain.center, self.number(body.mass)
-        arms = {round(abs(arm), 12) for arm in self._arms_about(center)}
+        own = map(self.number, body.middle_circles.values())
+        arms = {round(abs(arm), 12) for arm in (*self._arms_about(center), *own)}
         hubs = tuple(sorted((arm for arm in arms if arm and not math.isclose(arm, rim)), reverse=True))
         wheels = [s for s in self.signs if isinstance(s, Wheels)]
         rolling = [c for c in wheels if c.radii[1] < 0 < sum(c.radii) and _is_near(c.first, center)]

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 
 import flint
 
-from freebody.errors import FormulaTooLong
+from freebody.errors import FormulaTooDear, FormulaTooLong
 from freebody.language.sentences import Message
 
 _flint: Any = flint
@@ -28,8 +28,8 @@ _QUICK_TERMS = 40
 _FEW_TERMS = 4  # that are read faster as they stand
 
 
-def _too_long() -> FormulaTooLong:
-    return FormulaTooLong(
+def _too_long(kind: type[FormulaTooLong] = FormulaTooLong) -> FormulaTooLong:
+    return kind(
         Message(
             "the closed form would have more than {n} terms; ask for numbers or for the equations of motion instead",
             n=TERM_LIMIT,
@@ -105,9 +105,9 @@ class PolynomialRing:
         return a * b
 
     @contextmanager
-    def within(self, pairs: int) -> Generator[None]:
+    def within(self, pairs: int | None) -> Generator[None]:
         """Quotients inside compare no more pairs of terms, of numerator and denominator, than so many: beyond that, as
-        where a product is too long, FormulaTooLong is raised."""
+        where a product is too long, FormulaTooDear is raised. None: as many as it takes."""
         before, self._left = self._left, pairs
         try:
             yield
@@ -119,7 +119,7 @@ class PolynomialRing:
         if self._left is not None:
             self._left -= len(a) * len(b)
             if self._left < 0:
-                raise _too_long()
+                raise _too_long(FormulaTooDear)
         return a.gcd(b)
 
     def reduce(self, poly: Poly) -> Poly:

@@ -113,8 +113,14 @@ def is_round(names: Names, text: str) -> bool:
     found = _NODE.fullmatch(" ".join(text.split()))
     if found is None or found["wound"]:
         return found is not None
-    body = names.bodies.get(found["what"])
-    return bool(found["way"]) and body is not None and (found["radius"] is not None or body.is_wheel)
+    return bool(found["way"]) and (found["radius"] is not None or _has_circle(names, found["what"]))
+
+
+def _has_circle(names: Names, text: str) -> bool:
+    """Whether it names a wheel, or a round part of one about its middle."""
+    name, _, part = text.partition(".")
+    body = names.bodies.get(name)
+    return body is not None and (part in body.middle_circles if part else body.is_wheel)
 
 
 def runs_round(of: GivenWay) -> set[str]:
@@ -165,7 +171,7 @@ def _read_node(
         )
         return None
     # a wheel by its name and a way over it, a point by its own
-    if found["wound"] or (found["way"] and "." not in found["what"]):
+    if found["wound"] or (found["way"] and ("." not in found["what"] or _has_circle(names, found["what"]))):
         place = _round(names, found, field)
     else:
         place = _point(names, found["what"], field, is_end=is_end)
@@ -202,7 +208,9 @@ def _round(names: Names, found: re.Match[str], field: tuple[str | int, ...]) -> 
     """A wheel that the string runs round, its centre and its radius; None with a problem noted."""
     n_before = len(names.problems)
     whole, _, part = found["what"].partition(".")
-    if part and whole in names.bodies and whole != GROUND:
+    known = names.bodies.get(whole)
+    circles = {} if known is None or whole == GROUND else known.middle_circles
+    if part and known is not None and whole != GROUND and part not in circles:
         told = Message(
             "a string runs round a body, not round a part of it: in place of {what} write {body}, and for another "
             "circle than its rim its radius, as in '{body} radius r'",
@@ -211,12 +219,13 @@ def _round(names: Names, found: re.Match[str], field: tuple[str | int, ...]) -> 
         )
         names.unknown(found["what"], told, *field)
         return None
-    body = names.body(found["what"], *field)
+    body = names.body(whole if part in circles else found["what"], *field)
     if len(names.problems) > n_before:
         return None
     given = found["radius"]
-    radius = names.formula(given, LENGTH, *field) if given else names.radius(body.name, *field)
-    return None if len(names.problems) > n_before else (body, body.center, radius)
+    own = circles[part] if part else names.radius(body.name, *field) if not given else None
+    radius = names.formula(given, LENGTH, *field) if given else own
+    return None if len(names.problems) > n_before or radius is None else (body, body.center, radius)
 
 
 def _point(

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
-from freebody.model.shapes.base import Build, Shape, half, square
+from freebody.model.shapes.base import Build, half, square
+from freebody.model.shapes.gyration import Gyrating
 from freebody.model.shapes.round import wheel
 from freebody.model.solids import DISK
 from freebody.model.spec import Formula, Heading
@@ -19,14 +20,20 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class Disk(Shape, kind="disk"):
-    """A uniform disk (or cylinder, pulley, gear wheel); I = m R^2/2 unless `inertia` is given. In space it is thin,
-    about its `axis` (z), with half of that inertia about its diameters."""
+class Disk(Gyrating, kind="disk"):
+    """A uniform disk (or cylinder, pulley, gear wheel); I = m R^2/2 unless `inertia`, or `radius_of_gyration: k`, is
+    given. `hub: r` is the radius of a second circle about its middle, on which a rope is wound (`wound on spool.hub`)
+    or that touches something (`spool.hub`). In space it is thin, about its `axis` (z), with half of that inertia about
+    its diameters."""
 
     called: ClassVar[tuple[str, ...]] = ("disc", "wheel", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
-    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("teeth", "module"), Message("teeth and a module are those of a gear: {{gear: {{teeth: 20, module: 2 mm}}}}")
-    )
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **Gyrating.elsewhere,
+        **dict.fromkeys(
+            ("teeth", "module"),
+            Message("teeth and a module are those of a gear: {{gear: {{teeth: 20, module: 2 mm}}}}"),
+        ),
+    }
     also: ClassVar[tuple[str, ...]] = (
         "disc",
         "cylinder",
@@ -44,6 +51,7 @@ class Disk(Shape, kind="disk"):
     mass: Formula = 0
     radius: Formula | None = None
     inertia: Formula | None = None
+    hub: Formula | None = None
     axis: Heading = "z"
 
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}

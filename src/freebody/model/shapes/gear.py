@@ -13,7 +13,8 @@ from freebody.language.expression import ONE, divide, multiply, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, MASS
 from freebody.model.elements import Teeth
-from freebody.model.shapes.base import Build, Shape, half, square
+from freebody.model.shapes.base import Build, half, square
+from freebody.model.shapes.gyration import Gyrating
 from freebody.model.shapes.round import wheel
 from freebody.model.solids import DISK, RING
 from freebody.model.spec import Formula, Heading
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-class Gear(Shape, kind="gear"):
+class Gear(Gyrating, kind="gear"):
     """`gear: {teeth: z, module: m, mass: M}`: a uniform disk of the radius m z/2 of its pitch circle, M r^2/2 unless
     `inertia` is given; gears of one module mesh (`gear_mesh: [sun, planet]`). `internal: true` for a ring gear, a thin
     ring, M r^2. A `radius` in place of teeth and module where only the ratio counts."""
@@ -31,7 +32,10 @@ class Gear(Shape, kind="gear"):
     called: ClassVar[tuple[str, ...]] = ("disk", "gear wheel", "cog", "pinion")
     also: ClassVar[tuple[str, ...]] = ("pinion", "Zahnrad")
 
-    elsewhere: ClassVar[Mapping[str, str]] = {"m": Message("m may be its mass or its module: write mass, or module")}
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **Gyrating.elsewhere,
+        "m": Message("m may be its mass or its module: write mass, or module"),
+    }
 
     mass: Formula = 0
     teeth: Formula | None = None

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
-from freebody.language.units import INERTIA
+from freebody.language.units import INERTIA, LENGTH
 from freebody.measures.geometry import Components
 from freebody.model.shapes.base import Build, Shape, half
 from freebody.model.solids import SolidKind
@@ -45,6 +46,15 @@ def wheel(names: Names, spec: Shape, m: Expr, r: Expr, own: Expr, solid: SolidKi
     inertia = own if given is None else given
     axis = own_axis(names, spec)
     tensor = about_axis(axis, inertia, half(inertia)) if axis else ()
-    return Build(
+    rim = Build(
         m, inertia, radius=r, is_ring=solid.is_hoop, tensor=tensor, round="disk", axis=axis, solid=solid, sizes=(r,)
     )
+    return with_hub(names, spec, rim)
+
+
+def with_hub(names: Names, spec: Shape, build: Build) -> Build:
+    """With the second circle about its middle of which the file gives the radius."""
+    if getattr(spec, "hub", None) is None:
+        return build
+    radius = names.positive(spec, "hub", LENGTH)
+    return replace(build, points={**build.points, "hub": names.origin}, circles={**build.circles, "hub": radius})

@@ -47,7 +47,9 @@ class Dimensions(Dimensioned):
         for figure in self.drawing.scene.figures:
             body = self.system.bodies[figure.name]
             if figure.radius is not None and body.radius is not None:
-                self._radius(figure, body.radius)
+                self._radius(figure, body.radius, figure.radius)
+                for hub in body.middle_circles.values():
+                    self._radius(figure, hub, self.places.number(hub))
         for figure in self.drawing.scene.figures:
             self._lengths(figure, self.system.bodies[figure.name])
         self._links()
@@ -58,10 +60,12 @@ class Dimensions(Dimensioned):
         return self.sketch.seen(positions(self.drawing.poses, place)[0])
 
     # -- radii --------------------------------------------------------------------------------
-    def _radius(self, figure: Figure, radius: Expr) -> None:
+    def _radius(self, figure: Figure, radius: Expr, size: float) -> None:
+        """Of a rim, or of a hub. size: in numbers [m]."""
         label = self.plain(radius)
-        rim = (figure.radius or 0.0) * self.sketch.scale
-        if label is None or rim < LEAST or not self.is_new(label):
+        rim = size * self.sketch.scale
+        is_hub = size != figure.radius
+        if label is None or (rim < LEAST and not is_hub) or not self.is_new(label):
             return
         middle = self.spot(figure.center)
         turn = 0.0 if figure.index == GROUND else float(self.drawing.poses[0, figure.index, 2])
@@ -70,7 +74,7 @@ class Dimensions(Dimensioned):
             way = unit(turn + angle)
             shaft = Shape(np.array((middle + 3.0 * way, middle + (rim - 4.0) * way)), INK, 0.7)
             options.append([shaft, head(middle + rim * way, way, INK, 5.0)])
-        if rim < _NARROW and self.sketch.least_crowded([option[:1] for option in options], 0) is None:
+        if rim < LEAST or (rim < _NARROW and self.sketch.least_crowded([option[:1] for option in options], 0) is None):
             self._radius_from_outside(label, middle, rim)
             return
         k = self.sketch.least_crowded([option[:1] for option in options], 14)

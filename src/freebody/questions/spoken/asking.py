@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import (
+    farthest,
     given,
     joining,
     lookup,
@@ -180,6 +181,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         return  # the least height from which it goes round is no height of the motion
     if degree == "greatest" and clause.has("quantity", "height") and clause.only("quantity", "name", *SILENT):
         moved = [name for name in of if name in lookup.moving(names) or name not in names.bodies]
+        if len(moved) == 1 and (risen := farthest.risen_from_below(names, moved[0])):
+            yield risen
+            return
         yield [f"greatest height of {name}" for name in moved or lookup.moving(names)]
         yield [
             f"{name} when {top}" for name in lookup.rising(names, next(iter(of), "")) for top in poses.tops(names, name)

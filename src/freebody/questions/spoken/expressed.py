@@ -54,7 +54,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "turning point": _END_OF_SWING,
         "after engagement": r"slip|engage|common|after|until",
         "at separation": r"leav|open|contact|lost|lift|separat|taut|slack|relaxed",
-        "after the impact": rf"{_IMPACT}|after|greatest|height|rate\(",
+        "after the impact": rf"{_IMPACT}|after|greatest|height|rate\(|relaxed",
         "before the impact": rf"{_IMPACT}|before|value",
         "at the impact": rf"{_IMPACT}|{_POSE}|is reached",
         "in the impact": rf"{_IMPACT}|{_POSE}",

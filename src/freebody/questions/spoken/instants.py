@@ -89,6 +89,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
             longer = lookup.stretched_at_rest(names, next((name for _, name in main.names), ""))
             yield longer if main.has("quantity", "extension") else [f"-({text})" for text in longer]
         return
+    is_thrown_back = not joining.strikes(names) and lookup.catching(names, pulls=False)  # by a buffer
+    if main.all("instant") == ["after the impact"] and not others and is_thrown_back:
+        main, others = main.without("instant"), [("when", Clause([Word("verb", "bounce")]))]
     own = [name for _, name in main.names]
     is_alone = main.only("name", "instant", *SILENT) and len(own) == 1 and own[0] in names.measures
     if is_alone and not others and main.all("instant") == ["in equilibrium"]:  # y in equilibrium

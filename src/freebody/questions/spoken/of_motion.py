@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, joining, lookup, losing, polar
+from freebody.questions.spoken import along_lines, farthest, joining, lookup, losing, polar
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -366,8 +366,10 @@ def _extreme_place(names: Names, quantity: str, rest: Clause) -> Groups:
     """How high or how low something comes, by the height that is measured."""
     of = [name for _, name in rest.names if name != GROUND and name not in names.bodies[GROUND].lines]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        found = lookup.heights(names, next(iter(of), ""))
-        up = quantity == "highest place"
+        up, found = quantity == "highest place", lookup.heights(names, next(iter(of), ""))
+        if up and of and not found and (risen := farthest.risen_from_below(names, of[0])):
+            yield risen  # of what hangs at the start
+            return
         yield [f"{'greatest' if (sense > 0) == up else 'least'} {name}" for name, sense in found]
         yield [f"{'greatest' if up else 'least'} height of {name}" for name in of if not found]
 

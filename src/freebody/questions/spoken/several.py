@@ -161,7 +161,8 @@ def _part(elements: Elements, pieces: list[str], k: int, language: str) -> Part:
     tail = "" if kinds & {"mark", "instant"} else _tail(pieces[-1], language)
     found: list[str] = []
     if k < len(pieces) - 1 and is_asked and several(language, "quantities").search(own):
-        found.append(own)  # all tensions, and not those of what is named behind
+        # all tensions, and not those of what is named behind; at the instant at which that is
+        found += [f"{own} {tail}", own] if tail else [own]
     if k < len(pieces) - 1 and not (is_asked and is_named):
         found += [f"{own} {' '.join(last[j:])}" for j in range(1, min(_BORROWED, len(last)))]
     if k > 0 and not is_asked:

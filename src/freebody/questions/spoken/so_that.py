@@ -320,11 +320,20 @@ def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
         for text in head:
             if sign in ("<", "<=") and not timed and not tail and _varies(names, text):  # at no instant of the motion
                 text = f"greatest {text}"
+            if sign in ("<", "<=") and left.has("quantity", "force") and _may_press(names, text):
+                text = f"|{text}|"
             if isinstance(right, str):
                 yield [f"{text} is {right}" if timed and sign == "=" else f"{text} {sign} {right}{tail}"]
             else:
                 for other in quantities(names, right):
                     yield [f"{text} {sign} {what}{tail}" for what in other]
+
+
+def _may_press(names: Names, text: str) -> bool:
+    """Whether it is the tension of a bar, in which the force is as large where it is pressed."""
+    joint = text.removeprefix("tension of ").partition(" at ")[0]
+    held = [row for row in names.constraint_rows if row.connection == joint]
+    return text.startswith("tension of ") and bool(held) and not any(row.unilateral for row in held)
 
 
 def _varies(names: Names, text: str) -> bool:

@@ -12,7 +12,7 @@ from typing import NoReturn, cast
 
 from freebody.assess.verdict import Judgement
 from freebody.budgets import allowed
-from freebody.errors import CannotAnswer, FormulaTooLong, NeverHappens
+from freebody.errors import CannotAnswer, FormulaTooDear, FormulaTooLong, NeverHappens
 from freebody.language.expression import n_operations, number
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message, further
@@ -84,6 +84,7 @@ class QuestionSolver:
         self.otherwise = otherwise
         self._state: SymbolicState | None = None  # in which it was found, where that is one instant
         self._reached: Reached | None = None  # the event that the motion is followed to
+        self._pairs: int | None = allowed(_MOST_PAIRS)
         self._holds_once = False  # whether that is there at the start alone
 
     def answer(self) -> Answer:
@@ -105,13 +106,16 @@ class QuestionSolver:
                 if self._is_unread(found) and (named := frequency_in_names(self.setup, self.question)) is not None:
                     return named
             return self.finish(found)
-        except FormulaTooLong:
+        except FormulaTooLong as error:
             named = answer_in_names(self.setup, self.question, self._reached)
             named = named or frequency_in_names(self.setup, self.question)
             named = named or answer_by_energy(self.setup, self.question)
-            if named is None:
+            if named is not None:
+                return named
+            if not isinstance(error, FormulaTooDear):
                 raise
-            return named
+            self._pairs = None  # it has no chain: then in one piece, whatever that takes
+            return self.finish(self._find())
 
     def _is_unread(self, found: Finding) -> bool:
         """Whether it is a frequency whose formula nobody would read."""
@@ -372,7 +376,7 @@ class QuestionSolver:
 
     def _elements(self, q: Quantity, state: SymbolicState) -> Elements:
         f = self.model.field
-        with f.within(allowed(_MOST_PAIRS)):
+        with f.within(self._pairs):
             value = q.value(self.system, state)
             if isinstance(value, tuple):
                 return tuple(f.lowest_terms(f.element(v)) for v in value)
@@ -563,7 +567,7 @@ class QuestionSolver:
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
     def _small(self, q: SmallOscillations) -> Finding:
-        with self.model.field.within(allowed(_MOST_PAIRS)):
+        with self.model.field.within(self._pairs):
             return about_rest.oscillations(self.setup, self.question, q)
 
     @_found.register(OfSmallMotion)

@@ -58,7 +58,8 @@ class InsideAWall(WarningKind, name="inside a wall"):
             return model.start.value(Displacement(body.point(point_name), line.through, normal))
 
         if body.radius is not None:
-            return side(None) - number(body.radius), side(None) + number(body.radius)
+            own = [number(r) for r in (body.radius, *body.middle_circles.values())]
+            return side(None) - min(own), side(None) + max(own)  # a hub may run on a rail beside which its rim hangs
         sides = [side(name) for name in body.points if name in (*body.corners, "start", "end")]
         return min(sides, default=0.0), max(sides, default=0.0)
 
