@@ -997,6 +997,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # S = M (g sin phi - s w^2), and the rate of the moment of momentum M s^2 w
     "trolley_on_a_jib": {
+        "freedom": "0",
         "rate": "-u*r",
         "rope": "M*(g*sin(phi_0 + w*t) - (s_0 - u*r*t)*w**2)",
         "raising": "(m*L/2 + M*(s_0 - u*r*t))*g*cos(phi_0 + w*t) - 2*M*(s_0 - u*r*t)*u*r*w",

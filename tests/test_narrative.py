@@ -193,7 +193,7 @@ def test_a_planetary_gear_takes_one_planet_about_its_contact_with_the_ring_and_t
     _found, derivation = the("planetary_gear", "acceleration")
     assert sorted(principles(derivation)) == [
         ("angular", ("P1",), "point.contact"),
-        ("angular", ("sun",), "point.mass_center"),
+        ("angular", ("sun",), "point.named"),
     ]
     said = next(s for s in sentences_of(derivation.stages) if s.key == "symmetry.said")
     assert said.args["bodies"] == ("P1", "P2", "P3")

@@ -154,6 +154,10 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
         fit = None if outright is None else reference.placing.fit(outright, equations, 0.0, {})
         if fit is not None and _stands(reference, fit):
             return fit
+    if guess is not None:  # a pose that fits as it stands, another assembly mode, is not pulled to what the file wishes
+        as_given = reference.placing.fit(guess, equations, 0.0, {}, n_steps=0)
+        if as_given is not None and as_given.error <= TOLERANCE and _stands(reference, as_given):
+            return as_given
     guess = described if guess is None else guess
 
     # a guess is kept where the rest fits to it, so that bodies of which nothing is said do not pull at it; what a guide
