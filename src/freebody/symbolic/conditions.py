@@ -24,12 +24,14 @@ from freebody.language.expression import (
     multiply,
     n_operations,
     negate,
+    number,
 )
 from freebody.language.notation import Stated, compared, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import ARC_RANGES, Sign, acute_argument, arc_argument
+from freebody.symbolic.signs_shown import factors_of, number_part
 from freebody.symbolic.tidy import tidy
 
 
@@ -100,14 +102,22 @@ def readable_or_told(stated: Stated) -> Stated:
     return Stated(words, stated.expression)
 
 
+def _without_common_number(terms: Sequence[Expr]) -> list[Expr]:
+    """The terms of a sum that is compared with zero, without a whole number that stands in all of them."""
+    parts = [number_part(t) for t in terms]
+    front = math.gcd(*(n.numerator for n, _rest in parts)) if all(n.denominator == 1 for n, _rest in parts) else 1
+    return [multiply(number(n / front), *factors_of(rest)) for n, rest in parts] if front > 1 else list(terms)
+
+
 def _related(e: Expr, relation: str) -> Stated:
     if isinstance(e, ProductOf) and isinstance(e.factors[0], Number) and len(e.factors) > 1:
         if e.factors[0].value < 0:
             relation = _FLIPPED[relation]
         e = multiply(*e.factors[1:])
     if isinstance(e, Sum):
-        left = [t for t in e.terms if not _is_negative(t)]
-        right = [negate(t) for t in e.terms if _is_negative(t)]
+        terms = _without_common_number(e.terms)
+        left = [t for t in terms if not _is_negative(t)]
+        right = [negate(t) for t in terms if _is_negative(t)]
         if not left:
             return compared(add(*right), _FLIPPED[relation], ZERO)
         if len(left) == 1 and isinstance(left[0], Number) and right:  # 1 < a as a > 1

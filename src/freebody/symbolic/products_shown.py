@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from freebody.language.expression import Expr, multiply, n_operations, number
+from freebody.language.expression import Call, Expr, multiply, n_operations, number
 from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.polynomials import declaration_order, has_lonely_symbol, primitive
+from freebody.symbolic.polynomials import declaration_order, has_lonely_symbol, primitive, square_part
 from freebody.symbolic.signs_shown import factors_of, positive_first, raised, signed_product
 from freebody.symbolic.waves import Monomial
 
@@ -35,6 +35,16 @@ def place(field: Field, base: Ratio) -> tuple[int, int]:
     return 4 if base.is_constant() else 9, min(generators, default=0)
 
 
+def roots_gathered(field: Field, parts: Sequence[tuple[int, int]]) -> tuple[int, list[Expr], list[tuple[int, int]]]:
+    """Roots of whole numbers in a product as one, with the number that comes out of it; and the other factors:
+    sqrt(3) sqrt(6) as 3 sqrt(2)."""
+    numbers = [(g, e) for g, e in parts if field.generators[g].kind == "root" and field.radicand(g).fraction()]
+    if len(numbers) < 2:
+        return 1, [], list(parts)
+    outside, free = square_part(math.prod(int(field.radicand(g).fraction() or 1) ** e for g, e in numbers))
+    return outside, [Call("sqrt", number(free))] if free > 1 else [], [part for part in parts if part not in numbers]
+
+
 @dataclass(frozen=True)
 class Products:
     """Monomials and sums of them in a field. shown: a generator as it is displayed."""
@@ -44,8 +54,9 @@ class Products:
 
     def one(self, monomial: Monomial, coefficient: int) -> Expr:
         parts = sorted(monomial, key=lambda item: (_PLACE[self.field.generators[item[0]].kind], item[0]))
+        outside, roots, parts = roots_gathered(self.field, parts)
         factors = [raised(self.shown(self.field, g), e) for g, e in parts]
-        return multiply(number(coefficient), *factors)
+        return multiply(number(coefficient * outside), *factors, *roots)
 
     def sum(self, terms: Mapping[Monomial, int]) -> Expr:
         ordered = sorted(terms.items(), key=lambda item: declaration_order(item[0]))

@@ -18,7 +18,7 @@ from freebody.symbolic.half_angles_shown import by_conjugates
 from freebody.symbolic.hyperbolic_shown import in_hyperbolic_functions
 from freebody.symbolic.numbers_with_roots import in_roots
 from freebody.symbolic.polynomials import Poly
-from freebody.symbolic.products_shown import Products, place
+from freebody.symbolic.products_shown import Products, place, roots_gathered
 from freebody.symbolic.roots_in_quotients import (
     is_root_generator,
     root_on_top,
@@ -174,18 +174,30 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
         by_degree = None if several else field.factor_by_degree(poly)
         unit, factors = by_degree or field.factor(poly, is_quick=several)
         if len(factors) > 1 or (factors and factors[0][1] > 1):
+            alone = {g: e for base, e in factors if (g := _generator_alone(base)) is not None}
+            outside, roots, kept = roots_gathered(field, [*alone.items()])
+            unit *= outside
             parts: list[tuple[tuple[int, int], Expr]] = []
             for base, exponent in factors:
+                if (g := _generator_alone(base)) is not None and (g, exponent) not in kept:
+                    continue
                 shown = _sum(field, base.num)
                 if is_written_negative(shown):  # of what its own order begins with a minus sign
                     shown, unit = negate(shown), unit * (-1) ** exponent
                 parts.append((place(field, base), raised(shown, exponent)))
             parts.sort(key=lambda item: item[0])
-            found.append(signed_product(unit, [e for _p, e in parts]))
+            found.append(signed_product(unit, [*(e for _p, e in parts), *roots]))
             if by_degree is not None or sum(len(base.num) > 1 for base, _e in factors) <= 1:
                 return found  # only symbols came out in front: no other form is shorter
     found.append(_sum(field, poly))
     return found
+
+
+def _generator_alone(base: Ratio) -> int | None:
+    """The generator that a factor is, by itself."""
+    generators = base.generators()
+    is_alone = len(base.num) == len(generators) == 1 and base == base.field.variable(*generators)
+    return next(iter(generators)) if is_alone else None
 
 
 def _sum(field: Field, poly: Poly) -> Expr:
