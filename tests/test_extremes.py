@@ -429,3 +429,22 @@ def test_over_hills_a_sled_is_fastest_in_each_valley_and_presses_hardest_there()
     grows = posed(SLED, "greatest (x + 30*L*speed of sled/v0)")
     assert grows.expression is None
     assert grows.value is None
+
+
+VAN = """
+parameters: {m: 0.5 kg, L: 0.7 m, a: 3 m/s^2, g: 9.81 m/s^2}
+bodies: {van: {particle: {mass: 1000 kg}}, rod: {rod: {length: L, mass: 0}}, bob: {particle: {mass: m}}}
+connections:
+  road: {slider: {body: van, along: right}}
+  engine: {driver: {measure: x, follows: a*t^2/2}}
+  hinge: {pin: [van, rod.start]}
+  knob: {weld: [rod.end, bob]}
+loads: {weight: {gravity: g}}
+measures: {x: x of van, theta: angle of rod from down clockwise}
+start: {theta: 0, rate(theta): 0}
+"""
+
+
+def test_the_square_of_a_force_is_stationary_where_a_product_of_waves_vanishes() -> None:
+    """S = m (3 (g cos + a sin) - 2 g): S S' = 0, a polynomial of the fourth degree in tan(theta/2) with two factors."""
+    is_formula(VAN, "greatest size of reaction of hinge on rod", "m*(3*sqrt(a^2 + g^2) - 2*g)")
