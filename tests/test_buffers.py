@@ -134,3 +134,20 @@ start: {x1: 0, x2: L + d, rate(x1): v0, rate(x2): 0}
     assert force.value == hardest.value == pytest.approx(v * math.sqrt(mu * 100.0), rel=1e-12)
     assert parted.value == pytest.approx(1.0 / v + math.pi * math.sqrt(mu / 100.0), rel=1e-12)
     assert faster.value == pytest.approx(2 * 1.0 * v / 3.0, rel=1e-12)
+
+
+def test_a_spring_that_lets_go_has_given_what_friction_takes() -> None:
+    """Pressed by s it has k s^2/2, all of which rubs off until the box stands still."""
+    text = """
+parameters: {m: 2 kg, k: 4000 N/m, s: 0.12 m, l: 0.5 m, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}, points: {F: [-l, 0]}}
+bodies: {box: {particle: {mass: m}}}
+connections: {c: {contact: {between: [box, floor], friction: mu}}}
+loads:
+  weight: {gravity: g}
+  spring: {spring: {between: [ground.F, box], stiffness: k, length: l, only: compressed}}
+measures: {x: x of box}
+start: {x: -s, rate(x): 0}
+"""
+    (lost,) = fb.System.from_text(text).solve(["energy lost until rate(x) = 0"]).answers
+    assert lost.value == pytest.approx(4000 * 0.12**2 / 2, rel=1e-9), lost.reason

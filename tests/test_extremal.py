@@ -6,6 +6,8 @@ Beer & Johnston, Dynamics, ch. 11 and 19; Irodov, Problems in General Physics, 1
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
@@ -74,3 +76,28 @@ def test_it_is_derived_in_both_languages() -> None:
     assert derivation.stages[-2].title.key == "stage.extremal"
     words = fb.explain(System.from_text(BOX), CASES["pull, value"][1], language="de").to_text()
     assert "wechselt ihr Vorzeichen" in words
+
+
+TWO_LUMPS = """
+space: {up: z}
+parameters: {m: 0.2 kg, r: 0.1 m, a: 0.2 m, b: 0.5 m, l: 0.8 m, W: 100 rad/s, d: 90 deg}
+ground: {points: {A: [0, 0, 0]}}
+bodies:
+  shaft: {body: {}, points: {A: [0, 0, 0], B: [l, 0, 0], P: [a, r, 0], Q: [b, r*cos(d), r*sin(d)]}}
+  one: {particle: {mass: m}}
+  two: {particle: {mass: m}}
+connections:
+  A: {spherical: [ground.A, shaft.A]}
+  B: {point_on_line: {point: shaft.B, through: ground.A, along: x}}
+  p: {spherical: [shaft.P, one]}
+  q: {spherical: [shaft.Q, two]}
+  motor: {driver: {measure: phi, follows: W*t}}
+measures: {phi: angle of shaft about x}
+"""
+
+
+def test_of_an_angle_that_only_turns_one_turn_is_meant() -> None:
+    """B = m r W^2/l sqrt(a^2 + b^2 + 2 a b cos d) is least with the lumps on opposite sides, and again a turn later."""
+    found = posed(TWO_LUMPS, "value of d for which size of reaction of B is least")
+    assert found.expression is not None, found.reason
+    assert found.value == pytest.approx(math.pi)

@@ -408,3 +408,43 @@ def test_at_a_change_point_nothing_is_said_to_grow_without_bound_alone() -> None
     """The second crank turns at -w (d - a)/(d + a) there, which is 0/0 in the formula of the branch."""
     found = posed(ANTIPARALLEL, "greatest angular velocity of second")
     assert found.reason.startswith("it grows without bound, or a change point is passed"), found.reason
+
+
+SLED = """
+parameters: {m: 80 kg, v0: 6 m/s, h: 4 m, L: 20 m, g: 9.81 m/s^2}
+bodies: {sled: {particle: {mass: m}}}
+connections: {hill: {curved_rail: {point: sled, y: h*cos(pi*x/L)}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of sled}
+start: {x: 0, rate(x): v0}
+"""
+
+
+def test_over_hills_a_sled_is_fastest_in_each_valley_and_presses_hardest_there() -> None:
+    """v^2 = v0^2 + 2 g (h - y) = v0^2 + 4 g h in the valley, where y'' = h (pi/L)^2: N = m (g + v^2 y''). All is as
+    before after 2 L, which is no turn of an angle."""
+    speed = is_formula(SLED, "greatest speed of sled", "sqrt(v0^2 + 4*g*h)")
+    assert "largest at x = L" in speed.notes
+    is_formula(SLED, "greatest normal force of hill", "m*(g + (v0^2 + 4*g*h)*h*(pi/L)^2)")
+    grows = posed(SLED, "greatest (x + 30*L*speed of sled/v0)")
+    assert grows.expression is None
+    assert grows.value is None
+
+
+VAN = """
+parameters: {m: 0.5 kg, L: 0.7 m, a: 3 m/s^2, g: 9.81 m/s^2}
+bodies: {van: {particle: {mass: 1000 kg}}, rod: {rod: {length: L, mass: 0}}, bob: {particle: {mass: m}}}
+connections:
+  road: {slider: {body: van, along: right}}
+  engine: {driver: {measure: x, follows: a*t^2/2}}
+  hinge: {pin: [van, rod.start]}
+  knob: {weld: [rod.end, bob]}
+loads: {weight: {gravity: g}}
+measures: {x: x of van, theta: angle of rod from down clockwise}
+start: {theta: 0, rate(theta): 0}
+"""
+
+
+def test_the_square_of_a_force_is_stationary_where_a_product_of_waves_vanishes() -> None:
+    """S = m (3 (g cos + a sin) - 2 g): S S' = 0, a polynomial of the fourth degree in tan(theta/2) with two factors."""
+    is_formula(VAN, "greatest size of reaction of hinge on rod", "m*(3*sqrt(a^2 + g^2) - 2*g)")

@@ -223,12 +223,18 @@ def test_what_is_so_everywhere_or_nowhere_is_said() -> None:
     assert "no least value" in posed(STRING, "least w0 so that rope stays taut until theta = 180 deg").reason
 
 
+RAIL = DOME.replace("  dome: {disk: {mass: 1 kg, radius: R}, fixed: true}\n", "").replace(
+    "contact: {contact: {between: [bead, dome], touching: true}}", "hill: {curved_rail: {point: bead, y: R - x^2/R}}"
+)
+
+
 @pytest.mark.parametrize(
     ("model", "find", "words"),
     [
         (CRATE, "range of mu for which it tips before it slides as Q grows", "there is no parameter Q"),
         (STRING, "range of w0 for which rag stays taut", "no connection or body rag"),
         (BALL, "value of v0 for which just x", "just"),
+        (RAIL, "largest v0 so that bead stays on hill", "hill cannot open: it holds both ways"),
     ],
 )
 def test_what_cannot_be_read_says_why(model: str, find: str, words: str) -> None:

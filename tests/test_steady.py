@@ -720,3 +720,27 @@ ground: {points: {A: [0, 0]}}
 """
     [answer] = fb.solve(fb.System.from_text(text), question="extremes of reaction of c on p").answers
     assert str(answer.to_plain()["reason"]) == "the quantity is the same in every pose"
+
+
+CAROUSEL = """
+space: {up: z}
+parameters: {m: 70 kg, a: 4 m, l: 5 m, W: 1.1 rad/s, J: 2000 kg m^2, th: 35 deg, g: 9.81 m/s^2}
+bodies:
+  disc: {body: {inertia: [J, J, J]}, points: {H: [a, 0, 0]}}
+  chain: {body: {}, at: [a, 0, 0], points: {seat: [0, 0, -l]}}
+  rider: {particle: {mass: m}}
+connections:
+  axle: {revolute: {first: ground.O, second: disc, about: z}}
+  motor: {driver: {measure: psi, follows: W*t}}
+  hinge: {revolute: {first: disc.H, second: chain, about: y}}
+  seat: {spherical: [chain.seat, rider]}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of disc about z, theta: angle of chain about -disc.y relative to disc}
+start: {theta: 30 deg}
+"""
+
+
+def test_a_place_that_a_drive_does_not_make_steady_is_told_with_what_it_takes() -> None:
+    """Beside a drive with the rate W the angle is no free choice: W^2 (a + l sin th) = g tan th."""
+    answer = the(ask(CAROUSEL, "size of reaction of seat in steady motion when theta = th"))
+    assert "the given place is steady only where 0 = a·W²·cos(th) + l·W²·cos(th)·sin(th) - g·sin(th)" in answer.reason

@@ -501,3 +501,31 @@ def test_where_a_motion_stops_turning_it_does_not_turn_at_the_place_asked_for() 
     assert_same_function(
         answer.to_plain()["expression"], "sqrt(k*(r0 - 2*l0 + r1)/(m*(r0 + r1)))", {"r1": 0.6, "l0": 0.3}
     )
+
+
+CUSHION = """
+parameters: {m: 0.17 kg, r: 28 mm, u: 2 m/s, w: 1.5 m/s, s: 30 rad/s, e: 0.8, mu: 0.2}
+ground: {lines: {cushion: {along: right}}}
+bodies:
+  ball: {sphere: {mass: m, radius: r}, at: [0, r + 0.1 m], velocity: [u, -w], angular_velocity: s}
+connections: {c: {contact: {between: [ball, cushion], friction: mu, restitution: e}}}
+measures: {x: x of ball, y: y of ball}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "by_hand"),
+    [
+        (
+            "value of e for which |velocity of x after the impact| = velocity of y after the impact",
+            "(u - mu*w)/(w*(1 + mu))",
+        ),
+        (
+            "value of mu for which velocity of x after the impact = |velocity of y before the impact|",
+            "(u - w)/(w*(1 + e))",
+        ),
+    ],
+)
+def test_both_sides_of_an_equation_may_be_at_an_instant_of_their_own(question: str, by_hand: str) -> None:
+    """While it slips u' = u - mu (1 + e) w and v' = e w."""
+    is_formula(CUSHION, question, by_hand, factors=(1.0, 1.02, 0.99))

@@ -207,7 +207,10 @@ def _stated(
     for pattern, kind in _LASTING:
         found = pattern.match(text)
         if found is not None and found["of"] not in names.measures:
-            return Lasting(kind, _of(names, found.groupdict(), path), text), True
+            of = _of(names, found.groupdict(), path)
+            if kind == "touches":
+                _check_that_it_may_open(names, of, path)
+            return Lasting(kind, of, text), True
     if not timed and names.lets_go_from_rest and (rolls := _ROLLS.match(text)) is not None:
         return Lasting("rolls", _of(names, rolls.groupdict(), path), text), True
     if (tips := _TIPS.match(text)) is not None:
@@ -270,6 +273,19 @@ def _of(names: Names, found: dict[str, str | None], path: Path) -> tuple[str, ..
         told = Message("{name} and {other} have no contact with each other", name=found["of"], other=on)
         names.problem(told, *path)
     return both
+
+
+def _check_that_it_may_open(names: Names, of: tuple[str, ...], path: Path) -> None:
+    """What holds both ways never lets go, so that nobody asks for it."""
+    one_sided = {row.connection for row in names.constraint_rows if row.unilateral}
+    one_sided |= {load.load for load in names.applied_loads if load.one_sided is not None}
+    if of and one_sided.isdisjoint(of):
+        told = Message(
+            "{connections} cannot open: it holds both ways. What may be left is a contact, a string, or a rail with "
+            "`leaves: true`",
+            connections=", ".join(of),
+        )
+        names.problem(told, *path)
 
 
 def _third_person(verb: str) -> str:

@@ -127,9 +127,17 @@ def _moves(names: Names, who: str | None, measure: str) -> bool:
     return measure in names.measures and (who is None or who in names.measures[measure].bodies())
 
 
+_BESIDE = rf"(?:before|after) the (?:impact|blow)(?: of {NAME})?"
+_IN_BARS = re.compile(rf"\|([^|]+)( {_BESIDE})\|")  # |x before the impact| is |x| before the impact
+_BOTH_SIDES = re.compile(rf"(?P<left>[^=<>]+ {_BESIDE}\|?) = (?P<right>[^=<>]+ {_BESIDE}\|?)")
+
+
 def _value(read: Read, names: Names, parameter: Parameter, relation: str, when: object) -> Meant | None:
     """The value of a parameter for which an equation holds."""
     name = parameter.name
+    if (both := _BOTH_SIDES.fullmatch(relation)) is not None:  # each side at an instant of its own
+        left, right = (_IN_BARS.sub(r"|\1|\2", both[side]) for side in ("left", "right"))
+        relation = f"({left}) - ({right}) = 0"
     head, condition = (relation, None) if when is not None else event_at_end(names, relation)
     starts = condition is None and without_start(head) != head  # else these words belong to what is last
     found = relation_of(without_start(head) if starts else head, condition)

@@ -16,6 +16,7 @@ from freebody.symbolic.polynomials import Poly, PolynomialRing, Terms
 
 _flint: Any = flint
 _PRIME = 2**61 - 1
+_MOST_FACTORED = 400  # terms in T of what is factored
 _LIMIT = 1_000_000  # terms times the growth that half-angle tangents may bring
 
 Pair = tuple[int, int]  # the generators of the cosine and the sine of an angle
@@ -38,6 +39,19 @@ def cancelled(ring: PolynomialRing, num: Poly, den: Poly, pairs: Sequence[Pair])
     for pair in pairs:
         num, den = _from_tangent(ring, num, den, pair)
     return num, den
+
+
+def factors_in_tangent(ring: PolynomialRing, poly: Poly, pair: Pair) -> tuple[list[list[Poly]], bool] | None:
+    """The factors of a polynomial in T = tan(angle/2), as coefficients of its powers, lowest first; and whether it
+    vanishes at half a turn, where T has no value. None where that would take too long."""
+    n = len(poly)
+    if n > _MOST_FACTORED or _growth((poly, poly), [pair]) * n > _MOST_FACTORED:
+        return None
+    poly = ring.current(poly)
+    at_top = max(i + j for i, j in ring.split_by_pair(poly, pair))
+    inside, _one = _in_tangent(ring, poly, ring.constant(1), pair)
+    split = [ring.split(factor, pair[0]) for factor, _exponent in ring.irreducible(inside)[1]]
+    return [parts for parts in split if len(parts) > 1], len(ring.split(inside, pair[0])) <= 2 * at_top
 
 
 def _growth(both: tuple[Poly, Poly], pairs: Sequence[Pair]) -> int:

@@ -23,6 +23,7 @@ from freebody.symbolic.event_places import EventPlaces, Need, Variable
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.motion_cycles import MotionCycles
+from freebody.symbolic.orbits import Orbit, orbit_of
 from freebody.symbolic.reached import HOLDS_ALWAYS, HoldsOnce, Reached
 from freebody.symbolic.seen_angles import ray_of
 from freebody.symbolic.settling import settling_of
@@ -317,25 +318,80 @@ class SmoothMotion(MotionCycles):
     # -- first integral -----------------------------------------------------------------------
     def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:
         """The speed at a place, from M u^2/2 + V = const, with the sign of the way there."""
-        way = self.way_of(c)
+        try:
+            way = self.way_of(c)
+        except CannotAnswer:
+            if (reached := self._on_orbit(c, at, event)) is None:
+                raise
+            return reached
         speed, needs, says = way.to(at)
+        orbits, seen = self._seen_from_center(c, at, turns=False)
         if (timed := way.time_to(at)) is not None:
-            return Reached(timed[0], c, at, speed, [], needs, says=says, integral=way.integral, timed=timed[1])
+            return Reached(
+                timed[0],
+                c,
+                at,
+                speed,
+                [],
+                needs,
+                says=says,
+                integral=way.integral,
+                timed=timed[1],
+                others=seen,
+                orbits=orbits,
+            )
         why = Message(
             "no closed form was found for the time to '{event}': it is the integral of the coordinate's differential "
             "over the speed; simulate the motion for a number",
             event=event.text,
         )
-        return Reached(None, c, at, speed, [], needs, why, says)
+        return Reached(None, c, at, speed, [], needs, why, says, others=seen, orbits=orbits)
+
+    def _seen_from_center(self, c: Coordinate, at: Ratio, *, turns: bool) -> tuple[tuple[Orbit, ...], dict[int, Ratio]]:
+        """The angle about a centre at which a distance from it is reached first, where that has a closed form."""
+        found = (orbit_of(self.integrals_of(c), c, k) for k in self.model.coordinates if k is not c)
+        orbits = tuple(orbit for orbit in found if orbit is not None)
+        return orbits, {orbit.angle.index: orbit.angle_at(at, turns=turns) for orbit in orbits}
+
+    def _on_orbit(self, angle: Coordinate, at: Ratio, event: QuestionEvent) -> Reached | None:
+        """When an angle about a centre has a value, by the distance that it has there: on the way from one apse to the
+        next one."""
+        for c in self.model.coordinates:
+            if c is angle or (orbit := orbit_of(self.integrals_of(c), c, angle)) is None:
+                continue
+            turned = orbit.turned(at)
+            left = self.field.lowest_terms(self.field.pi - turned)
+            if left.is_zero():
+                reached = self._rate_by_energy(c, self.field.zero)
+            elif any(x < 0 for x in self.model.samples.at_starts(left)):
+                return None
+            else:
+                reached = self._place_by_energy(c, orbit.distance_at(at), event)
+            reached.conditions += [(turned, ">"), (left, ">=")]
+            return replace(reached, others={angle.index: at}, orbits=(orbit,))
+        return None
 
     def _rate_by_energy(self, c: Coordinate, wanted: Ratio) -> Reached:
         """The place at which the speed has a value: a zero of u(q)^2 - u^2 = 0, the first on the way."""
         way = self.way_of(c)
         at, needs, says = way.where(wanted)
+        orbits, seen = self._seen_from_center(c, at, turns=True) if wanted.is_zero() else ((), {})
         if (timed := way.time_until(at, wanted)) is not None:
-            return Reached(timed[0], c, at, wanted, [], needs, says=says, integral=way.integral, timed=timed[1])
+            return Reached(
+                timed[0],
+                c,
+                at,
+                wanted,
+                [],
+                needs,
+                says=says,
+                integral=way.integral,
+                timed=timed[1],
+                others=seen,
+                orbits=orbits,
+            )
         why = Message(
             "no closed form was found for the time: it is the integral of the coordinate's differential over the "
             "speed; simulate the motion for a number"
         )
-        return Reached(None, c, at, wanted, [], needs, why, says)
+        return Reached(None, c, at, wanted, [], needs, why, says, others=seen, orbits=orbits)

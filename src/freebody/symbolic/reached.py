@@ -9,6 +9,7 @@ from freebody.language.sentences import Message
 from freebody.symbolic.algebraic_time import AlgebraicTime
 from freebody.symbolic.elliptic import EllipticTime
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.orbits import Orbit
 from freebody.symbolic.unknowns import Coordinate
 
 HOLDS_ALWAYS = Message("it holds at the start (t = 0) and all the time after it")
@@ -37,6 +38,8 @@ class Reached:
     integral: EllipticTime | AlgebraicTime | None = None  # of the time, where energy gives it
     timed: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # what the time needs besides
     bound: dict[int, Ratio] = field(default_factory=dict[int, Ratio])  # angles of closed loops that the event gives
+    others: dict[int, Ratio] = field(default_factory=dict[int, Ratio])  # angles that are known there by an orbit
+    orbits: tuple[Orbit, ...] = ()  # by which they are
     settled: Ratio | None = None  # by when it is there, but for round-off
     decays: list[tuple[Ratio, ...]] = field(default_factory=list[tuple[Ratio, ...]])  # by characteristic polynomials
 
@@ -46,4 +49,4 @@ class Reached:
         c = self.coordinate
         if c is None:
             return {}
-        return {c.index: self.at} | ({} if self.speed is None else {c.speed: self.speed})
+        return {**self.others, c.index: self.at} | ({} if self.speed is None else {c.speed: self.speed})

@@ -9,6 +9,7 @@ from typing import Protocol
 
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import functions
+from freebody.symbolic.half_tangents import factors_in_tangent
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
 from freebody.symbolic.signs import Sign, sign_of
@@ -172,19 +173,40 @@ def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list
     f = model.field
     in_cos = base.coefficients(cos)
     if len(in_cos) > 3:
-        return _of_power(model, in_cos, sin) or _in_sine(model, base, cos, sin)
+        found = _of_power(model, in_cos, sin) or _in_sine(model, base, cos, sin)
+        return found or _in_half_tangent(model, base, cos, sin)
     parts = [[*x.coefficients(sin), f.zero][:2] for x in in_cos]  # sin^2 never stands in the normal form
     parts += [[f.zero, f.zero]] * (3 - len(parts))
     (r, b), (a, k), (p, cubic) = parts
     if not cubic.is_zero():
-        return _in_sine(model, base, cos, sin)
+        return _in_sine(model, base, cos, sin) or _in_half_tangent(model, base, cos, sin)
     if p.is_zero() and k.is_zero():
         return _of_wave(model, a, b, r)
     if a.is_zero() and b.is_zero() and not k.is_zero():
         # cos^2 = (1 + cos 2q)/2, cos sin = sin(2q)/2
         halves = [angle / 2 for angle in _of_wave(model, p / 2, k / 2, r + p / 2)]
         return [*halves, *(half + f.pi for half in halves)]
-    return _quadratic_in_one(model, p, a, b, r) if k.is_zero() else []
+    found = _quadratic_in_one(model, p, a, b, r) if k.is_zero() else []
+    return found or _in_half_tangent(model, base, cos, sin)
+
+
+def _in_half_tangent(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list[Ratio]:
+    """The angles at which a product of waves vanishes, each of which is quadratic in the tangent of half of it. None
+    of them where one factor is more than that."""
+    f, fn = model.field, functions(model.field, model.samples.is_negative)
+    if (found := factors_in_tangent(f, base.num, (cos, sin))) is None:
+        return []
+    factors, at_half_turn = found
+    angles: list[Ratio] = [f.pi] if at_half_turn else []
+    for parts in factors:
+        c = [Ratio(f, f.reduce(part), None) for part in parts]
+        if len(c) == 2:
+            angles.append(2 * fn["atan"](f.lowest_terms(-c[0] / c[1])))
+        elif len(c) > 3:
+            return []
+        elif sign_of(f.lowest_terms(c[1] * c[1] - 4 * c[0] * c[2])) is not Sign.NEGATIVE:
+            angles += _of_wave(model, *(f.lowest_terms(x / 2) for x in (c[0] - c[2], c[1], c[0] + c[2])))
+    return angles
 
 
 def _in_sine(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list[Ratio]:

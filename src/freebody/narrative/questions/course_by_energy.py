@@ -11,7 +11,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import Argument, Script, ready
 from freebody.narrative.principles.analytic import energy_terms
-from freebody.narrative.questions.course_by_law import place_line
+from freebody.narrative.questions.course_by_law import place_line, say_orbit
 from freebody.narrative.questions.event_way import TIME, EventWay, at_start, coordinates_asked
 from freebody.narrative.questions.kept_momenta import places_by_momenta, tell_momenta
 from freebody.questions.motion import rates_of
@@ -59,6 +59,11 @@ def lines_by_energy(way: EventWay) -> list[int]:
             )
         asked = coordinates_asked(context, way.question, places=True)
         places = places_by_momenta(context, script, c, reached, asked, speeds)
+        for orbit in reached.orbits:
+            if orbit.angle in asked and orbit.angle.index not in f.ingredients(
+                context.setup.model.value_of(event.measure)
+            ):
+                say_orbit(script, orbit)
     return [found, given, *speeds, *places]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.language.expression import LAMBERT, Call, Expr, Symbol, add, multiply, number, power
 from freebody.language.sentences import Message
-from freebody.narrative.lines.script import Argument, ready
+from freebody.narrative.lines.script import Argument, Script, ready
 from freebody.narrative.principles.sides import positive_first
 from freebody.narrative.questions.event_way import TIME, EventWay, at_start, event_means
 from freebody.questions.event import OfQuantity, QuestionEvent
@@ -16,6 +16,7 @@ from freebody.symbolic.laws.decay import Decay
 from freebody.symbolic.laws.growth import Growth
 from freebody.symbolic.laws.oscillation import Oscillation
 from freebody.symbolic.laws.uniform import UniformLaw
+from freebody.symbolic.orbits import Orbit
 from freebody.symbolic.tidy import tidy
 
 
@@ -116,11 +117,22 @@ def place_line(way: EventWay) -> int:
     model = way.context.setup.model
     is_of_loops = event.order == 0 and not model.field.ingredients(model.value_of(event.measure)) <= {c.index}
     uses = tuple(event_means(way)) if is_of_loops else ()
+    for orbit in way.reached.orbits:
+        if orbit.angle.index in model.field.ingredients(model.value_of(event.measure)):
+            say_orbit(way.script, orbit)
     args: dict[str, Argument] = {"event": f"@{event.text}"}
     why = "course.event"
     if isinstance(event, OfQuantity) and not event.order and (of := event.quantity.sentence(way.context.system)):
         args, why = args | {"what": of, "value": event.target}, "course.place_of_quantity"
     return way.script.line(symbol, tidy(value), why=why, args=args, uses=uses, when="event")
+
+
+def say_orbit(script: Script, orbit: Orbit) -> None:
+    """How the distance from a centre depends on the angle."""
+    angle = orbit.center.field.variable(orbit.angle.index)
+    u = power(Symbol(orbit.distance.name), number(-orbit.n))
+    shape = tidy(orbit.power_at(angle))
+    script.say("course.orbit", power=u, angle=Symbol(orbit.angle.name), shape=shape)
 
 
 def _time_lines(way: EventWay, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:

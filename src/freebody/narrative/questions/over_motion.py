@@ -20,7 +20,6 @@ from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.extremes_until import extreme_in_numbers
 from freebody.study.answering.motion_extremes import Along, Stationary, along, along_until
-from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.symbolic.tidy import tidy
 
 
@@ -59,7 +58,7 @@ def tell_extreme(context: Context, question: Question, q: ExtremeOfMotion, metho
                 raise SaysNothing(Message("the motion is another one there"))
             if question.event is not None:
                 return extreme_in_numbers(setup, world.draw, q, question.event)
-            low, high = extremes_over_cycle(setup, world.draw, model.measure_of(seen.c), q.of)
+            low, high = seen.in_numbers(q.of, world.draw)
             return low if q.side < 0 else high
 
         name = asked_as(context, question, read)

@@ -80,7 +80,10 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
         replace(one, element=slope, needed=[*one.needed, *masses]) for one, slope in zip(formulas, slopes, strict=True)
     ]
     monotone = _Monotone(
-        *(RangeSearch(setup, question, wanted.asking(relation=relation), cases) for relation in (">", "<")),
+        *(
+            RangeSearch(setup, question, wanted.asking(relation=relation), cases, within_a_turn=True)
+            for relation in (">", "<")
+        ),
         sign=1 if wanted.end == "largest" else -1,
     )
     own = setup.draws[0]

@@ -23,7 +23,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import Described, Quantity
-from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
+from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken, element_at
 from freebody.study.answering.damped_extremes import damped_of
 from freebody.study.answering.damped_extremes import find as find_damped
 from freebody.study.answering.draws import Draw
@@ -47,7 +47,7 @@ from freebody.symbolic.reached import Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath, PassedPlaces
-from freebody.symbolic.zeros import reals
+from freebody.symbolic.zeros import reals, turn_of
 
 _NO_FORM = CannotAnswer(Message("where its slope along the motion vanishes has no closed form"))
 _NEAR = 1e-9
@@ -109,6 +109,18 @@ class Along:
     def senses(self) -> tuple[int, ...]:
         """In which the coordinate moves: both ways, or on and on."""
         return (self.way.sense,) if self.span.ends is None or self.is_once else (1, -1)
+
+    @property
+    def whole(self) -> Ratio:
+        """The way after which the quantity is as before, of what goes on and on. Raises CannotAnswer where it never
+        is."""
+        f = self.setup.model.field
+        both = self.even + self.odd * f.variable(self.c.speed)
+        still = self.c.index not in f.ingredients(both)
+        turn = turn_of(self.way.square if still else self.way.square + both, self.c.index)
+        if turn is None:
+            raise _NO_FORM
+        return turn
 
     def _slope(self) -> Ratio:
         """What vanishes where the slope along the coordinate does."""
@@ -203,8 +215,7 @@ class Along:
         """The quantity at places of the way, at the first sample."""
         samples, f = self.setup.model.samples, self.setup.model.field
         if self.span.ends is None:
-            low = self._first(self.way.q0)
-            high = low + math.tau
+            low, high = self._first(self.way.q0), self._first(self.way.q0 + self.whole)
         else:
             low, high = (self._first(end) for end in self.span.ends)
         x = self.even + self.odd * f.variable(self.c.speed)
@@ -217,6 +228,13 @@ class Along:
                 seen.append(samples.at_start_with(x, 0, {self.c.index: q, self.c.speed: rate}))
         return seen
 
+    def in_numbers(self, of: Quantity, draw: Draw) -> tuple[float, float]:
+        """The least and the largest value of the quantity by the numeric route."""
+        whole = None
+        if self.span.ends is None:
+            whole = abs(next(iter(element_at(self.setup, self.whole, draw, draw.start()))))
+        return extremes_over_cycle(self.setup, draw, self.setup.model.measure_of(self.c), of, whole=whole)
+
     # -- what is told -------------------------------------------------------------------------
     def value_of(self, s: Stationary) -> Ratio:
         """Of the quantity itself."""
@@ -224,8 +242,12 @@ class Along:
         return f.sqrt(s.value, self.setup.model.samples.is_negative) if self.is_root else s.value
 
     def place_text(self, s: Stationary) -> str:
-        """One of its places: that nearest to where the coordinate is zero, of those to which the motion comes."""
+        """One of its places: that nearest to where the coordinate is zero, of those to which the motion comes; of what
+        goes on and on, ahead of the start."""
         there = [one for one in s.places if s.is_turn or self._is_inside(one[1][0])] or list(s.places)
+        if self.span.ends is None:
+            begin = self._first(self.way.q0)
+            there = [one for one in there if self.way.sense * (one[1][0] - begin) >= 0.0] or there
         place, _numbers = min(there, key=lambda one: abs(one[1][0]))
         return compared(Symbol(self.c.name), "=", tidy(place))
 
@@ -291,9 +313,8 @@ def _along(setup: Setup, of: Quantity, c: Coordinate, span: PassedPlaces | None 
     if f.ingredients(x) & others or any(f.generators[g].kind == "time" for g in f.ingredients(x)):
         raise CannotAnswer(Message("it depends on more than the place of {x} on its way", x=c.name))
     if is_root := any(f.generators[g].kind == "root" and moves(g, (c,), f) for g in x.generators()):
-        if not is_size(model, x, c):
-            raise _NO_FORM
-        x = f.lowest_terms(x * x)
+        is_root = is_size(model, x, c)
+        x = f.lowest_terms(x * x) if is_root else x
     even, odd = _by_parity(x, c, way.square)
     try:
         span = span or way.span()
@@ -342,10 +363,9 @@ def find(setup: Setup, question: str, of: Quantity, sides: Sequence[int]) -> Fin
     conditions = [*seen.conditions, *_kept(setup)]
     conditions += _of_these(taken_throughout(setup), [*values, seen.even, seen.odd, *(c.element for c in conditions)])
     check = CrossCheck(question, Message("numerical integration over a cycle of the motion"), MOTION_TOLERANCE)
-    measure = setup.model.measure_of(seen.c)
 
     def numbers(draw: Draw) -> tuple[float, ...]:
-        low, high = extremes_over_cycle(setup, draw, measure, of)
+        low, high = seen.in_numbers(of, draw)
         return tuple(low if side < 0 else high for side in sides)
 
     evidence = checked(setup, check, values, conditions, numbers)

@@ -21,13 +21,20 @@ _ROUNDS = 3  # the last ones are 1e-6 of a cycle apart: an extreme is flat there
 
 
 def extremes_over_cycle(
-    setup: Setup, draw: Draw, measure: Measure | None, of: Quantity, *, is_exact: bool = False
+    setup: Setup,
+    draw: Draw,
+    measure: Measure | None,
+    of: Quantity,
+    *,
+    is_exact: bool = False,
+    whole: float | None = None,
 ) -> tuple[float, float]:
-    """The least and the largest value. measure: what comes back to where it was; is_exact: whether the whole state must
-    be taken up again. Raises CannotAnswer where the motion does not repeat itself."""
+    """The least and the largest value. measure: what comes back to where it was, or goes on and on by `whole` each
+    time; is_exact: whether the whole state must be taken up again. Raises CannotAnswer where the motion does not repeat
+    itself."""
     if measure is None:
         raise CannotAnswer(Message("name a measure that moves to and fro, or round and round"))
-    return extremes_between(setup, draw, of, *cycle_at_all(draw, measure, is_exact=is_exact))
+    return extremes_between(setup, draw, of, *cycle_at_all(draw, measure, is_exact=is_exact, whole=whole))
 
 
 def extremes_between(setup: Setup, draw: Draw, of: Quantity, begin: float, end: float) -> tuple[float, float]:

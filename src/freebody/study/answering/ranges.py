@@ -60,8 +60,18 @@ def find_range(setup: Setup, question: Question, formulas: Sequence[Formula]) ->
 class RangeSearch(TruthInNumbers):
     """Where the truth can change, and what it is in between."""
 
-    def __init__(self, setup: Setup, question: Question, wanted: Wanted, formulas: Sequence[Formula]) -> None:
+    def __init__(
+        self,
+        setup: Setup,
+        question: Question,
+        wanted: Wanted,
+        formulas: Sequence[Formula],
+        *,
+        within_a_turn: bool = False,
+    ) -> None:
+        """within_a_turn: whether of an angle, of which only sines and cosines count, one turn is meant."""
         super().__init__(setup, question, wanted, formulas)
+        self._within_a_turn = within_a_turn
         self._twins: list[tuple[Ratio, Ratio]] = []  # ends that coincide, where they were looked at last
         self._below: list[Ratio] = []  # those that are negative there
         self._not_real: list[Ratio] = []  # those that have no value there
@@ -71,6 +81,15 @@ class RangeSearch(TruthInNumbers):
         self._placed: list[Ratio] = []  # all ends within the range of the parameter, where they were looked at last
 
     # -- where it can change ------------------------------------------------------------------
+    def domain(self) -> tuple[float, float]:
+        low, high = super().domain()
+        if not self._within_a_turn or self.parameter.acute or not self.parameter.is_angle:
+            return low, high
+        elements = [x for t in self.truths for x in (t.element, *(c.element for c in t.conditions)) if x is not None]
+        if any(self.index in x.generators() for x in elements):
+            return low, high
+        return (-math.pi, math.pi) if self.parameter.sign == "any" else (0.0, math.tau)
+
     @cached_property
     def ends(self) -> list[Ratio]:
         """Every place at which the truth can change, as formulas."""

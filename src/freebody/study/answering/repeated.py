@@ -161,25 +161,28 @@ def period_in_numbers(draw: Draw, measure: Measure, until: float, *, is_exact: b
 
 def cycle(draw: Draw, measure: Measure, until: float, *, is_exact: bool) -> tuple[float, float]:
     """The instants between which a period is counted. Raises SaysNothing where there is none until `until`."""
-    return _ends_of_cycle(draw, measure, _watched_motion(draw, measure, until), until, is_exact=is_exact)
+    whole = math.tau if measure.dimension == DIMENSIONLESS else None
+    return _ends_of_cycle(draw, _watched_motion(draw, measure, until, whole), until, is_exact=is_exact)
 
 
-def cycle_at_all(draw: Draw, measure: Measure, *, is_exact: bool) -> tuple[float, float]:
-    """The same in the longest motion, of which no more is followed than has the turns that count."""
+def cycle_at_all(draw: Draw, measure: Measure, *, is_exact: bool, whole: float | None = None) -> tuple[float, float]:
+    """The same in the longest motion, of which no more is followed than has the turns that count. whole: after which
+    way all is as before, of what goes on and on; of an angle a turn."""
     longest = patience(draw.start(), LONGEST)
+    if whole is None and measure.dimension == DIMENSIONLESS:
+        whole = math.tau
     for share in SHORTER:
-        seen = _watched_motion(draw, measure, share * longest)
+        seen = _watched_motion(draw, measure, share * longest, whole)
         if len(seen.turns) >= _N_TURNS:
-            return _ends_of_cycle(draw, measure, seen, share * longest, is_exact=is_exact)
-    return cycle(draw, measure, longest, is_exact=is_exact)
+            return _ends_of_cycle(draw, seen, share * longest, is_exact=is_exact)
+    seen = _watched_motion(draw, measure, longest, whole)
+    return _ends_of_cycle(draw, seen, longest, is_exact=is_exact)
 
 
-def _ends_of_cycle(
-    draw: Draw, measure: Measure, seen: _WatchedMotion, until: float, *, is_exact: bool
-) -> tuple[float, float]:
+def _ends_of_cycle(draw: Draw, seen: _WatchedMotion, until: float, *, is_exact: bool) -> tuple[float, float]:
     if len(seen.turns) >= _N_TURNS:
         first, last = seen.turns[0], seen.turns[_N_TURNS - 1]
-    elif seen.over and not seen.turns and measure.dimension == DIMENSIONLESS:
+    elif seen.over and not seen.turns:
         first, last = draw.start().t, seen.over[0]
     else:
         raise SaysNothing(Message("the motion has not repeated itself until t = {t:.6g} s", t=until))
@@ -202,7 +205,7 @@ def _has_died_away(seen: _WatchedMotion, first: float, last: float) -> bool:
 def comes_round(draw: Draw, measure: Measure, until: float) -> bool:
     """Whether an angle comes all round before it turns. Raises SaysNothing where it has done neither until `until`."""
     for share in (*SHORTER, 1.0):
-        seen = _watched_motion(draw, measure, share * until)
+        seen = _watched_motion(draw, measure, share * until, math.tau)
         if seen.turns or seen.over:
             return bool(seen.over) and (not seen.turns or seen.over[0] < seen.turns[0])
     raise SaysNothing(Message("the motion has not repeated itself until t = {t:.6g} s", t=until))
@@ -210,7 +213,8 @@ def comes_round(draw: Draw, measure: Measure, until: float) -> bool:
 
 @dataclass(frozen=True)
 class _WatchedMotion:
-    """A motion, the instants at which a measure turns, and at which it has come a whole turn from the start."""
+    """A motion, the instants at which a measure turns, and at which it has come a whole turn from the start, where that
+    is told."""
 
     engine: Engine
     course: Trajectory
@@ -218,12 +222,12 @@ class _WatchedMotion:
     over: list[float]
 
 
-def _watched_motion(draw: Draw, measure: Measure, until: float) -> _WatchedMotion:
+def _watched_motion(draw: Draw, measure: Measure, until: float, whole: float | None) -> _WatchedMotion:
     start = draw.start()
-    begin, rate = start.value(measure), start.rate(measure)
-    whole = begin + math.copysign(2 * math.pi, rate)
-    turn = EngineWatch("turn", measure, 1, size=least_rate(start, measure))
-    watches = [turn, EngineWatch("over", measure, 0, whole, size=1.0)]
+    watches = [EngineWatch("turn", measure, 1, size=least_rate(start, measure))]
+    if whole is not None:
+        there = start.value(measure) + math.copysign(whole, start.rate(measure))
+        watches.append(EngineWatch("over", measure, 0, there, size=whole / math.tau))
     engine, course = run(draw.reference, start, np.array([start.t, until]), watches)
     if course.status not in (Status.FINISHED, Status.TOO_LONG):
         raise SaysNothing(course.message or Message("the motion does not go on"))

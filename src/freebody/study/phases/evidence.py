@@ -344,7 +344,8 @@ def _passage(
         is_all = takers <= {of} and all(strikes[k] for k, n in enumerate(piece.nodes) if n.impact)
         only_takes = only_friction_takes_energy if of else only_takes_energy
         if all(only_takes(s.mode.system) for s in seen) and (not of or is_all):
-            return _energy(begin, mode.system) - _energy(now, mode.system)
+            first = seen[0].mode.system if seen else mode.system  # with the springs that push there
+            return _energy(begin, first) - _energy(now, mode.system)
         struck = _taken_by_impacts(seen, begin, now, strikes) if seen and any(strikes) else 0.0
         return sum(_heat(s, of) for s in seen) + struck
 

@@ -159,7 +159,10 @@ class SteadyMotion:
         for base, _exponent in x.field.factor(x.num)[1]:
             if x.field.ingredients(base) & {c.speed for c in self.cyclic}:
                 product = product * base
-        return primitive_part(x) if product == 1 else self._without_common_factor(product)
+        if product != 1:
+            return self._without_common_factor(product)
+        part = primitive_part(x)
+        return without_strict_factors(x) if part.is_constant() else part  # of parameters alone
 
     def _without_common_factor(self, x: Ratio) -> Ratio:
         """An equation without a factor of the pose that all its coefficients of rates have in common. Beside square
@@ -357,6 +360,15 @@ class SteadyMotion:
                 return self.at_position(c)
             except CannotAnswer:
                 continue
+        moving = {k for c in self.model.coordinates for k in (c.index, c.speed)}
+        if not any(moving & self.model.field.ingredients(x) for x in self.equations):
+            raise CannotAnswer(
+                Message(
+                    "the given place is steady only where {conditions}: set the parameters so, or ask for the value of "
+                    "one of them for which it is",
+                    conditions=further(*self.texts()),
+                )
+            )
         raise CannotAnswer(
             Message(
                 "no steady motion has a closed form, to check it by: {conditions}", conditions=further(*self.texts())
@@ -385,6 +397,15 @@ class SteadyMotion:
     def state(self) -> SymbolicState:
         """A general instant of a steady motion: without accelerations."""
         return SymbolicState(self.model.without_accelerations(), self.still)
+
+
+def without_strict_factors(x: Ratio) -> Ratio:
+    """An element that vanishes where x does, without the factors that never do."""
+    product = x.field.one
+    for base, _exponent in x.field.factor(x.num)[1]:
+        if not sign_of(base).is_strict:
+            product = product * base
+    return x if product == 1 else product
 
 
 def without_arc(model: SymbolicModel, value: Ratio, target: Ratio) -> Ratio:
