@@ -229,6 +229,7 @@ class Names(Formulas):
         ] = []  # what the loads push, known before the connections say what they hold
         self.fields: set[tuple[Direction, Expr]] = set()  # of gravity: along which direction, and how strong
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
+        self.hung: set[str] = set()  # bodies that are taken to hang at the start, since nothing says where they are
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.standing: dict[tuple[object, ...], Expr | None] | None = None  # where points stand on a way
         self.up: Components = (ZERO, ONE)

@@ -34,6 +34,7 @@ from freebody.system.reading.ground import (
     place_ground_points,
     place_joined_ground_points,
 )
+from freebody.system.reading.hanging import hang_what_is_struck
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.measures import add_place_of_the_only_body, add_turned_at_start, read_measures
@@ -114,6 +115,7 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     names.closing_later = frozenset(closing)
     closed = {row.connection for row in held if row.closes}
     names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})
+    hang_what_is_struck(names, held, start)
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     add_place_of_the_only_body(names, held, offered)
     add_turned_at_start(names)
