@@ -334,6 +334,33 @@ Fragen: [Stabkraft in Zug]
     assert answer.value == pytest.approx(3000 * 13**0.5)  # T 2/sqrt(13) = 6 kN
 
 
+def test_words_may_be_spelt_as_people_spell_them() -> None:
+    text = """
+titel: Planetengetriebe
+parameter: {z_S: 24, z_P: 18, z_H: 60, m_n: 2 mm, omega_S: 100 1/s}
+koerper:
+  sonne: {zahnrad: {zaehne: z_S, modul: m_n}}
+  planet: {Zahnrad: {zaehnezahl: z_P, modul: m_n}}
+  hohlrad: {zahnrad: {zaehne: z_H, modul: m_n}, fest: true}
+  steg: {stab: {laenge: 42 mm}}
+verbindungen:
+  lager_sonne: {drehgelenk: [gestell.O, sonne]}
+  lager_steg: {Revolute-Joint: [gestell.O, steg.anfang]}
+  lager_planet: {typ: Drehgelenk, zwischen: [steg.ende, planet]}
+  eingriff1: {zahneingriff: [sonne, planet]}
+  eingriff2: {zahneingriff: [hohlrad, planet], innen: true}
+  antrieb: {antrieb: {koerper: sonne, drehzahl: omega_S}}
+fragen: [Winkelgeschwindigkeit des Stegs]
+"""
+    solution = fb.System.from_text(text).solve()
+    (answer,) = solution.answers
+    assert answer.value == pytest.approx(100 * 24 / 84)
+    assert "gestell is no body of the model: it is the ground" in map(str, solution.assumptions)
+    wrong = text.replace("laenge: 42 mm", "laenge: 42 kg")
+    with pytest.raises(fb.ModelError, match=r"^8:16: .*42 kg"):
+        fb.System.from_text(wrong)
+
+
 def test_places_in_the_text_are_those_of_what_somebody_wrote() -> None:
     text = "bodies: {w: {disk: {mass: 1 kg, radius: 1 m, at: [2 m, 0]}}}\nloads: {gravity: 9.81 m/s^2}\n"
     document = fb.System.from_text(text).document

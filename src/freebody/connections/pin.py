@@ -33,7 +33,18 @@ class Pin(Connection, kind="pin"):
     its own, called by the name of the node and its number (node_2, node_3)."""
 
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "joint", "axis")
-    also: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "revolute", "Gelenk", "Lager", "Festlager")
+    also: ClassVar[tuple[str, ...]] = (
+        "hinge",
+        "pivot",
+        "axle",
+        "bearing",
+        "revolute",
+        "Gelenk",
+        "Lager",
+        "Festlager",
+        "Drehgelenk",
+        "Scharnier",
+    )
 
     meeting = ("first", "second")
 

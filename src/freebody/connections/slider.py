@@ -130,7 +130,7 @@ class Slider(Connection, kind="slider"):
     `friction`: the force that resists is mu times the normal force."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "rail", "track")
-    also: ClassVar[tuple[str, ...]] = ("guide", "Führung", "Schiebehülse")
+    also: ClassVar[tuple[str, ...]] = ("guide", "Führung", "Schiebehülse", "Schubgelenk")
 
     body: str
     along: Heading

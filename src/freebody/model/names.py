@@ -15,6 +15,7 @@ from freebody.language.expression import (
     Expr,
     number,
 )
+from freebody.language.folded import folded
 from freebody.language.natural import natural
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, listed
@@ -201,6 +202,15 @@ SURROUNDINGS = frozenset((
     "Gestell", "Lager", "Fundament",
 ))  # fmt: skip
 
+# What people call the ground where no body is called so, and points that bodies have by other names.
+_THE_GROUND = frozenset(("world", "gestell", "frame", "base", "fundament", "foundation", "umgebung"))
+_SAME_POINTS: Mapping[str, str] = {
+    **dict.fromkeys(("anfang", "beginning"), "start"),
+    **dict.fromkeys(("ende", "tip"), "end"),
+    **dict.fromkeys(("centre", "middle", "mitte", "mittelpunkt"), "center"),
+    **dict.fromkeys(("com", "cm", "cg", "center_of_mass", "centre_of_mass", "schwerpunkt"), "mass_center"),
+}
+
 
 class Names(Formulas):
     """The names of one model in the making."""
@@ -306,9 +316,15 @@ class Names(Formulas):
             body_name, point_name = GROUND, body_name
         if body_name not in self.bodies and not point_name and body_name in SURROUNDINGS:
             body_name, point_name = GROUND, body_name
+        if body_name not in self.bodies and point_name and folded(body_name) in _THE_GROUND:
+            told = Message("{name} is no body of the model: it is the ground", name=body_name)
+            self.assumptions += [] if told in self.assumptions else [told]
+            body_name = GROUND
         body = self.body(body_name, *path)
         if body_name not in self.bodies or body.is_placeholder:
             return body.point()
+        if point_name not in body.points and (same := _SAME_POINTS.get(folded(point_name))) in body.points:
+            point_name = same or point_name
         if not point_name:
             return self.ground_origin if body_name == GROUND else body.point()
         if point_name in body.points:

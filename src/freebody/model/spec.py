@@ -33,7 +33,13 @@ _TYPES: tuple[tuple[Any, FieldType], ...] = (
 )
 
 
-PAIRS = ("between", "around", "bodies", "pulleys")  # words for a list, of as many as there are fields for it
+PAIRS = (
+    "between",
+    "around",
+    "bodies",
+    "pulleys",
+    "zwischen",
+)  # words for a list, of as many as there are fields for it
 # What people write for a field, whatever has it.
 MEANT: Mapping[str, tuple[str, ...]] = {
     "from": ("first", "start"),
@@ -77,14 +83,39 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "in": ("inside",),
     "q": ("intensity",),
     "diameter": ("radius",),
-    "von": ("from", "first", "start"),
-    "nach": ("to", "second"),
-    "Masse": ("mass",),
-    "Länge": ("length",),
-    "Radius": ("radius",),
-    "Durchmesser": ("radius",),
-    "Winkel": ("angle",),
-    "Federkonstante": ("stiffness",),
+    **{
+        word: fields
+        for words, fields in (
+            (("von",), ("from", "first", "start")),
+            (("nach",), ("to", "second")),
+            (("Masse",), ("mass",)),
+            (("Länge",), ("length",)),
+            (("Ruhelänge", "ungespannte Länge"), ("rest_length", "length")),
+            (("Radius", "Durchmesser"), ("radius",)),
+            (("Breite",), ("width",)),
+            (("Höhe",), ("height",)),
+            (("Trägheitsmoment", "Massenträgheitsmoment"), ("inertia",)),
+            (("Zähne", "Zähnezahl"), ("teeth",)),
+            (("Modul",), ("module",)),
+            (("innen", "Innenverzahnung"), ("internal",)),
+            (("Schwerpunkt",), ("center_of_mass",)),
+            (("fest",), ("fixed",)),
+            (("Winkel",), ("angle",)),
+            (("Lage", "Ort", "Position"), ("at",)),
+            (("Geschwindigkeit",), ("velocity",)),
+            (("Winkelgeschwindigkeit", "Drehzahl"), ("angular_velocity", "speed")),
+            (("Federkonstante", "Federsteifigkeit", "Steifigkeit"), ("stiffness",)),
+            (("Dämpfung", "Dämpfungskonstante"), ("damping",)),
+            (("Reibung", "Reibungszahl", "Reibungskoeffizient"), ("friction",)),
+            (("Stoßzahl",), ("restitution",)),
+            (("Richtung",), ("along",)),
+            (("Betrag", "Größe", "Wert"), ("magnitude", "strength", "intensity")),
+            (("Körper", "Bauteil"), ("on", "at", "body", "pinion")),
+            (("Punkt",), ("pin", "at")),
+            (("zwischen",), ("between", "first", "second", "body", "on", "reacts_on")),
+        )
+        for word in words
+    },
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
@@ -93,7 +124,11 @@ SAME: frozenset[str] = frozenset((
     "rest_length", "natural_length", "free_length", "unstretched_length",
     "position", "initial_position", "initial_angle", "initial_velocity", "initial_angular_velocity",
     "r", "R", "m", "M", "l", "L", "F", "J", "I", "diameter", "angular_velocity", "angular_speed", "in", "q", "bodies",
-    "point", "von", "nach", "Masse", "Länge", "Radius", "Winkel", "Federkonstante", "Durchmesser",
+    "point", "von", "nach", "Masse", "Länge", "Ruhelänge", "ungespannte Länge", "Radius", "Durchmesser", "Breite", "Höhe",
+    "Trägheitsmoment", "Massenträgheitsmoment", "Zähne", "Zähnezahl", "Modul", "innen", "Innenverzahnung", "Schwerpunkt",
+    "fest", "Winkel", "Lage", "Ort", "Position", "Geschwindigkeit", "Winkelgeschwindigkeit", "Drehzahl", "Federkonstante",
+    "Federsteifigkeit", "Steifigkeit", "Dämpfung", "Dämpfungskonstante", "Reibung", "Reibungszahl", "Stoßzahl",
+    "Reibungskoeffizient", "Richtung", "Betrag", "Größe", "Wert", "Körper", "Bauteil", "Punkt", "zwischen",
 ))  # fmt: skip
 # Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
 ENDS = ("first", "second", "between", "through", "center", "start", "to", "path")

@@ -90,7 +90,7 @@ class String(Connection, kind="string"):
         "rope friction",
         "bollard",
     )
-    also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil")
+    also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil", "Faden", "Schnur")
     elsewhere: ClassVar[Mapping[str, str]] = {
         "length": Message(
             "it is as long as where its ends and the bodies on its way are put (at) makes it; two points at a fixed "

@@ -39,6 +39,8 @@ class Disk(Shape, kind="disk"):
         "Rolle",
         "Walze",
         "Schwungrad",
+        "Zylinder",
+        "Trommel",
     )
 
     mass: Formula = 0

@@ -33,7 +33,19 @@ class Rectangle(Shape, kind="rectangle"):
     these points is used."""
 
     called: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car", "domino")
-    also: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car")
+    also: ClassVar[tuple[str, ...]] = (
+        "block",
+        "box",
+        "crate",
+        "plate",
+        "plank",
+        "cart",
+        "car",
+        "Klotz",
+        "Quader",
+        "Kiste",
+        "Platte",
+    )
 
     mass: Formula = 0
     width: Formula | None = None

@@ -24,6 +24,7 @@ from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
 from freebody.system.reading.written.lists import name_items
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
+from freebody.system.reading.written.spelling import spell_entry, spell_sections
 from freebody.system.reading.written.trusses import with_truss
 
 _NAMED = (*JOINED, "bodies", "parameters", "measures", "start")
@@ -40,6 +41,7 @@ def as_read(document: Document) -> tuple[Document, list[Message]]:
 
 
 def _put_in_order(w: Written) -> None:
+    spell_sections(w)
     if str(w.data.get("space")).lower() in _IN_SPACE:
         w.data["space"], w.space = True, True
         w.moved[("space",)] = ("space",)
@@ -57,4 +59,5 @@ def _put_in_order(w: Written) -> None:
     for section in ("bodies", *JOINED):
         entries = w.data.get(section)
         for name, entry in list(cast("Entry", entries).items()) if isinstance(entries, dict) else ():
-            put_entry_in_order(w, section, name, entry)
+            w.data[section][name] = spelt = spell_entry(w, section, (section, name), entry)
+            put_entry_in_order(w, section, name, spelt)

@@ -32,7 +32,7 @@ from freebody.system.reading.written.form import (
 def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
     """One entry of bodies, connections or loads."""
     place: Place = (section, name)
-    beside = keys_beside(w, section)
+    beside = keys_beside(section, space=w.space)
     if not isinstance(entry, dict):
         if section in JOINED:
             _without_kind(w, section, name, entry)
@@ -86,7 +86,7 @@ def _said_kind(w: Written, section: str, given: Entry) -> tuple[str, str] | None
     """`type: rod`: the key, and the word that it says."""
     for key in SAYS_KIND:
         word = given.get(key)
-        fields = {k: v for k, v in given.items() if k != key and k not in keys_beside(w, section)}
+        fields = {k: v for k, v in given.items() if k != key and k not in keys_beside(section, space=w.space)}
         if isinstance(word, str) and kind_of(w, section, word, fields)[1] is not None:
             return key, word
     return None
@@ -94,7 +94,7 @@ def _said_kind(w: Written, section: str, given: Entry) -> tuple[str, str] | None
 
 def _without_kind(w: Written, section: str, name: str, entry: Any) -> None:
     """An entry that its name says the kind of, or that is written in words."""
-    beside = keys_beside(w, section)
+    beside = keys_beside(section, space=w.space)
     given = cast("Entry", entry) if isinstance(entry, dict) else {}
     inner = {k: v for k, v in given.items() if k not in beside} if isinstance(entry, dict) else entry
     word = name.rstrip("_0123456789") or name

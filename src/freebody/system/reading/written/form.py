@@ -48,10 +48,10 @@ class Written:
         self.data[to] = {**cast("Entry", there), name: self.data[section].pop(name)}
 
 
-def keys_beside(w: Written, section: str) -> tuple[str, ...]:
+def keys_beside(section: str, *, space: bool) -> tuple[str, ...]:
     """What an entry of a section may have beside its kind."""
     if section == "bodies":
-        return SPATIAL_OPTIONS if w.space else PLANAR_OPTIONS
+        return SPATIAL_OPTIONS if space else PLANAR_OPTIONS
     return (CLOSES,) if section == "connections" else ()
 
 
@@ -75,7 +75,7 @@ def without_options(w: Written, section: str, value: Any) -> Any:
     """The fields of a shape among which stands what every body may have."""
     if section != "bodies" or not isinstance(value, dict):
         return value
-    options = keys_beside(w, section)
+    options = keys_beside(section, space=w.space)
     return {key: each for key, each in cast("Entry", value).items() if not as_option(key, options)} or None
 
 

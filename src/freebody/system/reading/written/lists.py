@@ -11,6 +11,7 @@ from typing import Any, cast
 from freebody.language.expression import name_problem
 from freebody.model.shapes.base import Shape
 from freebody.system.reading.written.form import JOINED, SAYS_KIND, Entry, Written, section_of, takes_as
+from freebody.system.reading.written.spelling import spell_entry
 
 _SAYS_NAME = ("name", "id")
 
@@ -18,6 +19,8 @@ _SAYS_NAME = ("name", "id")
 def name_items(w: Written, section: str) -> None:
     """A list of entries as the same with names: those that they give, else the words for their kinds."""
     items: list[tuple[str, Any]] = []
+    entries = cast("list[Any]", w.data[section])
+    w.data[section] = [spell_entry(w, section, (section, k), each) for k, each in enumerate(entries)]
     for item in cast("list[Any]", w.data[section]):
         if not isinstance(item, dict) or (named := _named_item(w, section, cast("Entry", item))) is None:
             return

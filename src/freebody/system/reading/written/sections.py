@@ -30,7 +30,7 @@ def rename_sections(w: Written) -> None:
             _rename(w, key, section, value)
     if isinstance(w.data.get("questions"), str):
         w.data["questions"] = [w.data["questions"]]
-        w.moved["questions", 0] = ("questions",)
+        w.moved["questions", 0] = w.stood(("questions",))
 
 
 def take_in_sections(w: Written) -> None:
@@ -101,9 +101,9 @@ def _take_in(w: Written, section: str, own: Entry, key: str, place: Place) -> No
     w.data[section] = {**cast("Entry", there), **own}
     del w.data[key]
     for name, entry in own.items():
-        w.moved[section, name] = place
+        w.moved[section, name] = w.stood(place)
         if isinstance(entry, dict) and [*cast("Entry", entry)] == [key]:
-            w.moved[section, name, key] = place
+            w.moved[section, name, key] = w.stood(place)
 
 
 def _rename(w: Written, key: str, section: str, value: Any) -> None:
@@ -114,11 +114,11 @@ def _rename(w: Written, key: str, section: str, value: Any) -> None:
         entries = cast("Entry", value)
         if not there.keys() & entries.keys():
             w.data[section] = {**cast("Entry", there), **entries}
-            w.moved |= {(section, name): (key, name) for name in entries}
+            w.moved |= {(section, name): w.stood((key, name)) for name in entries}
             del w.data[key]
     elif there is None and section not in w.data:
         w.data = {section if k == key else k: value if k == key else v for k, v in w.data.items()}
-        w.moved[(section,)] = (key,)
+        w.moved[(section,)] = w.stood((key,))
 
 
 def _are_places(value: Any) -> bool:
