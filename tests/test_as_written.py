@@ -38,6 +38,22 @@ SAME = {
         "loads: {F: m*g an rod.end nach unten}",
         "loads: {F: {force: {at: rod.end, along: down, magnitude: m*g}}}",
     ),
+    "a force by its components": (
+        "loads: {F: {on: block, force: [3 N, 4 N]}}",
+        "loads: {F: {force: {at: block, along: [(3 N)/(1 N), (4 N)/(1 N)], magnitude: sqrt((3 N)^2 + (4 N)^2)}}}",
+    ),
+    "a force with one component": (
+        "loads: {F: {force: {at: rod.end, vector: [0, -20 kN]}}}",
+        "loads: {F: {force: {at: rod.end, along: up, magnitude: -20 kN}}}",
+    ),
+    "two coefficients beside each other": (
+        "connections: {c: {contact: [rod.end, floor], mu_s: 0.4, mu_k: mu}}",
+        "connections: {c: {contact: {between: [rod.end, floor], friction: {static: 0.4, kinetic: mu}}}}",
+    ),
+    "contacts in a list of their own": (
+        "contacts:\n- {between: [rod.end, floor], static_friction: 0.4, kinetic_friction: mu}",
+        "connections: {contact: {contact: {between: [rod.end, floor], friction: {static: 0.4, kinetic: mu}}}}",
+    ),
     "a kind as a field": (
         "connections: {p: {type: pin, between: [ground.A, rod.start]}}",
         "connections: {p: {pin: {between: [ground.A, rod.start]}}}",
@@ -371,3 +387,31 @@ def test_places_in_the_text_are_those_of_what_somebody_wrote() -> None:
     key = document.key_span(("bodies", "w", "at"))
     assert key is not None
     assert text[slice(*key)] == "at"
+
+
+def test_a_list_of_things_of_one_kind_is_told_where_one_is_wrong() -> None:
+    with pytest.raises(fb.ModelError, match="contact has no mass"):
+        fb.System.from_text(BASE + "contacts:\n- {between: [rod.end, floor], mass: 2 kg}")
+
+
+def test_a_speed_and_its_direction_are_a_velocity(agrees: Callable[[fb.Solution, str, str], None]) -> None:
+    text = """
+parameters: {v: 20 m/s, alpha: 35 deg, h: 2 m, u: -3 m/s}
+bodies:
+  ball:
+    particle: {mass: 1 kg}
+    position: (0, h)
+    speed: v
+    direction: alpha
+  other: {particle: {mass: 1 kg}, speed: u, direction: left}
+questions: [velocity of ball along up at start, height of ball at start, velocity of other along right at start]
+"""
+    solution = fb.System.from_text(text).solve()
+    for question, formula in (("q1", "v*sin(alpha)"), ("q2", "h"), ("q3", "-u")):
+        agrees(solution, question, formula)
+    assert "u = -3 m/s is negative, so that formulas let it have either sign" in map(str, solution.assumptions)
+
+
+def test_a_slider_of_two_bodies_is_told() -> None:
+    with pytest.raises(fb.ModelError, match="it guides one body: write one for each of them"):
+        fb.System.from_text(BASE + "connections: {track: {slider: {bodies: [rod, block], along: right}}}")

@@ -439,4 +439,5 @@ def test_what_hangs_at_the_start_is_told() -> None:
 def test_an_angle_that_grows_with_every_turn_has_no_stroke_in_numbers() -> None:
     system = System.from_text(HUNG_ROD + "measures: {theta: angle of rod from down}")
     (answer,) = system.solve("stroke of theta").answers
-    assert answer.expression is None and answer.value is None
+    assert answer.expression is None
+    assert answer.value is None

@@ -18,9 +18,8 @@ MISTAKES = {
     "a contact of two particles": (
         "bodies: {A: {particle: {mass: 1 kg}}, B: {particle: {mass: 1 kg}}}\n"
         "connections: {hit: {contact: {between: [A, B], restitution: 0.5}}}",
-        "A and B are points, and two points do not touch: give one of them a size (a disk, a rectangle), or bound "
-        "their distance on one line, measures: {gap: travel of B along right from A}, by stop: {measure: gap, min: 0} "
-        "with its restitution",
+        "A and B are points, and two points do not touch: give one of them a size (a disk, a rectangle), or guide "
+        "both along one line, each by a slider: {body: A, along: right}",
     ),
     "a string on a part of a drum": (
         "ground: {points: {O: [0, 0]}}\n"

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast, get_o
 from pydantic import BaseModel, ConfigDict, Strict, ValidationError
 
 from freebody.language.written import as_text
+from freebody.model.friction import with_both_coefficients
 
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
@@ -60,7 +61,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "torque": ("magnitude",),
     "g": ("strength",),
     "body": ("on", "at", "pinion"),
-    "point": ("pin", "at"),
+    **dict.fromkeys(("point", "node"), ("pin", "at")),
     "on": ("at",),
     "at": ("pin", "on"),
     "position": ("at",),
@@ -124,11 +125,12 @@ SAME: frozenset[str] = frozenset((
     "rest_length", "natural_length", "free_length", "unstretched_length",
     "position", "initial_position", "initial_angle", "initial_velocity", "initial_angular_velocity",
     "r", "R", "m", "M", "l", "L", "F", "J", "I", "diameter", "angular_velocity", "angular_speed", "in", "q", "bodies",
-    "point", "von", "nach", "Masse", "Länge", "Ruhelänge", "ungespannte Länge", "Radius", "Durchmesser", "Breite", "Höhe",
-    "Trägheitsmoment", "Massenträgheitsmoment", "Zähne", "Zähnezahl", "Modul", "innen", "Innenverzahnung", "Schwerpunkt",
-    "fest", "Winkel", "Lage", "Ort", "Position", "Geschwindigkeit", "Winkelgeschwindigkeit", "Drehzahl", "Federkonstante",
-    "Federsteifigkeit", "Steifigkeit", "Dämpfung", "Dämpfungskonstante", "Reibung", "Reibungszahl", "Stoßzahl",
-    "Reibungskoeffizient", "Richtung", "Betrag", "Größe", "Wert", "Körper", "Bauteil", "Punkt", "zwischen",
+    "point", "node", "von", "nach", "Masse", "Länge", "Ruhelänge", "ungespannte Länge", "Radius", "Durchmesser",
+    "Breite", "Höhe", "Trägheitsmoment", "Massenträgheitsmoment", "Zähne", "Zähnezahl", "Modul", "innen",
+    "Innenverzahnung", "Schwerpunkt", "fest", "Winkel", "Lage", "Ort", "Position", "Geschwindigkeit",
+    "Winkelgeschwindigkeit", "Drehzahl", "Federkonstante", "Federsteifigkeit", "Steifigkeit", "Dämpfung",
+    "Dämpfungskonstante", "Reibung", "Reibungszahl", "Stoßzahl", "Reibungskoeffizient", "Richtung", "Betrag",
+    "Größe", "Wert", "Körper", "Bauteil", "Punkt", "zwischen",
 ))  # fmt: skip
 # Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
 ENDS = ("first", "second", "between", "through", "center", "start", "to", "path")
@@ -212,7 +214,8 @@ class Spec(BaseModel, metaclass=_Described):
         fields = list(cls.model_fields)
         if isinstance(value, dict):
             entries = cast("dict[str, Any]", value)
-            return {k: cls._as_list(k, v) for key, each in entries.items() for k, v in cls._meant(key, each, entries)}
+            read = {k: cls._as_list(k, v) for key, each in entries.items() for k, v in cls._meant(key, each, entries)}
+            return with_both_coefficients(read) if "friction" in cls.model_fields else read
         if value is None:
             return {}
         if isinstance(value, list):
@@ -239,7 +242,7 @@ class Spec(BaseModel, metaclass=_Described):
         known = {field.alias or name for name, field in cls.model_fields.items()}
         fields = () if key in known else cls.meant(key)
         items = cast("list[Any]", value) if isinstance(value, list) else []
-        if len(fields) == len(items) > 1:
+        if len(fields) == len(items) > 1 and key not in cls.elsewhere:
             return list(zip(fields, items, strict=True))
         others = {field for other in beside if other != key for field in ({other} & known or cls.meant(other))}
         is_same = key in SAME and key not in cls.elsewhere and not {*fields} & others

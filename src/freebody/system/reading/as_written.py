@@ -26,8 +26,10 @@ from freebody.system.reading.written.lists import name_items
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
 from freebody.system.reading.written.spelling import spell_entry, spell_sections
 from freebody.system.reading.written.trusses import with_truss
+from freebody.system.reading.written.vectors import without_brackets
 
 _NAMED = (*JOINED, "bodies", "parameters", "measures", "start")
+_IN_WORDS = ("title", "about", "source", "questions", "find", "ask", "wanted")  # sections of what is no formula
 _AT_REST = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
 _IN_SPACE = ("3d", "3", "yes", "spatial")
 
@@ -42,6 +44,7 @@ def as_read(document: Document) -> tuple[Document, list[Message]]:
 
 def _put_in_order(w: Written) -> None:
     spell_sections(w)
+    w.data = {key: without_brackets(value) if key not in _IN_WORDS else value for key, value in w.data.items()}
     if str(w.data.get("space")).lower() in _IN_SPACE:
         w.data["space"], w.space = True, True
         w.moved[("space",)] = ("space",)

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from typing import Any, cast
 
 from freebody.language.document.tree import Place
+from freebody.model.friction import AT_REST, IN_MOTION
 from freebody.model.spec import Spec
 from freebody.model.written_kinds import put_inside
 from freebody.system.reading.sections import CLOSES
@@ -27,6 +28,7 @@ from freebody.system.reading.written.form import (
     kinds_of,
     takes_as,
 )
+from freebody.system.reading.written.vectors import by_axes, with_direction, with_velocity
 
 
 def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
@@ -38,6 +40,10 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
             _without_kind(w, section, name, entry)
         return
     given = cast("Entry", entry)
+    if section == "bodies":
+        given = with_velocity(w, place, given)
+    elif section == "loads" and not w.space:
+        given = with_direction(w, place, given)
     is_said = any(isinstance(given.get(key), str) for key in SAYS_KIND)
     found = None if is_said else next(_kinds_in(w, section, given, beside), None)
     if found is None and (said := _said_kind(w, section, given)) is not None:
@@ -56,7 +62,7 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
     given = _with_own_inside(w, place, given, word, kind, beside)
     if section == "bodies":
         given = _with_options_beside(w, place, given, word, kind, beside)
-        given = {key: _by_axes(value) if key != word else value for key, value in given.items()}
+        given = {key: by_axes(value) if key != word else value for key, value in given.items()}
     w.data[section][name] = given
     if at != section:
         w.move(section, name, at)
@@ -121,7 +127,7 @@ def _with_own_inside(
     """`{force: 5 N, at: P}`: what stands beside a kind and is a field of it, inside."""
     fields = {f.alias or n for n, f in kind.model_fields.items()}
     options = {key for key in given if as_option(key, beside)}
-    known = {*fields, *kind.more_words}
+    known = {*fields, *kind.more_words, *((*AT_REST, *IN_MOTION) if "friction" in fields else ())}
     own = [key for key in given if key != word and key not in options and (key in known or kind.meant(key))]
     meant = {key: found[0] if len(found := kind.meant(key)) == 1 and key not in known else key for key in own}
     inside = {*kind.from_plain(given[word])}
@@ -152,10 +158,3 @@ def _with_options_beside(
     w.moved |= {(*place, key): (*w.stood((*place, word)), key) for key in out}
     left = {key: value for key, value in inner.items() if key not in out}
     return {**given, word: left or None, **{key: inner[key] for key in out}}
-
-
-def _by_axes(value: Any) -> Any:
-    """`{x: 60 m/s, y: 0}` as components."""
-    if not isinstance(value, dict) or not {"x", "y"} <= {*cast("Entry", value)} <= {"x", "y", "z"}:
-        return value
-    return [value[axis] for axis in "xyz" if axis in value]

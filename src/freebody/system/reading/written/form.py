@@ -18,6 +18,7 @@ Kinds = Mapping[str, type[Spec]]
 Entry = dict[str, Any]
 
 SAYS_KIND = ("type", "kind", "shape")
+SAYS_NAME = ("name", "id")
 JOINED = ("connections", "loads")
 
 

@@ -10,10 +10,8 @@ from typing import Any, cast
 
 from freebody.language.expression import name_problem
 from freebody.model.shapes.base import Shape
-from freebody.system.reading.written.form import JOINED, SAYS_KIND, Entry, Written, section_of, takes_as
+from freebody.system.reading.written.form import JOINED, SAYS_KIND, SAYS_NAME, Entry, Written, section_of, takes_as
 from freebody.system.reading.written.spelling import spell_entry
-
-_SAYS_NAME = ("name", "id")
 
 
 def name_items(w: Written, section: str) -> None:
@@ -39,7 +37,7 @@ def name_items(w: Written, section: str) -> None:
 
 def _named_item(w: Written, section: str, item: Entry) -> tuple[str, Any] | None:
     """The name of an item of a list, and what it says of it."""
-    said = next((key for key in _SAYS_NAME if isinstance(item.get(key), str)), None)
+    said = next((key for key in SAYS_NAME if isinstance(item.get(key), str)), None)
     if said is not None:
         return item[said], {key: value for key, value in item.items() if key != said}
     if section in JOINED:

@@ -12,7 +12,16 @@ from typing import Any, cast
 from freebody.language.document.tree import Place
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, SECTIONS
-from freebody.system.reading.written.form import JOINED, Entry, Written, kinds_of, takes_as
+from freebody.system.reading.written.form import (
+    JOINED,
+    SAYS_KIND,
+    SAYS_NAME,
+    Entry,
+    Written,
+    kinds_of,
+    section_of,
+    takes_as,
+)
 
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 
@@ -81,8 +90,14 @@ def _of_kind(w: Written, word: str, value: Any) -> Any:
 
 
 def _as_kind(w: Written, word: str, entry: Any) -> Any:
-    able = any(takes_as(word, entry, kinds_of(section), space=w.space) for section in JOINED)
-    return {word: entry} if able else entry
+    """An entry that says no other kind as one of that kind, whose fields are told where they are wrong."""
+    if not isinstance(entry, dict):
+        return {word: entry} if any(takes_as(word, entry, kinds_of(at), space=w.space) for at in JOINED) else entry
+    fields = cast("Entry", entry)
+    if any(key in SAYS_KIND or section_of(w, at, key, fields[key]) for key in fields for at in JOINED):
+        return entry
+    named = {key: value for key, value in fields.items() if key in SAYS_NAME}
+    return {**named, word: {key: value for key, value in fields.items() if key not in named}}
 
 
 def _joined_as(w: Written, key: str, value: Any) -> str | None:

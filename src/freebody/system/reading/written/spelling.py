@@ -12,6 +12,7 @@ from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.language.folded import folded
+from freebody.model.friction import AT_REST, IN_MOTION
 from freebody.model.spec import MEANT
 from freebody.system.reading.sections import CLOSES, MEANT_SECTIONS, OF_GROUND, SECTIONS
 from freebody.system.reading.written.form import JOINED, SAYS_KIND, Entry, Written, keys_beside, kinds_of
@@ -74,7 +75,7 @@ def _vocabulary(section: str, *, space: bool) -> dict[str, str]:
     )
     beside = keys_beside(section, space=space)
     words = [word for each in at for word in _words(each)]
-    return _by_folded((*words, *fields, *MEANT, *beside, *SAYS_KIND, CLOSES)) | _OTHER_WORDS
+    return _by_folded((*words, *fields, *MEANT, *AT_REST, *IN_MOTION, *beside, *SAYS_KIND, CLOSES)) | _OTHER_WORDS
 
 
 def _words(section: str) -> list[str]:
