@@ -415,3 +415,53 @@ questions: [velocity of ball along up at start, height of ball at start, velocit
 def test_a_slider_of_two_bodies_is_told() -> None:
     with pytest.raises(fb.ModelError, match="it guides one body: write one for each of them"):
         fb.System.from_text(BASE + "connections: {track: {slider: {bodies: [rod, block], along: right}}}")
+
+
+def test_a_beam_is_read_as_its_length_supports_and_loads(agrees: Callable[[fb.Solution, str, str], None]) -> None:
+    text = """
+parameters: {a: 5 m, b: 1 m, q: 4 kN/m, F: 5 kN, M: 3 kN m}
+beam: {length: a + b}
+supports:
+- {type: pin, at: 0 m}
+- {type: roller, at: a}
+loads:
+- {type: distributed, from: 0 m, to: a/2, value: q}
+- {type: point, at: a + b, value: F}
+- {type: moment, at: a/2, value: M}
+questions: [reaction of B along up, reaction of A along up]
+"""
+    solution = fb.System.from_text(text).solve()
+    agrees(solution, "q1", "(q*a**2/8 + F*(a + b) - M)/a")  # about A
+    agrees(solution, "q2", "q*a/2 + F - (q*a**2/8 + F*(a + b) - M)/a")
+    assert "loads without a direction act downwards" in str(solution.assumptions)
+    named = "beam: 4 m\nsupports: {W: {fixed: 0}}\nloads: {P: {type: force, at: 4 m, value: 2 kN, direction: up}}\n"
+    system = fb.System.from_text(named)
+    assert system.solve("moment of W on beam").answers[0].value == pytest.approx(-8000)
+    with pytest.raises(fb.ModelError, match=r"^3:\d+: .*2 kg"):
+        fb.System.from_text(named.replace("2 kN", "2 kg"))
+
+
+LINKAGE = """
+points: {A: [0, 0], B: [30 mm, 52 mm], C: [120 mm, 85 mm], D: [110 mm, 0]}
+links: {crank: [A, B], coupler: {from: B, to: C}, rocker: [C, D]}
+motor: {on: crank, speed: 10 rad/s}
+questions: [angular velocity of rocker at start, angular velocity of coupler at start]
+"""
+
+
+@pytest.mark.parametrize("held", ["ground: [A, D]", "joints: {A: pin to ground, B: pin, D: fixed}", "fixed: [A, D]"])
+def test_a_linkage_is_read_as_its_points_and_links(held: str) -> None:
+    rocker, coupler = (answer.value for answer in fb.System.from_text(LINKAGE + held).solve().answers)
+    # 10 (-52, 30) + w_c (-33, 90) = w_r (-85, 10)
+    assert -520 - 33 * coupler == pytest.approx(-85 * rocker)
+    assert 300 + 90 * coupler == pytest.approx(10 * rocker)
+
+
+def test_links_with_a_mass_are_bodies() -> None:
+    text = (
+        "links: [{name: upper, length: 1 m, mass: 2 kg}]\njoints: [{name: j, type: pin, parent: world, child: upper}]"
+    )
+    with pytest.raises(fb.ModelError) as told:
+        fb.System.from_text(text)
+    assert "upper needs a shape with these fields: upper: {rod: {length: 1 m, mass: 2 kg}}" in str(told.value)
+    assert "it names the points that meet" in str(told.value)

@@ -216,7 +216,6 @@ MISTAKES = {
         f"{ROD}connections: {{hinge: {{pin: [ground, rod.start]}}}}\nmeasures: {{phi: angle of hinge}}",
         "there is no body hinge. hinge is the connection of rod: name a body.",
     ),
-    "a place by the body": (f"{BLOCK}measures: {{s: block.x}}", "write x of block for block.x"),
     "a rate as a measure": (
         f"{BLOCK}measures: {{s: x of block, v: rate(s)}}",
         "a measure has its rate beside it: rate(s) may stand in start and in questions",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.connections.base import Connection, coincidence
@@ -47,6 +47,10 @@ class Pin(Connection, kind="pin"):
     )
 
     meeting = ("first", "second")
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("parent", "child"),
+        Message("it names the points that meet, of the ground and of bodies: {{first: ground.A, second: arm.start}}"),
+    )
 
     first: str
     second: str

@@ -14,7 +14,7 @@ from freebody.language.units import ENERGY, Dimension
 from freebody.loads.base import Load
 from freebody.questions.reading import read_questions
 from freebody.system.blows import gathered
-from freebody.system.description import SystemDescription
+from freebody.system.description import KeptParameters, SystemDescription
 from freebody.system.reading.as_written import as_read
 from freebody.system.reading.bodies import BodySections
 from freebody.system.reading.connections import (
@@ -127,7 +127,9 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     return SystemDescription(
         title=title(source),
         about=plain(str(source.data.get("about") or "")).strip(),
-        parameters={name: replace(p, is_share=name in names.shares) for name, p in names.parameters.items()},
+        parameters=KeptParameters(
+            {name: replace(p, is_share=name in names.shares) for name, p in names.parameters.items()}
+        ),
         bodies=names.bodies | {it.carrier: it.body() for it in carried},
         constraint_rows=tuple(held),
         applied_loads=tuple(applied_loads),

@@ -20,8 +20,11 @@ from typing import cast
 
 from freebody.language.document import Document
 from freebody.language.sentences import Message
+from freebody.system.reading.written.beams import with_beam
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
+from freebody.system.reading.written.gears import with_modules
+from freebody.system.reading.written.linkages import with_linkage
 from freebody.system.reading.written.lists import name_items
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
 from freebody.system.reading.written.spelling import spell_entry, spell_sections
@@ -51,6 +54,8 @@ def _put_in_order(w: Written) -> None:
     if (truss := with_truss(w.data, space=w.space)) is not None:
         w.data, w.moved, told = truss[0], w.moved | truss[1], truss[2]
         w.assumed.append(told)
+    with_beam(w)
+    with_linkage(w)
     if str(w.data.get("start")).lower() in _AT_REST:
         del w.data["start"]
     rename_sections(w)
@@ -64,3 +69,4 @@ def _put_in_order(w: Written) -> None:
         for name, entry in list(cast("Entry", entries).items()) if isinstance(entries, dict) else ():
             w.data[section][name] = spelt = spell_entry(w, section, (section, name), entry)
             put_entry_in_order(w, section, name, spelt)
+    with_modules(w)

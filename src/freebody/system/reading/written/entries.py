@@ -127,11 +127,12 @@ def _with_own_inside(
     """`{force: 5 N, at: P}`: what stands beside a kind and is a field of it, inside."""
     fields = {f.alias or n for n, f in kind.model_fields.items()}
     options = {key for key in given if as_option(key, beside)}
-    known = {*fields, *kind.more_words, *((*AT_REST, *IN_MOTION) if "friction" in fields else ())}
+    both = (*AT_REST, *IN_MOTION) if "friction" in fields else ()
+    known = {*fields, *kind.more_words, *both}
     own = [key for key in given if key != word and key not in options and (key in known or kind.meant(key))]
     meant = {key: found[0] if len(found := kind.meant(key)) == 1 and key not in known else key for key in own}
     inside = {*kind.from_plain(given[word])}
-    if not own or any(key in kind.elsewhere for key in own) or len({*meant.values()}) < len(own):
+    if not own or any(key in kind.elsewhere and key not in both for key in own) or len({*meant.values()}) < len(own):
         return given
     whole = put_inside(kind, given[word], kind.from_plain({meant[key]: given[key] for key in own}))
     if inside & {*meant.values()} and isinstance(given[word], dict | list):

@@ -23,6 +23,7 @@ from freebody.system.reading.written.form import (
     takes_as,
 )
 
+_BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no connection
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 
 
@@ -34,7 +35,9 @@ def rename_sections(w: Written) -> None:
         if _joined_as(w, key, value) is not None:
             continue
         if (plural := _plural(w, key)) is not None:
-            _rename(w, key, plural[0], _of_kind(w, plural[1], value))
+            _rename(
+                w, key, *(("bodies", value) if _are_bodies(w, value) else (plural[0], _of_kind(w, plural[1], value)))
+            )
         elif (section := MEANT_SECTIONS.get(key)) is not None:
             _rename(w, key, section, value)
     if isinstance(w.data.get("questions"), str):
@@ -78,6 +81,17 @@ def _plural(w: Written, key: str) -> tuple[str, str] | None:
         if written_kind(word, None, kinds_of(section), space=w.space) is not None:
             return section, word
     return None
+
+
+def _are_bodies(w: Written, value: Any) -> bool:
+    """Whether entries that are called by a connection, such as the links of a robot, say what bodies say."""
+    items = [*cast("Entry", value).values()] if isinstance(value, dict) else value
+    each = [cast("Entry", item) for item in cast("list[Any]", items)] if isinstance(items, list) else []
+    return (
+        bool(each)
+        and all(isinstance(item, dict) and _BODIES_SAY & item.keys() for item in each)
+        and not w.data.get("bodies")
+    )
 
 
 def _of_kind(w: Written, word: str, value: Any) -> Any:
