@@ -12,7 +12,8 @@ import freebody as fb
 BASE = """
 parameters: {m: 2 kg, L: 1 m, R: 0.1 m, k: 50 N/m, mu: 0.3, g: 9.81 m/s^2, w: 3 rad/s}
 ground: {points: {A: [0, 0], B: [2 m, 0]}, lines: {floor: {along: right}}}
-bodies: {rod: {rod: {mass: m, length: L}}, block: {particle: {mass: m}}}
+bodies: {rod: {rod: {mass: m, length: L}}, block: {particle: {mass: m}},
+  drum: {disk: {radius: R}, fixed: true, at: [1 m, 3 m]}}
 """
 SAME = {
     "a load called by its kind": ("loads: {gravity: g}", "loads: {gravity: {gravity: g}}"),
@@ -53,6 +54,11 @@ SAME = {
     "contacts in a list of their own": (
         "contacts:\n- {between: [rod.end, floor], static_friction: 0.4, kinetic_friction: mu}",
         "connections: {contact: {contact: {between: [rod.end, floor], friction: {static: 0.4, kinetic: mu}}}}",
+    ),
+    "a rope by its turns": (
+        "connections: {r: {string: {from: ground.A, over: drum, to: block, friction: mu, turns: 2, slip: true}}}",
+        "connections: {r: {string: {from: ground.A, over: [drum], to: block, friction: mu, wrap: "
+        "(2)*2*pi, grips: []}}}",
     ),
     "a kind as a field": (
         "connections: {p: {type: pin, between: [ground.A, rod.start]}}",

@@ -15,6 +15,25 @@ from freebody.model.elements import RigidBody
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
 BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
 MISTAKES = {
+    "a band brake": (
+        "bodies: {drum: {disk: {radius: 1 m}}}\nconnections: {b: {band_brake: {drum: drum, friction: 0.3}}}",
+        "band_brake is no kind of connection: the band is a string with friction: string: {from: ground.A, over: "
+        "[drum], to: lever.P, friction: {drum: mu}}, its angle on the drum, where its leads do not tell, wrap: {drum: 180 deg}",
+    ),
+    "a cone clutch": (
+        "bodies: {a: {disk: {radius: 1 m}}}\nconnections: {b: {cone_clutch: {between: [a, ground]}}}",
+        "cone_clutch is no kind of connection: it is a disc_clutch with the angle between its faces and the "
+        "axis beside the rest: cone_angle: 12 deg",
+    ),
+    "an eccentric disk": (
+        "bodies: {cam: {disk: {radius: 1 m, eccentricity: 0.1 m}}}",
+        "disk has no eccentricity: an axle beside its middle is a point of it, at which it is pinned: beside the disk "
+        "points: {axle: [-e, 0]}",
+    ),
+    "a rough line": (
+        f"{BLOCK}ground: {{surfaces: {{floor: {{angle: 0, friction: 0.3}}}}}}",
+        "a line has no friction: that is of contact: {between: [BODY, floor], friction: 0.3}",
+    ),
     "a contact of two particles": (
         "bodies: {A: {particle: {mass: 1 kg}}, B: {particle: {mass: 1 kg}}}\n"
         "connections: {hit: {contact: {between: [A, B], restitution: 0.5}}}",

@@ -191,6 +191,8 @@ class Spec(BaseModel, metaclass=_Described):
     is_chosen: ClassVar[bool | None] = None
     # fields that people give it and that are another kind's: what to write there
     elsewhere: ClassVar[Mapping[str, str]] = {}
+    # what people have a word for and what is written as this kind: how
+    instead: ClassVar[Mapping[str, str]] = {}
     # where in Python what belongs beside such a thing stands
     beside: ClassVar[str] = ""
     # words of the kind's own under which a file may name what its fields say, by these fields; `from_plain` reads them

@@ -26,6 +26,12 @@ class Disk(Shape, kind="disk"):
     called: ClassVar[tuple[str, ...]] = ("disc", "wheel", "cylinder", "pulley", "roller", "drum", "gear", "flywheel")
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
         ("teeth", "module"), Message("teeth and a module are those of a gear: {{gear: {{teeth: 20, module: 2 mm}}}}")
+    ) | dict.fromkeys(
+        ("eccentricity", "eccentric", "offset", "e"),
+        Message(
+            "an axle beside its middle is a point of it, at which it is pinned: beside the disk "
+            "points: {{axle: [-e, 0]}}"
+        ),
     )
     also: ClassVar[tuple[str, ...]] = (
         "disc",

@@ -62,6 +62,10 @@ def lines_of_ground(w: Written) -> None:
     if not isinstance(ground, dict) or w.space:
         return
     entries = cast("Entry", ground)
+    if isinstance(entries.get("surfaces"), dict) and "lines" not in entries:
+        entries = {"lines" if key == "surfaces" else key: value for key, value in entries.items()}
+        w.data["ground"] = entries
+        w.moved["ground", "lines"] = w.stood(("ground", "surfaces"))
     own = {
         name: value
         for name, value in entries.items()
