@@ -60,6 +60,18 @@ SAME = {
         "connections: {r: {string: {from: ground.A, over: [drum], to: block, friction: mu, wrap: "
         "(2)*2*pi, grips: []}}}",
     ),
+    "joints and drives in lists": (
+        "joints:\n- {name: O, type: revolute, bodies: [world, rod.start]}\ndrives:\n- {body: rod, omega: w}",
+        "connections: {O: {pin: [ground, rod.start]}, drive: {driver: {body: rod, speed: w}}}",
+    ),
+    "a guide by its name in space": (
+        "connections: {g: {type: prismatic, body: block, direction: right}}",
+        "connections: {g: {slider: {body: block, along: right}}}",
+    ),
+    "the start of an angle by the body": (
+        "connections: {O: {pin: [ground.A, rod.start]}}\nstart: {rod.angle: 30 deg}",
+        "connections: {O: {pin: [ground.A, rod.start]}}\nstart: {angle of rod: 30 deg}",
+    ),
     "a kind as a field": (
         "connections: {p: {type: pin, between: [ground.A, rod.start]}}",
         "connections: {p: {pin: {between: [ground.A, rod.start]}}}",
@@ -471,3 +483,34 @@ def test_links_with_a_mass_are_bodies() -> None:
         fb.System.from_text(text)
     assert "upper needs a shape with these fields: upper: {rod: {length: 1 m, mass: 2 kg}}" in str(told.value)
     assert "it names the points that meet" in str(told.value)
+
+
+def test_a_truss_may_be_given_by_lists() -> None:
+    text = """
+nodes: [{name: A, x: 0, y: 0}, {name: B, x: 0, y: 3 m}, {name: C, x: 4 m, y: 0}]
+elements: [[A, C], [B, C]]
+supports: {A: fixed, B: fixed}
+loads: {F: 12 kN down at C}
+questions: [force in AC, force in BC]
+"""
+    first, second = (answer.value for answer in fb.System.from_text(text).solve().answers)
+    assert (first, second) == (pytest.approx(-16000), pytest.approx(20000))
+
+
+def test_a_beam_may_be_given_in_german() -> None:
+    text = """
+balken: {länge: 3 m}
+lager: {A: {typ: einspannung, x: 0}}
+lasten: {F: {typ: kraft, x: 3 m, wert: 2 kN}, q: {typ: streckenlast, von: 0, bis: 3 m, wert: 1 kN/m}}
+fragen: [Einspannmoment]
+"""
+    (answer,) = fb.System.from_text(text).solve().answers
+    assert answer.value == pytest.approx(2000 * 3 + 1000 * 9 / 2)
+
+
+def test_places_in_round_brackets_stand_in_braces_too() -> None:
+    text = "bodies: {rod: {bar: {from: (1 m, 2 m), length: 3 m}, angle: 0}}"
+    start = fb.System.from_text(text).bodies["rod"].start
+    assert str(start) == str(fb.System.from_text(text.replace("(", "[").replace(")", "]")).bodies["rod"].start)
+    assert start.at is not None
+    assert start.at[0] == "start"

@@ -18,7 +18,8 @@ MISTAKES = {
     "a band brake": (
         "bodies: {drum: {disk: {radius: 1 m}}}\nconnections: {b: {band_brake: {drum: drum, friction: 0.3}}}",
         "band_brake is no kind of connection: the band is a string with friction: string: {from: ground.A, over: "
-        "[drum], to: lever.P, friction: {drum: mu}}, its angle on the drum, where its leads do not tell, wrap: {drum: 180 deg}",
+        "[drum], to: lever.P, friction: {drum: mu}}, its angle on the drum, where its leads do not tell, "
+        "wrap: {drum: 180 deg}",
     ),
     "a cone clutch": (
         "bodies: {a: {disk: {radius: 1 m}}}\nconnections: {b: {cone_clutch: {between: [a, ground]}}}",

@@ -43,7 +43,7 @@ PAIRS = (
 )  # words for a list, of as many as there are fields for it
 # What people write for a field, whatever has it.
 MEANT: Mapping[str, tuple[str, ...]] = {
-    "from": ("first", "start"),
+    "from": ("first", "start", "reacts_on"),
     "to": ("second",),
     **dict.fromkeys(PAIRS, ("between", "first", "second", "body", "on", "reacts_on")),
     "direction": ("along",),
@@ -120,8 +120,8 @@ MEANT: Mapping[str, tuple[str, ...]] = {
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
-    "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "g", "center", "com",
-    "k", "spring_constant", "spring_rate", "c", "damping_constant",
+    "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "e", "g",
+    "center", "com", "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
     "position", "initial_position", "initial_angle", "initial_velocity", "initial_angular_velocity",
     "r", "R", "m", "M", "l", "L", "F", "J", "I", "diameter", "angular_velocity", "angular_speed", "in", "q", "bodies",

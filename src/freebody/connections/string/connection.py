@@ -101,6 +101,10 @@ class String(Connection, kind="string"):
             "distance are a link: {{from: A, to: B, length: L}}"
         ),
         **dict.fromkeys(
+            ("wound_on", "wound", "winds", "unwinds", "unwinds_from"),
+            Message("what it is wound on is one of its ends, with its side: to: wound on yoyo at right"),
+        ),
+        **dict.fromkeys(
             ("bodies", "between", "ends", "pulley", "pulleys", "around"),
             Message("its way is from one end over pulleys to the other: {{from: a, over: [pulley], to: b}}"),
         ),

@@ -27,7 +27,7 @@ from freebody.system.reading.written.gears import with_modules
 from freebody.system.reading.written.linkages import with_linkage
 from freebody.system.reading.written.lists import name_items
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
-from freebody.system.reading.written.spelling import spell_entry, spell_sections
+from freebody.system.reading.written.spelling import ground_for_world, spell_entry, spell_sections
 from freebody.system.reading.written.trusses import with_truss
 from freebody.system.reading.written.vectors import without_brackets
 
@@ -64,6 +64,7 @@ def _put_in_order(w: Written) -> None:
             name_items(w, section)
     take_in_sections(w)
     lines_of_ground(w)
+    ground_for_world(w)
     for section in ("bodies", *JOINED):
         entries = w.data.get(section)
         for name, entry in list(cast("Entry", entries).items()) if isinstance(entries, dict) else ():

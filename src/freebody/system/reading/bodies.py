@@ -228,11 +228,13 @@ class BodySections:
         for word, value in entry.items():
             fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
             fields = {_ENDS_IN_WORDS.get(key, key): each for key, each in fields.items()}
-            if "at" in entry or not {"from", "to"} <= fields.keys() or (kind := self._kind(word, fields)) is None:
+            given = [key for key in ("from", "to") if key in fields]
+            if "at" in entry or not given or (kind := self._kind(word, fields)) is None:
                 continue
             if ends := Shape.kinds[kind].ends:
-                own = {key: each for key, each in fields.items() if key not in ("from", "to")}
-                return {**entry, word: own or None, "at": dict(zip(ends, (fields["from"], fields["to"]), strict=True))}
+                own = {key: each for key, each in fields.items() if key not in given}
+                places = {end: fields[key] for end, key in zip(ends, ("from", "to"), strict=True) if key in given}
+                return {**entry, word: own or None, "at": places}
         return entry
 
     def _kind(self, word: str, value: Any) -> str | None:

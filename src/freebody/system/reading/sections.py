@@ -27,7 +27,7 @@ SECTIONS = (
 # what people write for a section
 MEANT_SECTIONS: Mapping[str, str] = {
     **dict.fromkeys(
-        ("joints", "constraints", "supports", "contacts", "drivers", "motors", "collisions"), "connections"
+        ("joints", "constraints", "supports", "contacts", "drivers", "drives", "motors", "collisions"), "connections"
     ),
     **dict.fromkeys(("forces", "torques", "springs", "dampers", "actions"), "loads"),
     **dict.fromkeys(("initial", "initial_conditions", "initial_values", "at_start"), "start"),

@@ -20,7 +20,13 @@ from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.system.reading.written.form import SAYS_KIND, SAYS_NAME, Entry, Written
 
-_BEAMS = ("beam", "Balken", "Träger", "girder")
+_BEAMS = ("beam", "balken", "traeger", "girder")
+_SUPPORTS = ("supports", "lager", "auflager")
+_LOADS = ("loads", "lasten", "belastung", "forces", "kraefte")
+_ENGLISH = {
+    **{"typ": "type", "art": "type", "laenge": "length", "masse": "mass", "wert": "value", "groesse": "value"},
+    **{"von": "from", "bis": "to", "nach": "to", "bei": "at", "ort": "at", "richtung": "direction"},
+}
 _PINNED = ("pin", "pinned", "hinge", "hinged", "fixed_hinge", "festlager")
 _ROLLERS = ("roller", "rolling", "loslager")
 _CLAMPS = ("fixed", "clamp", "clamped", "fixed_end", "einspannung", "weld")
@@ -35,20 +41,21 @@ _FROM = {"from": ("from", "start", "x1"), "to": ("to", "end", "x2")}
 
 def with_beam(w: Written) -> None:
     """Puts a beam that is a section of its own, with its supports and loads, among the bodies and connections."""
-    beams = [key for key in _BEAMS if key in w.data and not w.data.get("bodies")]
+    beams = [key for key in w.data if folded(key) in _BEAMS and not w.data.get("bodies")]
     if w.space or len(beams) != 1 or w.data.get("connections") or w.data.get("ground"):
         return
+    at, on = (next((key for key in w.data if folded(key) in words), "") for words in (_SUPPORTS, _LOADS))
     given = w.data[beams[0]]
-    fields = cast("Entry", given) if isinstance(given, dict) else {"length": given}
-    length = next((fields[key] for key in ("length", "L", "l", "Länge") if key in fields), None)
+    fields = _in_english(cast("Entry", given)) if isinstance(given, dict) else {"length": given}
+    length = next((fields[key] for key in ("length", "L", "l") if key in fields), None)
     beam = _Beam(beams[0], str(length))
-    able = length is not None and fields.keys() <= {"length", "L", "l", "Länge", "mass", "m"}
-    if not (able and beam.supports(w.data.get("supports")) and beam.loads(w.data.get("loads"))):
+    able = length is not None and fields.keys() <= {"length", "L", "l", "mass", "m"}
+    if not (able and beam.supports(w.data.get(at), at) and beam.loads(w.data.get(on), on)):
         return
     masses = [fields[key] for key in ("mass", "m") if key in fields]
     rod = {"length": length, **({"mass": masses[0]} if masses else {})}
     body = {"rod": rod, "at": {"start": [0, 0]}, "angle": 0, "points": beam.points}
-    rest = {key: value for key, value in w.data.items() if key not in (beam.name, "supports", "loads")}
+    rest = {key: value for key, value in w.data.items() if key not in (beam.name, at, on)}
     ground = {"ground": {"points": beam.ground}} if beam.ground else {}
     w.data = {**rest, **ground, "bodies": {beam.name: body}, "connections": beam.connections}
     w.data |= {"loads": beam.pushed} if beam.pushed else {}
@@ -73,7 +80,7 @@ class _Beam:
         self.pushed: Entry = {}
         self.moved: dict[Place, Place] = {}
 
-    def supports(self, given: Any) -> bool:
+    def supports(self, given: Any, section: str) -> bool:
         """Whether all supports could be read."""
         items = [*_items(given)]
         free = (letter for letter in ascii_uppercase if all(letter != name for _step, name, _fields in items))
@@ -91,10 +98,10 @@ class _Beam:
             else:
                 return False
             self.connections[name] = held
-            self.moved["connections", name] = ("supports", step)
+            self.moved["connections", name] = (section, step)
         return bool(items)
 
-    def loads(self, given: Any) -> bool:
+    def loads(self, given: Any, section: str) -> bool:
         """Whether all loads could be read."""
         for k, (step, said, fields) in enumerate(_items(given), 1):
             word, size = _kind(fields), _one(fields, _SIZES)
@@ -103,7 +110,7 @@ class _Beam:
             if load is None or name in self.pushed or name_problem(name) is not None:
                 return False
             self.pushed[name] = load
-            self.moved["loads", name] = ("loads", step)
+            self.moved["loads", name] = (section, step)
         return True
 
     def _load(self, name: str, word: str, size: str, fields: Entry) -> Entry | None:
@@ -134,12 +141,16 @@ def _items(given: Any) -> Iterator[tuple[str | int, str, Entry]]:
     listed = cast("list[Any]", given if isinstance(given, list) else [])
     pairs = [*cast("Entry", given).items()] if isinstance(given, dict) else [*enumerate(listed)]
     for step, item in pairs:
-        fields = dict(cast("Entry", item)) if isinstance(item, dict) else {}
+        fields = _in_english(cast("Entry", item)) if isinstance(item, dict) else {}
         named = next((str(fields.pop(key)) for key in SAYS_NAME if key in fields), "")
         if len(fields) == 1 and not isinstance(next(iter(fields.values())), dict):
             ((word, at),) = fields.items()
             fields = {"type": word, "at": at}
         yield step, named or (step if isinstance(step, str) else ""), fields
+
+
+def _in_english(fields: Entry) -> Entry:
+    return {_ENGLISH.get(folded(key), key): value for key, value in fields.items()}
 
 
 def _kind(fields: Entry) -> str | None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any, cast
 
+from freebody.language.document.tree import Place
 from freebody.language.expression import name_problem
 from freebody.model.shapes.base import Shape
 from freebody.system.reading.written.form import JOINED, SAYS_KIND, SAYS_NAME, Entry, Written, section_of, takes_as
@@ -15,24 +16,27 @@ from freebody.system.reading.written.spelling import spell_entry
 
 
 def name_items(w: Written, section: str) -> None:
-    """A list of entries as the same with names: those that they give, else the words for their kinds."""
+    """A list of a section as the same with names, where all its entries can have some."""
+    given = cast("list[Any]", w.data[section])
+    spelt = [spell_entry(w, section, (section, k), each) for k, each in enumerate(given)]
+    w.data[section] = with_names(w, section, (section,), spelt) or spelt
+
+
+def with_names(w: Written, section: str, place: Place, entries: list[Any]) -> Entry | None:
+    """Entries by names: those that they give, else the words for their kinds; None where one has neither."""
     items: list[tuple[str, Any]] = []
-    entries = cast("list[Any]", w.data[section])
-    w.data[section] = [spell_entry(w, section, (section, k), each) for k, each in enumerate(entries)]
-    for item in cast("list[Any]", w.data[section]):
+    for item in entries:
         if not isinstance(item, dict) or (named := _named_item(w, section, cast("Entry", item))) is None:
-            return
+            return None
         items.append(named)
     words = [name for name, _entry in items]
     names = [f"{name}_{words[: k + 1].count(name)}" if words.count(name) > 1 else name for k, name in enumerate(words)]
     if len({*names}) < len(names) or any(name_problem(name) for name in names if section != "start"):
-        return
-    w.moved |= {(section, name): w.stood((section, k)) for k, name in enumerate(names)}
-    for k, (name, (word, entry)) in enumerate(zip(names, items, strict=True)):
-        item = cast("list[Entry]", w.data[section])[k]
-        if word in item and item[word] is entry:
-            w.moved[section, name] = (*w.moved[section, name], word)
-    w.data[section] = {name: entry for name, (_word, entry) in zip(names, items, strict=True)}
+        return None
+    stood = [w.stood((*place, k)) for k in range(len(names))]
+    for name, at, item, (word, entry) in zip(names, stood, entries, items, strict=True):
+        w.moved[section, name] = (*at, word) if word in item and item[word] is entry else at
+    return {name: entry for name, (_word, entry) in zip(names, items, strict=True)}
 
 
 def _named_item(w: Written, section: str, item: Entry) -> tuple[str, Any] | None:

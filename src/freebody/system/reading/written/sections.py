@@ -22,6 +22,8 @@ from freebody.system.reading.written.form import (
     section_of,
     takes_as,
 )
+from freebody.system.reading.written.lists import name_items, with_names
+from freebody.system.reading.written.spelling import spell_entry
 
 _BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no connection
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
@@ -143,7 +145,15 @@ def _rename(w: Written, key: str, section: str, value: Any) -> None:
     if section == "questions" and not isinstance(value, list | dict):
         value = [value]
     there = w.data.get(section)
-    if isinstance(there, dict) and isinstance(value, dict):
+    if isinstance(there, list) and isinstance(value, list | dict) and section != "questions":
+        name_items(w, section)
+        there = w.data[section]
+    if isinstance(there, dict) and isinstance(value, list):
+        spelt = [spell_entry(w, section, (key, k), each) for k, each in enumerate(cast("list[Any]", value))]
+        if (named := with_names(w, section, (key,), spelt)) is not None and not there.keys() & named.keys():
+            w.data[section] = {**cast("Entry", there), **named}
+            del w.data[key]
+    elif isinstance(there, dict) and isinstance(value, dict):
         entries = cast("Entry", value)
         if not there.keys() & entries.keys():
             w.data[section] = {**cast("Entry", there), **entries}

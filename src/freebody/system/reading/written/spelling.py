@@ -21,6 +21,7 @@ _NAMED_INSIDE = ("points", "lines", "planes", "at", "near", "measures")  # what 
 _FEWEST = 3  # letters of a word
 _OTHER_WORDS = {"typ": "type", "art": "type"}
 _JOINT = "_joint"
+_WORLD = "world"
 
 
 def spell_sections(w: Written) -> None:
@@ -41,6 +42,23 @@ def spell_entry(w: Written, section: str, place: Place, entry: Any) -> Any:
         elif key in SAYS_KIND and isinstance(value, str):
             read[key] = _word(value, known)
     return read
+
+
+def ground_for_world(w: Written) -> None:
+    """`pin: [world, arm.start]`: who does not call a body so means the ground."""
+    bodies = w.data.get("bodies")
+    if isinstance(bodies, dict | list) and _WORLD not in str(bodies):
+        for section in JOINED:
+            if section in w.data:
+                w.data[section] = _with_ground(w.data[section])
+
+
+def _with_ground(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _with_ground(each) for key, each in cast("Entry", value).items()}
+    if isinstance(value, list):
+        return [_with_ground(each) for each in cast("list[Any]", value)]
+    return "ground" if value == _WORLD else value
 
 
 def _spelt(w: Written, place: Place, entry: Entry, known: dict[str, str]) -> Entry:

@@ -29,12 +29,31 @@ _FORCES = ("force", "vector", "components", "value", "magnitude", "F", "Kraft")
 def without_brackets(value: Any) -> Any:
     """The value with lists in place of texts such as `(0, h)`, which no formula is."""
     if isinstance(value, dict):
-        return {key: without_brackets(each) for key, each in cast("Entry", value).items()}
+        return {key: without_brackets(each) for key, each in _joined(cast("Entry", value)).items()}
     if isinstance(value, list):
-        return [without_brackets(each) for each in cast("list[Any]", value)]
+        texts = cast("list[Any]", value)
+        is_cut = len(texts) in (2, 3) and _begins(texts[0]) and isinstance(texts[-1], str) and texts[-1].endswith(")")
+        return without_brackets(", ".join(map(str, texts))) if is_cut else [without_brackets(each) for each in texts]
     said = _IN_BRACKETS.fullmatch(value) if isinstance(value, str) else None
     parts = [] if said is None else [part.strip() for part in _COMMA.split(said["inside"])]
     return parts if len(parts) in (2, 3) and all(parts) else value
+
+
+def _begins(value: Any) -> bool:
+    """Whether a text begins with a bracket that it does not close."""
+    return isinstance(value, str) and value.startswith("(") and value.count("(") > value.count(")")
+
+
+def _joined(entries: Entry) -> Entry:
+    """`{at: (0, h)}`, which YAML reads as `at: (0` and a key `h)` without a value, with the whole text."""
+    read: Entry = {}
+    last = ""
+    for key, value in entries.items():
+        if last and value is None and _begins(read[last]):
+            read[last] = f"{read[last]}, {key}"
+        else:
+            read[key], last = value, key
+    return read
 
 
 def by_axes(value: Any) -> Any:
