@@ -210,11 +210,6 @@ MISTAKES = {
         f"{BLOCK}loads: {{push: {{force: {{at: block, along: right, magnitude: P}}}}}}",
         "P is not a parameter. There is: t. Add it under parameters, e.g. P: 1 N, or without a number P: N",
     ),
-    "a start by the body": (
-        f"{BLOCK}start: {{block.x: 0.1 m}}",
-        "block.x is no named measure or rate of one. Say what it is, e.g. measures: {x_block: x of block}, start: "
-        "{x_block: ...}",
-    ),
     "a force by its components": (
         f"{BLOCK}loads: {{F: {{force: {{at: block, components: [3 N, 4 N], along: up, magnitude: 1 N}}}}}}",
         "force has no components: it has a direction and a magnitude: {along: [3, 4], magnitude: 5 N}",
