@@ -15,6 +15,12 @@ from freebody.model.elements import RigidBody
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
 BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
 MISTAKES = {
+    "gains without units": (
+        "parameters: {kp: 10, kd: 3}\nbodies: {arm: {disk: {mass: 1 kg, radius: 1 m}}}\nmeasures: {phi: angle of arm}\n"
+        "connections: {O: {pin: [ground.O, arm]}}\n"
+        "loads: {motor: {torque: {on: arm, magnitude: -kp*phi - kd*rate(phi)}}}",
+        "in '-kp*phi - kd*rate(phi)' kp and kd must have units: write kp: 10 N m, kd: 3 N m s under parameters",
+    ),
     "a band brake": (
         "bodies: {drum: {disk: {radius: 1 m}}}\nconnections: {b: {band_brake: {drum: drum, friction: 0.3}}}",
         "band_brake is no kind of connection: the band is a string with friction: string: {from: ground.A, over: "
@@ -869,3 +875,9 @@ def test_coordinates_beside_the_body_on_which_something_is_guided_are_asked_for(
             "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}, b: {particle: {mass: 1 kg}}}\n"
             "connections: {s: {slider: {body: b, on: a, along: a.x, through: [0, 1 m]}}}\n"
         )
+
+
+def test_gains_that_have_neither_numbers_nor_units_have_those_of_their_use() -> None:
+    text = f"{BLOCK}parameters: {{k: null, c: null}}\nmeasures: {{x: x of block}}\n"
+    system = fb.System.from_text(text + "loads: {F: {force: {at: block, along: right, magnitude: -k*x - c*rate(x)}}}")
+    assert [str(system.parameters[name].dimension) for name in ("k", "c")] == ["N/m", "N s/m"]
