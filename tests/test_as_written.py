@@ -72,6 +72,10 @@ SAME = {
         "connections: {O: {pin: [ground.A, rod.start]}}\nstart: {rod.angle: 30 deg}",
         "connections: {O: {pin: [ground.A, rod.start]}}\nstart: {angle of rod: 30 deg}",
     ),
+    "the direction of a guide": (
+        "connections: {g: {slider: {body: block, along: 30 deg}}}\nmeasures: {s: travel of block along g}",
+        "connections: {g: {slider: {body: block, along: 30 deg}}}\nmeasures: {s: travel of block along 30 deg}",
+    ),
     "a kind as a field": (
         "connections: {p: {type: pin, between: [ground.A, rod.start]}}",
         "connections: {p: {pin: {between: [ground.A, rod.start]}}}",
@@ -514,3 +518,25 @@ def test_places_in_round_brackets_stand_in_braces_too() -> None:
     assert str(start) == str(fb.System.from_text(text.replace("(", "[").replace(")", "]")).bodies["rod"].start)
     assert start.at is not None
     assert start.at[0] == "start"
+
+
+def test_the_ends_of_a_rod_may_stand_in_its_shape() -> None:
+    loose, strict = (
+        fb.System.from_text(f"bodies: {{ladder: {{rod: {{{each}}}}}}}").bodies["ladder"].start
+        for each in ("start: [0, 0], end: [3 m, 4 m]", "from: [0, 0], to: [3 m, 4 m]")
+    )
+    assert str(loose) == str(strict)
+    assert loose.at is not None
+
+
+def test_one_point_without_a_place_is_the_origin_beside_coordinates() -> None:
+    text = "bodies: {rod: {rod: {length: 1 m, mass: 1 kg}}}\nconnections: {p: {pin: [ground.O, rod.start]}}\n"
+    system = fb.System.from_text(text + "loads: {s: {spring: {from: [2 m, 0], to: rod.end, k: 5 N/m}}}")
+    points = system.bodies["ground"].points
+    assert points["O"] == points["origin"]
+
+
+def test_a_table_that_nobody_declares_is_a_level_plane_in_space() -> None:
+    text = "space: true\nbodies: {b: {sphere: {mass: 1 kg, radius: 1 m}}}\nconnections: {c: {contact: [b, table]}}"
+    system = fb.System.from_text(text)
+    assert "table is not declared: it is the horizontal plane through the origin" in map(str, system.assumptions)

@@ -15,6 +15,15 @@ from freebody.model.elements import RigidBody
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
 BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
 MISTAKES = {
+    "units for the whole file": (
+        f"{BLOCK}units: mm, kg, N",
+        "each number has its own unit, as 1500 mm or 10 kg; one without is in SI units: leave units out",
+    ),
+    "a distance along a rod": (
+        f"{ROD}connections: {{s: {{pin: [ground.O, rod at 0.2 m]}}}}",
+        "rod at 0.2 m is no point: declare it, by its distance from the middle of rod: rod: {points: {P: [0.2 m - (1/2), "
+        "0]}} where 0.2 m counts from rod.start, and write rod.P",
+    ),
     "gains without units": (
         "parameters: {kp: 10, kd: 3}\nbodies: {arm: {disk: {mass: 1 kg, radius: 1 m}}}\nmeasures: {phi: angle of arm}\n"
         "connections: {O: {pin: [ground.O, arm]}}\n"

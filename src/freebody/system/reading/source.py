@@ -307,6 +307,7 @@ class Source:
     def _ground_point(self, place: list[Any], *path: str | int) -> str:
         points, name = self.names.bodies[GROUND].points, self._letters[_as_key(place)]
         points.setdefault(name, self.names.components(place, LENGTH, *path))
+        self.names.by_coordinates.add(name)
         return f"{GROUND}.{name}"
 
     @cached_property
