@@ -21,8 +21,8 @@ MISTAKES = {
     ),
     "a distance along a rod": (
         f"{ROD}connections: {{s: {{pin: [ground.O, rod at 0.2 m]}}}}",
-        "rod at 0.2 m is no point: declare it, by its distance from the middle of rod: rod: {points: {P: [0.2 m - (1/2), "
-        "0]}} where 0.2 m counts from rod.start, and write rod.P",
+        "rod at 0.2 m is no point: declare it, by its distance from the middle of rod: rod: {points: {P: [0.2 m - "
+        "(1/2), 0]}} where 0.2 m counts from rod.start, and write rod.P",
     ),
     "gains without units": (
         "parameters: {kp: 10, kd: 3}\nbodies: {arm: {disk: {mass: 1 kg, radius: 1 m}}}\nmeasures: {phi: angle of arm}\n"
