@@ -443,9 +443,7 @@ def test_a_beam_is_read_as_its_length_supports_and_loads(agrees: Callable[[fb.So
     text = """
 parameters: {a: 5 m, b: 1 m, q: 4 kN/m, F: 5 kN, M: 3 kN m}
 beam: {length: a + b}
-supports:
-- {type: pin, at: 0 m}
-- {type: roller, at: a}
+supports: {A: pin at 0 m, B: roller at a}
 loads:
 - {type: distributed, from: 0 m, to: a/2, value: q}
 - {type: point, at: a + b, value: F}

@@ -172,6 +172,14 @@ PROBLEMS = {
         "through which angle does the rod swing",
         "acos(1 - m^2*v^2/(2*(m + M/3)*(m + M/2)*g*L))",
     ),
+    # it hangs with its end up, at 90 deg: L w^2/2/3 = g/2 (1 - cos theta)
+    "swing of a rod hung at its end": (
+        "parameters: {m: 1 kg, L: 1 m, w: 3 rad/s, g: 9.81 m/s^2}\n"
+        "bodies: {rod: {rod: {mass: m, length: L}, angular_velocity: w}}\n"
+        "connections: {A: {pin: [ground.A, rod.end]}}\nloads: {weight: {gravity: g}}\n",
+        "through which angle does the rod swing",
+        "acos(1 - L*w^2/(3*g))",
+    ),
     "bob on a rod": (HUNG_BOB, "how high does the bob rise", "m^2*v^2/(2*g*(m + M)^2)"),
     # the wire is vertical: it has no part in it
     "wire": (BALLISTIC, "size of impulse of wire", "0"),

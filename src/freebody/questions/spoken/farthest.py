@@ -92,8 +92,10 @@ def how_far(names: Names, main: Clause) -> Groups:
             ways = lookup.ways(names, who) or along_lines.slid(names, who)
             yield [f"distance travelled along {way} until slipping ends" for way in ways]
     elif set(main.all("verb")) == {"turn"}:
-        if who in names.hung and not names.measures:
-            yield [f"(greatest angle of {who}) - (angle of {who} at start)"]
+        if who in names.hung:
+            ways = [f"change of {angle} until rate({angle}) = 0" for angle in lookup.angles(names, who)]
+            yield ways or [f"(greatest angle of {who}) - (angle of {who} at start)"]
+            return
         led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
         is_led = lookup.is_forced(names) or (names.lets_go_from_rest and not names.applied_loads)
         yield [

@@ -10,6 +10,7 @@ counter-clockwise where they say no direction, which is told.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from string import ascii_uppercase
 from typing import Any, cast
@@ -33,6 +34,7 @@ _CLAMPS = ("fixed", "clamp", "clamped", "fixed_end", "einspannung", "weld")
 _POINTS = ("point", "force", "point_load", "point_force", "concentrated", "kraft", "einzelkraft", "load")
 _SPREAD = ("distributed", "distributed_load", "uniform", "udl", "uniform_load", "line_load", "streckenlast")
 _COUPLES = ("moment", "couple", "torque", "drehmoment")
+_SUPPORTED = re.compile(r"(?P<type>[\w ]+?) (?:at|bei) (?P<at>.+)")
 _AT = ("at", "x", "position", "distance")
 _SIZES = ("value", "magnitude", "force", "moment", "load", "intensity", "q", "F", "M", "P", "size")
 
@@ -143,6 +145,8 @@ def _items(given: Any) -> Iterator[tuple[str | int, str, Entry]]:
     for step, item in pairs:
         fields = _in_english(cast("Entry", item)) if isinstance(item, dict) else {}
         named = next((str(fields.pop(key)) for key in SAYS_NAME if key in fields), "")
+        if isinstance(item, str) and (said := _SUPPORTED.fullmatch(item.strip())):
+            fields = {"type": said["type"], "at": said["at"]}
         if len(fields) == 1 and not isinstance(next(iter(fields.values())), dict):
             ((word, at),) = fields.items()
             fields = {"type": word, "at": at}
