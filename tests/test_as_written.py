@@ -12,7 +12,8 @@ import freebody as fb
 BASE = """
 parameters: {m: 2 kg, L: 1 m, R: 0.1 m, k: 50 N/m, mu: 0.3, g: 9.81 m/s^2, w: 3 rad/s}
 ground: {points: {A: [0, 0], B: [2 m, 0]}, lines: {floor: {along: right}}}
-bodies: {rod: {rod: {mass: m, length: L}}, block: {particle: {mass: m}}}
+bodies: {rod: {rod: {mass: m, length: L}}, block: {particle: {mass: m}},
+  drum: {disk: {radius: R}, fixed: true, at: [1 m, 3 m]}}
 """
 SAME = {
     "a load called by its kind": ("loads: {gravity: g}", "loads: {gravity: {gravity: g}}"),
@@ -37,6 +38,43 @@ SAME = {
     "a force in German words": (
         "loads: {F: m*g an rod.end nach unten}",
         "loads: {F: {force: {at: rod.end, along: down, magnitude: m*g}}}",
+    ),
+    "a force by its components": (
+        "loads: {F: {on: block, force: [3 N, 4 N]}}",
+        "loads: {F: {force: {at: block, along: [(3 N)/(1 N), (4 N)/(1 N)], magnitude: sqrt((3 N)^2 + (4 N)^2)}}}",
+    ),
+    "a force with one component": (
+        "loads: {F: {force: {at: rod.end, vector: [0, -20 kN]}}}",
+        "loads: {F: {force: {at: rod.end, along: up, magnitude: -20 kN}}}",
+    ),
+    "two coefficients beside each other": (
+        "connections: {c: {contact: [rod.end, floor], mu_s: 0.4, mu_k: mu}}",
+        "connections: {c: {contact: {between: [rod.end, floor], friction: {static: 0.4, kinetic: mu}}}}",
+    ),
+    "contacts in a list of their own": (
+        "contacts:\n- {between: [rod.end, floor], static_friction: 0.4, kinetic_friction: mu}",
+        "connections: {contact: {contact: {between: [rod.end, floor], friction: {static: 0.4, kinetic: mu}}}}",
+    ),
+    "a rope by its turns": (
+        "connections: {r: {string: {from: ground.A, over: drum, to: block, friction: mu, turns: 2, slip: true}}}",
+        "connections: {r: {string: {from: ground.A, over: [drum], to: block, friction: mu, wrap: "
+        "(2)*2*pi, grips: []}}}",
+    ),
+    "joints and drives in lists": (
+        "joints:\n- {name: O, type: revolute, bodies: [world, rod.start]}\ndrives:\n- {body: rod, omega: w}",
+        "connections: {O: {pin: [ground, rod.start]}, drive: {driver: {body: rod, speed: w}}}",
+    ),
+    "a guide by its name in space": (
+        "connections: {g: {type: prismatic, body: block, direction: right}}",
+        "connections: {g: {slider: {body: block, along: right}}}",
+    ),
+    "the start of an angle by the body": (
+        "connections: {O: {pin: [ground.A, rod.start]}}\nstart: {rod.angle: 30 deg}",
+        "connections: {O: {pin: [ground.A, rod.start]}}\nstart: {angle of rod: 30 deg}",
+    ),
+    "the direction of a guide": (
+        "connections: {g: {slider: {body: block, along: 30 deg}}}\nmeasures: {s: travel of block along g}",
+        "connections: {g: {slider: {body: block, along: 30 deg}}}\nmeasures: {s: travel of block along 30 deg}",
     ),
     "a kind as a field": (
         "connections: {p: {type: pin, between: [ground.A, rod.start]}}",
@@ -334,6 +372,33 @@ Fragen: [Stabkraft in Zug]
     assert answer.value == pytest.approx(3000 * 13**0.5)  # T 2/sqrt(13) = 6 kN
 
 
+def test_words_may_be_spelt_as_people_spell_them() -> None:
+    text = """
+titel: Planetengetriebe
+parameter: {z_S: 24, z_P: 18, z_H: 60, m_n: 2 mm, omega_S: 100 1/s}
+koerper:
+  sonne: {zahnrad: {zaehne: z_S, modul: m_n}}
+  planet: {Zahnrad: {zaehnezahl: z_P, modul: m_n}}
+  hohlrad: {zahnrad: {zaehne: z_H, modul: m_n}, fest: true}
+  steg: {stab: {laenge: 42 mm}}
+verbindungen:
+  lager_sonne: {drehgelenk: [gestell.O, sonne]}
+  lager_steg: {Revolute-Joint: [gestell.O, steg.anfang]}
+  lager_planet: {typ: Drehgelenk, zwischen: [steg.ende, planet]}
+  eingriff1: {zahneingriff: [sonne, planet]}
+  eingriff2: {zahneingriff: [hohlrad, planet], innen: true}
+  antrieb: {antrieb: {koerper: sonne, drehzahl: omega_S}}
+fragen: [Winkelgeschwindigkeit des Stegs]
+"""
+    solution = fb.System.from_text(text).solve()
+    (answer,) = solution.answers
+    assert answer.value == pytest.approx(100 * 24 / 84)
+    assert "gestell is no body of the model: it is the ground" in map(str, solution.assumptions)
+    wrong = text.replace("laenge: 42 mm", "laenge: 42 kg")
+    with pytest.raises(fb.ModelError, match=r"^8:16: .*42 kg"):
+        fb.System.from_text(wrong)
+
+
 def test_places_in_the_text_are_those_of_what_somebody_wrote() -> None:
     text = "bodies: {w: {disk: {mass: 1 kg, radius: 1 m, at: [2 m, 0]}}}\nloads: {gravity: 9.81 m/s^2}\n"
     document = fb.System.from_text(text).document
@@ -344,3 +409,132 @@ def test_places_in_the_text_are_those_of_what_somebody_wrote() -> None:
     key = document.key_span(("bodies", "w", "at"))
     assert key is not None
     assert text[slice(*key)] == "at"
+
+
+def test_a_list_of_things_of_one_kind_is_told_where_one_is_wrong() -> None:
+    with pytest.raises(fb.ModelError, match="contact has no mass"):
+        fb.System.from_text(BASE + "contacts:\n- {between: [rod.end, floor], mass: 2 kg}")
+
+
+def test_a_speed_and_its_direction_are_a_velocity(agrees: Callable[[fb.Solution, str, str], None]) -> None:
+    text = """
+parameters: {v: 20 m/s, alpha: 35 deg, h: 2 m, u: -3 m/s}
+bodies:
+  ball:
+    particle: {mass: 1 kg}
+    position: (0, h)
+    speed: v
+    direction: alpha
+  other: {particle: {mass: 1 kg}, speed: u, direction: left}
+questions: [velocity of ball along up at start, height of ball at start, velocity of other along right at start]
+"""
+    solution = fb.System.from_text(text).solve()
+    for question, formula in (("q1", "v*sin(alpha)"), ("q2", "h"), ("q3", "-u")):
+        agrees(solution, question, formula)
+    assert "u = -3 m/s is negative, so that formulas let it have either sign" in map(str, solution.assumptions)
+
+
+def test_a_slider_of_two_bodies_is_told() -> None:
+    with pytest.raises(fb.ModelError, match="it guides one body: write one for each of them"):
+        fb.System.from_text(BASE + "connections: {track: {slider: {bodies: [rod, block], along: right}}}")
+
+
+def test_a_beam_is_read_as_its_length_supports_and_loads(agrees: Callable[[fb.Solution, str, str], None]) -> None:
+    text = """
+parameters: {a: 5 m, b: 1 m, q: 4 kN/m, F: 5 kN, M: 3 kN m}
+beam: {length: a + b}
+supports: {A: pin at 0 m, B: roller at a}
+loads:
+- {type: distributed, from: 0 m, to: a/2, value: q}
+- {type: point, at: a + b, value: F}
+- {type: moment, at: a/2, value: M}
+questions: [reaction of B along up, reaction of A along up]
+"""
+    solution = fb.System.from_text(text).solve()
+    agrees(solution, "q1", "(q*a**2/8 + F*(a + b) - M)/a")  # about A
+    agrees(solution, "q2", "q*a/2 + F - (q*a**2/8 + F*(a + b) - M)/a")
+    assert "loads without a direction act downwards" in str(solution.assumptions)
+    named = "beam: 4 m\nsupports: {W: {fixed: 0}}\nloads: {P: {type: force, at: 4 m, value: 2 kN, direction: up}}\n"
+    system = fb.System.from_text(named)
+    assert system.solve("moment of W on beam").answers[0].value == pytest.approx(-8000)
+    with pytest.raises(fb.ModelError, match=r"^3:\d+: .*2 kg"):
+        fb.System.from_text(named.replace("2 kN", "2 kg"))
+
+
+LINKAGE = """
+points: {A: [0, 0], B: [30 mm, 52 mm], C: [120 mm, 85 mm], D: [110 mm, 0]}
+links: {crank: [A, B], coupler: {from: B, to: C}, rocker: [C, D]}
+motor: {on: crank, speed: 10 rad/s}
+questions: [angular velocity of rocker at start, angular velocity of coupler at start]
+"""
+
+
+@pytest.mark.parametrize("held", ["ground: [A, D]", "joints: {A: pin to ground, B: pin, D: fixed}", "fixed: [A, D]"])
+def test_a_linkage_is_read_as_its_points_and_links(held: str) -> None:
+    rocker, coupler = (answer.value for answer in fb.System.from_text(LINKAGE + held).solve().answers)
+    # 10 (-52, 30) + w_c (-33, 90) = w_r (-85, 10)
+    assert -520 - 33 * coupler == pytest.approx(-85 * rocker)
+    assert 300 + 90 * coupler == pytest.approx(10 * rocker)
+
+
+def test_links_with_a_mass_are_bodies() -> None:
+    text = (
+        "links: [{name: upper, length: 1 m, mass: 2 kg}]\njoints: [{name: j, type: pin, parent: world, child: upper}]"
+    )
+    with pytest.raises(fb.ModelError) as told:
+        fb.System.from_text(text)
+    assert "upper needs a shape with these fields: upper: {rod: {length: 1 m, mass: 2 kg}}" in str(told.value)
+    assert "it names the points that meet" in str(told.value)
+
+
+def test_a_truss_may_be_given_by_lists() -> None:
+    text = """
+nodes: [{name: A, x: 0, y: 0}, {name: B, x: 0, y: 3 m}, {name: C, x: 4 m, y: 0}]
+elements: [[A, C], [B, C]]
+supports: {A: fixed, B: fixed}
+loads: {F: 12 kN down at C}
+questions: [force in AC, force in BC]
+"""
+    first, second = (answer.value for answer in fb.System.from_text(text).solve().answers)
+    assert (first, second) == (pytest.approx(-16000), pytest.approx(20000))
+
+
+def test_a_beam_may_be_given_in_german() -> None:
+    text = """
+balken: {länge: 3 m}
+lager: {A: {typ: einspannung, x: 0}}
+lasten: {F: {typ: kraft, x: 3 m, wert: 2 kN}, q: {typ: streckenlast, von: 0, bis: 3 m, wert: 1 kN/m}}
+fragen: [Einspannmoment]
+"""
+    (answer,) = fb.System.from_text(text).solve().answers
+    assert answer.value == pytest.approx(2000 * 3 + 1000 * 9 / 2)
+
+
+def test_places_in_round_brackets_stand_in_braces_too() -> None:
+    text = "bodies: {rod: {bar: {from: (1 m, 2 m), length: 3 m}, angle: 0}}"
+    start = fb.System.from_text(text).bodies["rod"].start
+    assert str(start) == str(fb.System.from_text(text.replace("(", "[").replace(")", "]")).bodies["rod"].start)
+    assert start.at is not None
+    assert start.at[0] == "start"
+
+
+def test_the_ends_of_a_rod_may_stand_in_its_shape() -> None:
+    loose, strict = (
+        fb.System.from_text(f"bodies: {{ladder: {{rod: {{{each}}}}}}}").bodies["ladder"].start
+        for each in ("start: [0, 0], end: [3 m, 4 m]", "from: [0, 0], to: [3 m, 4 m]")
+    )
+    assert str(loose) == str(strict)
+    assert loose.at is not None
+
+
+def test_one_point_without_a_place_is_the_origin_beside_coordinates() -> None:
+    text = "bodies: {rod: {rod: {length: 1 m, mass: 1 kg}}}\nconnections: {p: {pin: [ground.O, rod.start]}}\n"
+    system = fb.System.from_text(text + "loads: {s: {spring: {from: [2 m, 0], to: rod.end, k: 5 N/m}}}")
+    points = system.bodies["ground"].points
+    assert points["O"] == points["origin"]
+
+
+def test_a_table_that_nobody_declares_is_a_level_plane_in_space() -> None:
+    text = "space: true\nbodies: {b: {sphere: {mass: 1 kg, radius: 1 m}}}\nconnections: {c: {contact: [b, table]}}"
+    system = fb.System.from_text(text)
+    assert "table is not declared: it is the horizontal plane through the origin" in map(str, system.assumptions)

@@ -40,6 +40,15 @@ loads: {weight: {gravity: g}}
 measures: {theta: {angle of line from ground.O to block from down}}
 start: {theta: 0}
 """
+# nothing says where the block, or the rod, is: it hangs at rest, and the blow comes from the side
+HUNG = BALLISTIC[: BALLISTIC.index("measures")]
+HUNG_ROD = BULLET.replace(", angle: -90 deg", "").replace("rod.target", "rod.end")
+HUNG_BOB = """
+parameters: {m: 10 g, M: 2 kg, L: 1.5 m, v: 100 m/s, g: 9.81 m/s^2}
+bodies: {rod: {rod: {length: L}}, bob: {particle: {mass: M}}, bullet: {particle: {mass: m}, velocity: [v, 0]}}
+connections: {A: {pin: [ground.A, rod.start]}, at: {weld: [bob, rod.end]}, hit: {pin: [bullet, bob], closes: at start}}
+loads: {weight: {gravity: g}}
+"""
 FREE_ROD = """
 parameters: {m: 3 kg, L: 2 m, c: 0.4 m, J: 5 N s}
 bodies: {rod: {rod: {mass: m, length: L}, points: {struck: [c, 0]}}}
@@ -154,6 +163,24 @@ PROBLEMS = {
     "heat in the block": (BALLISTIC, "energy lost in the blow", "m*M*v^2/(2*(m + M))"),
     # the bullet is stopped from v to m v/(m + M)
     "on the block": (BALLISTIC, "horizontal impulse of hit on block", "m*M*v/(m + M)"),
+    # m v^2/2 M/(m + M) is lost, the rest lifts both
+    "block that hangs": (HUNG, "how high does the block rise", "m^2*v^2/(2*g*(m + M)^2)"),
+    "rod that hangs": (HUNG_ROD, "angular velocity of rod at start", "m*v*L/(m*L^2 + M*L^2/3)"),
+    # (m + M/3) L^2 w^2/2 = (m + M/2) g L (1 - cos theta) with w = m v/((m + M/3) L)
+    "how far it swings": (
+        HUNG_ROD.replace("300 m/s", "100 m/s") + "measures: {theta: angle of rod from down}\n",
+        "through which angle does the rod swing",
+        "acos(1 - m^2*v^2/(2*(m + M/3)*(m + M/2)*g*L))",
+    ),
+    # it hangs with its end up, at 90 deg: L w^2/2/3 = g/2 (1 - cos theta)
+    "swing of a rod hung at its end": (
+        "parameters: {m: 1 kg, L: 1 m, w: 3 rad/s, g: 9.81 m/s^2}\n"
+        "bodies: {rod: {rod: {mass: m, length: L}, angular_velocity: w}}\n"
+        "connections: {A: {pin: [ground.A, rod.end]}}\nloads: {weight: {gravity: g}}\n",
+        "through which angle does the rod swing",
+        "acos(1 - L*w^2/(3*g))",
+    ),
+    "bob on a rod": (HUNG_BOB, "how high does the bob rise", "m^2*v^2/(2*g*(m + M)^2)"),
     # the wire is vertical: it has no part in it
     "wire": (BALLISTIC, "size of impulse of wire", "0"),
     "free rod": (FREE_ROD, "angular velocity of rod at start", "12*J*c/(m*L^2)"),
@@ -410,3 +437,15 @@ connections: {stick: {spherical: [plate.P, bullet], closes: at start}}
 def test_no_forces_are_told_just_before_the_blow_of_the_start() -> None:
     found = posed(STRUCK_ROD, "impulse of hinge along right / (reaction of hinge along up before the blow)")
     assert "only places and velocities are told" in found.reason
+
+
+def test_what_hangs_at_the_start_is_told() -> None:
+    result = System.from_text(HUNG).solve("speed of block at start")
+    assert "nothing says where block is at the start: it hangs below ground.O" in map(str, result.assumptions)
+
+
+def test_an_angle_that_grows_with_every_turn_has_no_stroke_in_numbers() -> None:
+    system = System.from_text(HUNG_ROD + "measures: {theta: angle of rod from down}")
+    (answer,) = system.solve("stroke of theta").answers
+    assert answer.expression is None
+    assert answer.value is None

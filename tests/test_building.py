@@ -155,3 +155,31 @@ def test_results_are_read_by_the_names_that_they_have() -> None:
     with pytest.raises(KeyError, match="there is t, theta"):
         run["phi"]
     assert str(m * g * cos(theta))
+
+
+def test_symbols_may_be_named_without_values() -> None:
+    """As SymPy's `symbols`: their units are those with which they are used."""
+    model = fb.Model()
+    M, k, g = model.parameters("M, k", g="9.81 m/s^2")
+    cart = model.body("cart", fb.Particle(M))
+    model.connect("rail", fb.Slider(cart, "right"))
+    model.load("spring", fb.Spring(model.ground, cart, k))
+    model.load("weight", fb.Gravity(g))
+    x = model.measure("x", cart.x)
+    model.ask(x.acceleration)
+    system = model.system()
+    assert str(system.parameters["k"].dimension) == "N/m"
+    assert system.measures["x"] == fb.System.from_text(system.to_yaml()).measures["x"]
+
+
+def test_what_one_tries_first_says_what_to_write() -> None:
+    model = fb.Model()
+    with pytest.raises(AttributeError, match=r"write model.body\(\.\.\.\)"):
+        model.add_body("a", fb.Particle("1 kg"))
+    with pytest.raises(AttributeError, match=r"write model.connect\(\.\.\.\)"):
+        model.add_joint()
+    with pytest.raises(TypeError, match="when='y = 0'"):
+        model.ask("x of ball", when=False)  # type: ignore[arg-type]
+    system = ball_on_incline().system()
+    with pytest.raises(TypeError, match=r"system.with_parameters\(R='0.2 m'\)"):
+        system.parameters["R"] = "0.2 m"  # type: ignore[index]

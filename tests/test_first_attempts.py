@@ -15,12 +15,46 @@ from freebody.model.elements import RigidBody
 ROD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\n"
 BLOCK = "bodies: {block: {particle: {mass: 1 kg}}}\n"
 MISTAKES = {
+    "units for the whole file": (
+        f"{BLOCK}units: mm, kg, N",
+        "each number has its own unit, as 1500 mm or 10 kg; one without is in SI units: leave units out",
+    ),
+    "a distance along a rod": (
+        f"{ROD}connections: {{s: {{pin: [ground.O, rod at 0.2 m]}}}}",
+        "rod at 0.2 m is no point: declare it, by its distance from the middle of rod: rod: {points: {P: [0.2 m - "
+        "(1/2), 0]}} where 0.2 m counts from rod.start, and write rod.P",
+    ),
+    "gains without units": (
+        "parameters: {kp: 10, kd: 3}\nbodies: {arm: {disk: {mass: 1 kg, radius: 1 m}}}\nmeasures: {phi: angle of arm}\n"
+        "connections: {O: {pin: [ground.O, arm]}}\n"
+        "loads: {motor: {torque: {on: arm, magnitude: -kp*phi - kd*rate(phi)}}}",
+        "in '-kp*phi - kd*rate(phi)' kp and kd must have units: write kp: 10 N m, kd: 3 N m s under parameters",
+    ),
+    "a band brake": (
+        "bodies: {drum: {disk: {radius: 1 m}}}\nconnections: {b: {band_brake: {drum: drum, friction: 0.3}}}",
+        "band_brake is no kind of connection: the band is a string with friction: string: {from: ground.A, over: "
+        "[drum], to: lever.P, friction: {drum: mu}}, its angle on the drum, where its leads do not tell, "
+        "wrap: {drum: 180 deg}",
+    ),
+    "a cone clutch": (
+        "bodies: {a: {disk: {radius: 1 m}}}\nconnections: {b: {cone_clutch: {between: [a, ground]}}}",
+        "cone_clutch is no kind of connection: it is a disc_clutch with the angle between its faces and the "
+        "axis beside the rest: cone_angle: 12 deg",
+    ),
+    "an eccentric disk": (
+        "bodies: {cam: {disk: {radius: 1 m, eccentricity: 0.1 m}}}",
+        "disk has no eccentricity: an axle beside its middle is a point of it, at which it is pinned: beside the disk "
+        "points: {axle: [-e, 0]}",
+    ),
+    "a rough line": (
+        f"{BLOCK}ground: {{surfaces: {{floor: {{angle: 0, friction: 0.3}}}}}}",
+        "a line has no friction: that is of contact: {between: [BODY, floor], friction: 0.3}",
+    ),
     "a contact of two particles": (
         "bodies: {A: {particle: {mass: 1 kg}}, B: {particle: {mass: 1 kg}}}\n"
         "connections: {hit: {contact: {between: [A, B], restitution: 0.5}}}",
-        "A and B are points, and two points do not touch: give one of them a size (a disk, a rectangle), or bound "
-        "their distance on one line, measures: {gap: travel of B along right from A}, by stop: {measure: gap, min: 0} "
-        "with its restitution",
+        "A and B are points, and two points do not touch: give one of them a size (a disk, a rectangle), or guide "
+        "both along one line, each by a slider: {body: A, along: right}",
     ),
     "a string on a part of a drum": (
         "ground: {points: {O: [0, 0]}}\n"
@@ -191,11 +225,6 @@ MISTAKES = {
         f"{BLOCK}loads: {{push: {{force: {{at: block, along: right, magnitude: P}}}}}}",
         "P is not a parameter. There is: t. Add it under parameters, e.g. P: 1 N, or without a number P: N",
     ),
-    "a start by the body": (
-        f"{BLOCK}start: {{block.x: 0.1 m}}",
-        "block.x is no named measure or rate of one. Say what it is, e.g. measures: {x_block: x of block}, start: "
-        "{x_block: ...}",
-    ),
     "a force by its components": (
         f"{BLOCK}loads: {{F: {{force: {{at: block, components: [3 N, 4 N], along: up, magnitude: 1 N}}}}}}",
         "force has no components: it has a direction and a magnitude: {along: [3, 4], magnitude: 5 N}",
@@ -217,7 +246,6 @@ MISTAKES = {
         f"{ROD}connections: {{hinge: {{pin: [ground, rod.start]}}}}\nmeasures: {{phi: angle of hinge}}",
         "there is no body hinge. hinge is the connection of rod: name a body.",
     ),
-    "a place by the body": (f"{BLOCK}measures: {{s: block.x}}", "write x of block for block.x"),
     "a rate as a measure": (
         f"{BLOCK}measures: {{s: x of block, v: rate(s)}}",
         "a measure has its rate beside it: rate(s) may stand in start and in questions",
@@ -856,3 +884,9 @@ def test_coordinates_beside_the_body_on_which_something_is_guided_are_asked_for(
             "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}, b: {particle: {mass: 1 kg}}}\n"
             "connections: {s: {slider: {body: b, on: a, along: a.x, through: [0, 1 m]}}}\n"
         )
+
+
+def test_gains_that_have_neither_numbers_nor_units_have_those_of_their_use() -> None:
+    text = f"{BLOCK}parameters: {{k: null, c: null}}\nmeasures: {{x: x of block}}\n"
+    system = fb.System.from_text(text + "loads: {F: {force: {at: block, along: right, magnitude: -k*x - c*rate(x)}}}")
+    assert [str(system.parameters[name].dimension) for name in ("k", "c")] == ["N/m", "N s/m"]

@@ -104,9 +104,20 @@ def test_gears_by_their_teeth_mesh_by_their_pitch_circles(
     [
         ("teeth: 17, module: 2 mm", "teeth: 51, module: 3 mm", "a, b", "only teeth of one module mesh"),
         ("teeth: 17.5, module: 2 mm", "teeth: 51, module: 2 mm", "a, b", "a number of teeth is whole, e.g. 18"),
-        ("teeth: 17", "teeth: 51, module: 2 mm", "a, b", "a gear has teeth and a module"),
+        ("module: 2 mm", "teeth: 51, module: 2 mm", "a, b", "a gear has teeth and a module"),
     ],
 )
 def test_gears_that_do_not_mesh_are_told(one: str, other: str, mesh: str, told: str) -> None:
     with pytest.raises(fb.ModelError, match=told):
         fb.System.from_text(BY_TEETH.format(apart="68 mm", one=one, other=other, mesh=mesh))
+
+
+@pytest.mark.parametrize("other", ["teeth: 51", "teeth: 51, module: 2 mm"])
+def test_gears_that_mesh_have_one_module(other: str) -> None:
+    """The ratio hangs on the teeth alone; a module that nobody gives stays a symbol."""
+    system = fb.System.from_text(BY_TEETH.format(apart="68 mm", one="teeth: 17", other=other, mesh="a, b"))
+    solution = system.solve()
+    assert solution["it"].value == pytest.approx(-1 / 3)
+    is_open = "the module of a, b is left open: module" in map(str, solution.assumptions)
+    assert is_open is (other == "teeth: 51")
+    assert not [warning for warning in system.warnings if "gears" in warning.kind]

@@ -63,6 +63,28 @@ measures: {x1: x of front, x2: x of rear, apart: x of front from rear}
 start: {x1: 2 m, x2: 0, rate(x1): 0, rate(x2): v}
 """
 
+CARTS = """
+parameters: {m1: 0.5 kg, m2: 1.5 kg, v1: 2 m/s, v2: -1 m/s, e: 0.8, d: 2 m}
+bodies:
+  one: {cart: {mass: m1}, velocity: [v1, 0]}
+  two: {cart: {mass: m2}, at: [d, 0], velocity: [v2, 0]}
+connections:
+  track: {slider: {body: one, along: right}}
+  rail: {slider: {body: two, along: left}}
+  collision: {contact: [two, one], restitution: e}
+"""
+PARTICLES = """
+parameters: {m1: 0.5 kg, m2: 1.5 kg, v1: 2 m/s, v2: -1 m/s, e: 0.8, d: 2 m}
+bodies:
+  one: {cart: {mass: m1}, at: [0, 0], velocity: [v1, 0]}
+  two: {cart: {mass: m2}, at: [d, 0], velocity: [v2, 0]}
+connections:
+  track: {slider: {body: one, along: right}}
+  rail: {slider: {body: two, along: left}}
+  collision: {contact: [two, one], restitution: e}
+"""
+# they start in one place, and come nearer
+TOUCHING = PARTICLES.replace("at: [0, 0], ", "").replace("at: [d, 0], ", "")
 # model, question, formula in the case of the model's own numbers
 PROBLEMS = {
     "before the catch": (CAUGHT, "velocity of y before the blow", "-sqrt(2*g*h)"),
@@ -104,6 +126,18 @@ PROBLEMS = {
     "carts, rear": (CARTS, "velocity of x2 after the collision", "(m2 - e*m1)*v/(m1 + m2)"),
     "carts, lost": (CARTS, "energy lost in the collision", "(1 - e^2)*m1*m2*v^2/(2*(m1 + m2))"),
     "carts, impulse": (CARTS, "impulse of bump on front along right", "(1 + e)*m1*m2*v/(m1 + m2)"),
+    # momentum, and v2' - v1' = e (v1 - v2)
+    "particles": (
+        PARTICLES,
+        "velocity of one along right after the collision",
+        "(m1*v1 + m2*v2 - m2*e*(v1 - v2))/(m1 + m2)",
+    ),
+    "particles meet": (PARTICLES, "time when it hits", "d/(v1 - v2)"),
+    "touching particles": (
+        TOUCHING,
+        "velocity of two along right after the collision",
+        "(m1*v1 + m2*v2 + m1*e*(v1 - v2))/(m1 + m2)",
+    ),
     "rope jerks": (TAUT, "impulse of rope on rear along right", "m1*m2*v/(m1 + m2)"),
     "ballistic, before": (BALLISTIC, "kinetic energy before the impact", "m*v^2/2"),
     "ballistic, after": (BALLISTIC, "kinetic energy after the impact", "m^2*v^2/(2*(m + M))"),

@@ -155,6 +155,14 @@ class Joined(Written):
         return Written(f"{_phrase(f'reaction of {self}', on, 'on')}{component}")
 
 
+# What one tries first to add something to a model.
+_ADDED = {
+    **dict.fromkeys(("add_joint", "add_connection", "add_constraint", "joint", "connection"), "connect"),
+    **dict.fromkeys(("add_force", "add_torque", "add_gravity"), "load"),
+    **dict.fromkeys(("add_question", "question", "find"), "ask"),
+}
+
+
 class Model:
     """A model that is being written. title, about: what it shows; space: three dimensions."""
 
@@ -172,6 +180,8 @@ class Model:
     def __getattr__(self, name: str) -> Any:
         """Who asks a model asks the system that it describes; what a model has is told by its kind."""
         meant = f": write model.system().{name}" if not name.startswith("_") and hasattr(System, name) else ""
+        if hasattr(type(self), own := _ADDED.get(name, name.removeprefix("add_"))) and own != name:
+            meant = f": write model.{own}(...)"
         for kinds, example in (
             (Shape.kinds, "model.body(name, fb.{kind}({fields}))"),
             (Connection.kinds, "model.connect(name, fb.{kind}({fields}))"),
@@ -184,9 +194,11 @@ class Model:
                 meant = f": write {example.format(kind=_class_name(kind), fields=fields)}"
         raise AttributeError(f"a Model has no {name}{meant}")
 
-    def parameters(self, **values: Formula) -> tuple[Symbol, ...]:
-        """Parameters with their values, as quantities with units: m="2 kg". Returns a symbol for each, in order."""
-        return tuple(self.parameter(name, value) for name, value in values.items())
+    def parameters(self, *names: str, **values: Formula) -> tuple[Symbol, ...]:
+        """Parameters with their values, as quantities with units: m="2 kg"; names alone, "M m L", are symbols without
+        values, in the units in which they are used. Returns a symbol for each, in order."""
+        bare = [name for text in names for name in text.replace(",", " ").split()]
+        return tuple(self.parameter(name, value) for name, value in (dict.fromkeys(bare) | values).items())
 
     def parameter(self, name: str, value: Formula | None = None, **more: str) -> Symbol:
         """One parameter. more: `sign="any"`, `unit="m"` for one without a value. Raises ExpressionError for a name that
@@ -279,7 +291,10 @@ class Model:
         options: Mapping[str, Given] | None = None,
         key: str | None = None,
     ) -> None:
-        """A question, with options to choose from and the letter of the right one."""
+        """A question, with options to choose from and the letter of the right one. Raises TypeError for a condition
+        that is no text."""
+        if isinstance(when, bool):
+            raise TypeError("when is a text, not a comparison: model.ask(x, when='y = 0')")
         given = {"find": str(find), "id": id, "when": when, "options": as_text(options), "key": key}
         self._questions.append({name: value for name, value in given.items() if value is not None})
 

@@ -15,15 +15,25 @@ from freebody.connections.pairs import ContactSurface, OutlinePair
 from freebody.connections.places_on_bodies import INSIDE
 from freebody.connections.polyhedra import is_polyhedron
 from freebody.connections.sites import sites
-from freebody.connections.standing import along_of, is_parallel, moves_out_of_plane, number_of, place_of, same_way
+from freebody.connections.standing import (
+    along_of,
+    begins_at,
+    ground_guide_of,
+    is_parallel,
+    moves_out_of_plane,
+    number_of,
+    place_of,
+    same_way,
+    stands_at,
+)
 from freebody.language.expression import Expr, add, divide, negate
 from freebody.language.natural import natural
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ONE, RIGHT, Direction, Point
+from freebody.measures.geometry import GROUND, ONE, RIGHT, ZERO, Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import DryFriction, RigidBody, UnilateralConstraint, Validity
+from freebody.model.elements import ConstraintRow, DryFriction, RigidBody, UnilateralConstraint, Validity
 from freebody.model.friction import read_friction, read_restitution
 from freebody.model.glyphs import Glyph
 from freebody.model.noting import did_you_mean
@@ -209,7 +219,12 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         return [text for text in texts if names.space and names.plane(text) is not None]
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
-        """Of contacts in space."""
+        """Of contacts in space, and of particles that meet on one line."""
+        if (line := self._on_one_line(names)) is not None:
+            row = ConstraintRow(
+                "n", "normal force", Displacement(*line), ZERO, 1, unilateral=True, connection=connection
+            )
+            return [UnilateralConstraint(row, read_restitution(names, self.restitution))], []
         for text in self._misnamed(names):
             body = names.bodies[text.rpartition(".")[0] or GROUND]
             hint = did_you_mean(text, [f"{body.name}.{plane}" for plane in body.planes])
@@ -220,6 +235,25 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             for whole, part in zip(found, pair.elements(names), strict=True):
                 whole.extend(part)  # pyrefly: ignore[bad-argument-type]
         return found
+
+    def _on_one_line(self, names: Names) -> tuple[Point, Point, Direction] | None:
+        """Of two particles that are guided along one line of the ground: the one that is ahead, the other one, and the
+        direction; which of them is ahead their places tell, or else that they come nearer. None for anything else."""
+        bodies = [names.bodies[text] for text in self.between or () if text in names.bodies]
+        if names.space or len(bodies) != 2 or self.friction not in (0, "0") or any(b.turns or b.fixed for b in bodies):
+            return None
+        behind, ahead = (body.point() for body in bodies)
+        along, other = (ground_guide_of(names, body.name, turning=True) for body in bodies)
+        if along is None or other is None or not is_parallel(names, along, other):
+            return None
+        across, between = (_apart(names, behind, ahead, way) for way in (along.normal(), along))
+        sense = 0.0 if between is None else number_of(names, between)
+        if sense == 0.0:  # they touch: then they come nearer
+            speeds = [ZERO if b.start.velocity is None else along_of(b.start.velocity, along) for b in bodies]
+            sense = number_of(names, add(speeds[0], negate(speeds[1])))
+        if sense == 0.0 or (across is not None and abs(number_of(names, across)) > SAME_PLACE):
+            return None
+        return (ahead, behind, along) if sense > 0.0 else (behind, ahead, along)
 
     def _in_space(self, names: Names, connection: str) -> list[PairInSpace]:
         """Bodies on planes, and bodies on bodies."""
@@ -255,7 +289,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
 
     def pairs(self, names: Names, connection: str) -> list[OutlinePair]:
         """The pairs of outlines that may touch."""
-        if not self.is_in_plane(names):
+        if not self.is_in_plane(names) or self._on_one_line(names) is not None:
             return []
         if self.spinning_resistance not in (0, "0"):
             told = Message("spinning_resistance is for contacts in space")
@@ -288,11 +322,12 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                 continue
             if not sites(a, b):
                 particles = GROUND not in (a.body, b.body) and not any(names.known(x.body).turns for x in (a, b))
+                if particles and names.problems:
+                    continue  # what guides them may be among what could not be read
                 if self.between is not None and particles and not names.space:
                     told = Message(
                         "{a} and {b} are points, and two points do not touch: give one of them a size (a disk, a "
-                        "rectangle), or bound their distance on one line, measures: {{gap: travel of {b} along right "
-                        "from {a}}}, by stop: {{measure: gap, min: 0}} with its restitution",
+                        "rectangle), or guide both along one line, each by a slider: {{body: {a}, along: right}}",
                         a=a.label,
                         b=b.label,
                     )
@@ -468,6 +503,17 @@ def _look_at_hollows(names: Names, a: Outline, b: Outline) -> None:
         for hollow in outer.hollows:
             for part in inner.rounds:
                 look_at_fit(names, inner.body, part.radius, hollow.body, hollow.radius, "between")
+
+
+def _apart(names: Names, first: Point, second: Point, along: Direction) -> Expr | None:
+    """How far a particle is from another one along a direction of the ground at the start, where the file says so."""
+    places: list[Expr | None] = []
+    for point in (first, second):
+        at = names.known(point.body).start.at
+        place = None if at is None else along_of(at[1], along)
+        places.append(place or begins_at(names, point, along) or stands_at(names, point, along))
+    start, end = places
+    return None if start is None or end is None else add(end, negate(start))
 
 
 def _may_touch(names: Names, a: Outline, b: Outline) -> bool:

@@ -37,10 +37,18 @@ class DiscClutch(Connection, kind="disc_clutch"):
     force may depend on time `t`."""
 
     called: ClassVar[tuple[str, ...]] = ("clutch", "brake", "disc brake", "cone clutch")
-    also: ClassVar[tuple[str, ...]] = ("clutch",)
+    also: ClassVar[tuple[str, ...]] = ("clutch", "plate_clutch", "plates", "disk_clutch", "friction_clutch")
+    instead: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("cone_clutch", "cone", "Kegelkupplung"),
+            Message(
+                "it is a disc_clutch with the angle between its faces and the axis beside the rest: cone_angle: 12 deg"
+            ),
+        ),
+    }
     elsewhere: ClassVar[Mapping[str, str]] = {
         **dict.fromkeys(
-            ("plates", "discs", "disks"),
+            ("plates", "discs", "disks", "number", "n"),
             Message("faces is the number of pairs of faces that rub: a plate between two disks has 2"),
         ),
         "torque": Message(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from freebody.connections.base import Connection, coincidence
@@ -33,9 +33,24 @@ class Pin(Connection, kind="pin"):
     its own, called by the name of the node and its number (node_2, node_3)."""
 
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "joint", "axis")
-    also: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "revolute", "Gelenk", "Lager", "Festlager")
+    also: ClassVar[tuple[str, ...]] = (
+        "hinge",
+        "pivot",
+        "axle",
+        "bearing",
+        "revolute",
+        "Gelenk",
+        "Lager",
+        "Festlager",
+        "Drehgelenk",
+        "Scharnier",
+    )
 
     meeting = ("first", "second")
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("parent", "child"),
+        Message("it names the points that meet, of the ground and of bodies: {{first: ground.A, second: arm.start}}"),
+    )
 
     first: str
     second: str

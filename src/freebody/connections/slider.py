@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -130,7 +130,11 @@ class Slider(Connection, kind="slider"):
     `friction`: the force that resists is mu times the normal force."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "rail", "track")
-    also: ClassVar[tuple[str, ...]] = ("guide", "Führung", "Schiebehülse")
+    also: ClassVar[tuple[str, ...]] = ("guide", "Führung", "Schiebehülse", "Schubgelenk", "prismatic")
+
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "bodies": Message("it guides one body: write one for each of them, {{body: cart, along: right}}")
+    }
 
     body: str
     along: Heading

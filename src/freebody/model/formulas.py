@@ -27,7 +27,7 @@ from freebody.language.expression import (
 )
 from freebody.language.notation import to_python
 from freebody.language.parser import parse
-from freebody.language.sentences import Message, as_found, in_turn
+from freebody.language.sentences import Message, as_found, in_turn, listed
 from freebody.language.units import (
     ACCELERATION,
     ANGULAR_VELOCITY,
@@ -200,7 +200,9 @@ class Formulas(Noting):
         try:
             found = dimension_of(expr, known)
         except UnitError as error:
-            return self._quantity(value, dimension, path, Message("in '{text}': {error}", text=value, error=error))
+            told = self._without_units(value, expr, dimension, known)
+            told = told or Message("in '{text}': {error}", text=value, error=error)
+            return self._quantity(value, dimension, path, told)
         if found != dimension and expr != ZERO:
             if self.is_broken_in(value):
                 return ZERO
@@ -226,8 +228,53 @@ class Formulas(Noting):
                     unit=dimension,
                 )
                 self.broken.add(value)
+            elif (without := self._without_units(value, expr, dimension, known)) is not None:
+                told = without
             return self._quantity(value, dimension, path, told)
         return expr
+
+    def _without_units(
+        self, text: str, expr: Expr, wanted: Dimension, known: Mapping[str, Dimension]
+    ) -> Message | None:
+        """What to write where parameters that have numbers without units, such as the gains of a controller, are all
+        that keeps the terms of a formula from fitting."""
+        found: dict[str, Dimension] = {}
+        for term in expr.terms if isinstance(expr, Sum) else (expr,):
+            if (lacking := self._lacking(term, wanted, known)) is None:
+                return None
+            found |= lacking
+        if any(self.parameters[name].value is None for name in found):
+            for name, unit in found.items():
+                self.units_of_use.setdefault(name, unit)
+            return None
+        self.broken |= found.keys()
+        entries = ", ".join(f"{name}: {self.number_of(name):g} {unit}" for name, unit in found.items())
+        names = listed([*found], "{first} and {second}")
+        told = Message(
+            "in '{text}' {names} must have units: write {entries} under parameters",
+            names=names,
+            text=text,
+            entries=entries,
+        )
+        return told if found else None
+
+    def _lacking(self, term: Expr, wanted: Dimension, known: Mapping[str, Dimension]) -> dict[str, Dimension] | None:
+        """The unit with which the one parameter without a unit makes a term fit; none where it fits; None where that
+        is not all."""
+        with suppress(UnitError):
+            own = dimension_of(term, known)
+            if own == wanted:
+                return {}
+            names = [name for name in free_symbols(term) if name in self.parameters and self._is_plain(name)]
+            unit = wanted / own
+            if len(names) == 1 and dimension_of(term, {**known, names[0]: unit}) == wanted:
+                return {names[0]: unit}
+        return None
+
+    def _is_plain(self, name: str) -> bool:
+        """Whether a parameter has a number without a unit, or neither."""
+        p = self.parameters[name]
+        return p.dimension == DIMENSIONLESS and not p.unit and not p.is_angle and p.form is None
 
     def _beside(self, extra: Mapping[str, Dimension], expr: Expr) -> Expr:
         """In the parameters, where other names mean what they mean there."""

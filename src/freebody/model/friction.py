@@ -13,6 +13,23 @@ from freebody.model.noting import did_you_mean
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+# What people call the two coefficients beside each other.
+AT_REST = ("static_friction", "mu_s", "mu_static", "static", "Haftreibung", "Haftreibungszahl", "Haftzahl")
+IN_MOTION = (
+    *("kinetic_friction", "dynamic_friction", "sliding_friction", "mu_k", "mu_d", "mu_kinetic", "kinetic"),
+    *("Gleitreibung", "Gleitreibungszahl"),
+)
+
+
+def with_both_coefficients(given: dict[str, Any]) -> dict[str, Any]:
+    """Fields with `friction: {static: ..., kinetic: ...}` in place of two words for these."""
+    said = [[word for word in words if word in given] for words in (AT_REST, IN_MOTION)]
+    if "friction" in given or [len(words) for words in said] != [1, 1]:
+        return given
+    (static,), (kinetic,) = said
+    rest = {key: value for key, value in given.items() if key not in (static, kinetic)}
+    return {**rest, "friction": {"static": given[static], "kinetic": given[kinetic]}}
+
 
 @dataclass(frozen=True)
 class Friction:

@@ -15,6 +15,7 @@ from freebody.language.expression import (
     Expr,
     number,
 )
+from freebody.language.folded import folded
 from freebody.language.natural import natural
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, listed
@@ -201,6 +202,15 @@ SURROUNDINGS = frozenset((
     "Gestell", "Lager", "Fundament",
 ))  # fmt: skip
 
+# What people call the ground where no body is called so, and points that bodies have by other names.
+_THE_GROUND = frozenset(("world", "gestell", "frame", "base", "fundament", "foundation", "umgebung"))
+_SAME_POINTS: Mapping[str, str] = {
+    **dict.fromkeys(("anfang", "beginning"), "start"),
+    **dict.fromkeys(("ende", "tip"), "end"),
+    **dict.fromkeys(("centre", "middle", "mitte", "mittelpunkt"), "center"),
+    **dict.fromkeys(("com", "cm", "cg", "center_of_mass", "centre_of_mass", "schwerpunkt"), "mass_center"),
+}
+
 
 class Names(Formulas):
     """The names of one model in the making."""
@@ -229,6 +239,8 @@ class Names(Formulas):
         ] = []  # what the loads push, known before the connections say what they hold
         self.fields: set[tuple[Direction, Expr]] = set()  # of gravity: along which direction, and how strong
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
+        self.by_coordinates: set[str] = set()  # points of the ground that coordinates make, which somebody wrote
+        self.hung: set[str] = set()  # bodies that are taken to hang at the start, since nothing says where they are
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.standing: dict[tuple[object, ...], Expr | None] | None = None  # where points stand on a way
         self.up: Components = (ZERO, ONE)
@@ -300,14 +312,31 @@ class Names(Formulas):
         if not isinstance(text, str):
             self.problem(Message("expected a point such as rod.end, found {text}", text=repr(text)), *path)
             return self.bodies[GROUND].point("origin")
+        if (found := re.fullmatch(r"(\w+) at (.+)", text.strip())) and "end" in self.known(found[1]).points:
+            told = Message(
+                "{text} is no point: declare it, by its distance from the middle of {body}: {body}: {{points: {{P: "
+                "[{x} - ({half}), 0]}}}} where {x} counts from {body}.start, and write {body}.P",
+                text=text.strip(),
+                body=found[1],
+                x=found[2],
+                half=to_text(self.known(found[1]).points["end"][0]),
+            )
+            self.problem(told, *path)
+            return self.known(found[1]).point()
         body_name, _, point_name = text.strip().partition(".")
         if body_name not in self.bodies and not point_name and self._is_ground_point(body_name):
             body_name, point_name = GROUND, body_name
         if body_name not in self.bodies and not point_name and body_name in SURROUNDINGS:
             body_name, point_name = GROUND, body_name
+        if body_name not in self.bodies and point_name and folded(body_name) in _THE_GROUND:
+            told = Message("{name} is no body of the model: it is the ground", name=body_name)
+            self.assumptions += [] if told in self.assumptions else [told]
+            body_name = GROUND
         body = self.body(body_name, *path)
         if body_name not in self.bodies or body.is_placeholder:
             return body.point()
+        if point_name not in body.points and (same := _SAME_POINTS.get(folded(point_name))) in body.points:
+            point_name = same or point_name
         if not point_name:
             return self.ground_origin if body_name == GROUND else body.point()
         if point_name in body.points:
@@ -459,6 +488,9 @@ class Names(Formulas):
             return self.fixed_in(owner, compass[axis].components, text)
         if text in self.bodies and self.axis_of(text):
             return Direction(text, self.axis_of(text), f"{text}.axis")
+        along = getattr(self.connections.get(text), "along", None)  # of a guide
+        if along is not None and along != text and text not in self.bodies:
+            return self.direction(along)
         if text in self.bodies and self.bodies[text].corners == ("start", "end"):  # along a rod is one direction alone
             return Direction(text, UNIT[0][: len(self.origin)], f"{text}.x")
         return None

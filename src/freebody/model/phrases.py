@@ -417,8 +417,7 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
         return None
     of, dot, coordinate = text.partition(".")
     if dot and of in names.bodies and (meant := _OF_A_BODY.get(coordinate)):
-        names.unknown(text, Message("write {meant} for {text}", meant=f"{meant} of {of}", text=text), *path)
-        return None
+        return read_measure(names, f"{meant} of {of}", *path)
     if re.fullmatch(r"rate\(\w+\)|\w+'", text):
         told = Message("a measure has its rate beside it: {text} may stand in start and in questions", text=text)
         names.unknown(text, told, *path)

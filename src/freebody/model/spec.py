@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast, get_o
 from pydantic import BaseModel, ConfigDict, Strict, ValidationError
 
 from freebody.language.written import as_text
+from freebody.model.friction import with_both_coefficients
 
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
@@ -33,10 +34,16 @@ _TYPES: tuple[tuple[Any, FieldType], ...] = (
 )
 
 
-PAIRS = ("between", "around", "bodies", "pulleys")  # words for a list, of as many as there are fields for it
+PAIRS = (
+    "between",
+    "around",
+    "bodies",
+    "pulleys",
+    "zwischen",
+)  # words for a list, of as many as there are fields for it
 # What people write for a field, whatever has it.
 MEANT: Mapping[str, tuple[str, ...]] = {
-    "from": ("first", "start"),
+    "from": ("first", "start", "reacts_on"),
     "to": ("second",),
     **dict.fromkeys(PAIRS, ("between", "first", "second", "body", "on", "reacts_on")),
     "direction": ("along",),
@@ -54,7 +61,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "torque": ("magnitude",),
     "g": ("strength",),
     "body": ("on", "at", "pinion"),
-    "point": ("pin", "at"),
+    **dict.fromkeys(("point", "node"), ("pin", "at")),
     "on": ("at",),
     "at": ("pin", "on"),
     "position": ("at",),
@@ -77,23 +84,53 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "in": ("inside",),
     "q": ("intensity",),
     "diameter": ("radius",),
-    "von": ("from", "first", "start"),
-    "nach": ("to", "second"),
-    "Masse": ("mass",),
-    "Länge": ("length",),
-    "Radius": ("radius",),
-    "Durchmesser": ("radius",),
-    "Winkel": ("angle",),
-    "Federkonstante": ("stiffness",),
+    **{
+        word: fields
+        for words, fields in (
+            (("von",), ("from", "first", "start")),
+            (("nach",), ("to", "second")),
+            (("Masse",), ("mass",)),
+            (("Länge",), ("length",)),
+            (("Ruhelänge", "ungespannte Länge"), ("rest_length", "length")),
+            (("Radius", "Durchmesser"), ("radius",)),
+            (("Breite",), ("width",)),
+            (("Höhe",), ("height",)),
+            (("Trägheitsmoment", "Massenträgheitsmoment"), ("inertia",)),
+            (("Zähne", "Zähnezahl"), ("teeth",)),
+            (("Modul",), ("module",)),
+            (("innen", "Innenverzahnung"), ("internal",)),
+            (("Schwerpunkt",), ("center_of_mass",)),
+            (("fest",), ("fixed",)),
+            (("Winkel",), ("angle",)),
+            (("Lage", "Ort", "Position"), ("at",)),
+            (("Geschwindigkeit",), ("velocity",)),
+            (("Winkelgeschwindigkeit", "Drehzahl"), ("angular_velocity", "speed")),
+            (("Federkonstante", "Federsteifigkeit", "Steifigkeit"), ("stiffness",)),
+            (("Dämpfung", "Dämpfungskonstante"), ("damping",)),
+            (("Reibung", "Reibungszahl", "Reibungskoeffizient"), ("friction",)),
+            (("Stoßzahl",), ("restitution",)),
+            (("Richtung",), ("along",)),
+            (("Betrag", "Größe", "Wert"), ("magnitude", "strength", "intensity")),
+            (("Körper", "Bauteil"), ("on", "at", "body", "pinion")),
+            (("Punkt",), ("pin", "at")),
+            (("zwischen",), ("between", "first", "second", "body", "on", "reacts_on")),
+        )
+        for word in words
+    },
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
-    "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "g", "center", "com",
-    "k", "spring_constant", "spring_rate", "c", "damping_constant",
+    "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "e", "g",
+    "center", "com", "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
     "position", "initial_position", "initial_angle", "initial_velocity", "initial_angular_velocity",
     "r", "R", "m", "M", "l", "L", "F", "J", "I", "diameter", "angular_velocity", "angular_speed", "in", "q", "bodies",
-    "point", "von", "nach", "Masse", "Länge", "Radius", "Winkel", "Federkonstante", "Durchmesser",
+    "point", "node", "von", "nach", "Masse", "Länge", "Ruhelänge", "ungespannte Länge", "Radius", "Durchmesser",
+    "Breite", "Höhe", "Trägheitsmoment", "Massenträgheitsmoment", "Zähne", "Zähnezahl", "Modul", "innen",
+    "Innenverzahnung", "Schwerpunkt", "fest", "Winkel", "Lage", "Ort", "Position", "Geschwindigkeit",
+    "Winkelgeschwindigkeit", "Drehzahl", "Federkonstante", "Federsteifigkeit", "Steifigkeit", "Dämpfung",
+    "Dämpfungskonstante", "Reibung", "Reibungszahl", "Stoßzahl", "Reibungskoeffizient", "Richtung", "Betrag",
+    "Größe", "Wert", "Körper", "Bauteil", "Punkt", "zwischen",
 ))  # fmt: skip
 # Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
 ENDS = ("first", "second", "between", "through", "center", "start", "to", "path")
@@ -154,6 +191,8 @@ class Spec(BaseModel, metaclass=_Described):
     is_chosen: ClassVar[bool | None] = None
     # fields that people give it and that are another kind's: what to write there
     elsewhere: ClassVar[Mapping[str, str]] = {}
+    # what people have a word for and what is written as this kind: how
+    instead: ClassVar[Mapping[str, str]] = {}
     # where in Python what belongs beside such a thing stands
     beside: ClassVar[str] = ""
     # words of the kind's own under which a file may name what its fields say, by these fields; `from_plain` reads them
@@ -177,7 +216,8 @@ class Spec(BaseModel, metaclass=_Described):
         fields = list(cls.model_fields)
         if isinstance(value, dict):
             entries = cast("dict[str, Any]", value)
-            return {k: cls._as_list(k, v) for key, each in entries.items() for k, v in cls._meant(key, each, entries)}
+            read = {k: cls._as_list(k, v) for key, each in entries.items() for k, v in cls._meant(key, each, entries)}
+            return with_both_coefficients(read) if "friction" in cls.model_fields else read
         if value is None:
             return {}
         if isinstance(value, list):
@@ -204,7 +244,7 @@ class Spec(BaseModel, metaclass=_Described):
         known = {field.alias or name for name, field in cls.model_fields.items()}
         fields = () if key in known else cls.meant(key)
         items = cast("list[Any]", value) if isinstance(value, list) else []
-        if len(fields) == len(items) > 1:
+        if len(fields) == len(items) > 1 and key not in cls.elsewhere:
             return list(zip(fields, items, strict=True))
         others = {field for other in beside if other != key for field in ({other} & known or cls.meant(other))}
         is_same = key in SAME and key not in cls.elsewhere and not {*fields} & others

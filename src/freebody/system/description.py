@@ -41,6 +41,16 @@ from freebody.system.blows import BlowEvent
 _T = TypeVar("_T")
 
 
+class KeptParameters(dict[str, Parameter]):
+    """The parameters of a system, which does not change."""
+
+    def __setitem__(self, name: str, value: object) -> None:
+        raise TypeError(f"a system does not change: write changed = system.with_parameters({name}={value!r})")
+
+    def __reduce__(self) -> tuple[type, tuple[dict[str, Parameter]]]:
+        return type(self), (dict(self),)
+
+
 @dataclass(frozen=True, repr=False)
 class SystemDescription:
     """The meaning of a model. All fields are read-only."""

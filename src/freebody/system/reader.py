@@ -14,7 +14,7 @@ from freebody.language.units import ENERGY, Dimension
 from freebody.loads.base import Load
 from freebody.questions.reading import read_questions
 from freebody.system.blows import gathered
-from freebody.system.description import SystemDescription
+from freebody.system.description import KeptParameters, SystemDescription
 from freebody.system.reading.as_written import as_read
 from freebody.system.reading.bodies import BodySections
 from freebody.system.reading.connections import (
@@ -34,6 +34,7 @@ from freebody.system.reading.ground import (
     place_ground_points,
     place_joined_ground_points,
 )
+from freebody.system.reading.hanging import hang_what_is_struck
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.measures import add_place_of_the_only_body, add_turned_at_start, read_measures
@@ -114,6 +115,7 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     names.closing_later = frozenset(closing)
     closed = {row.connection for row in held if row.closes}
     names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})
+    hang_what_is_struck(names, held, start)
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     add_place_of_the_only_body(names, held, offered)
     add_turned_at_start(names)
@@ -125,7 +127,9 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     return SystemDescription(
         title=title(source),
         about=plain(str(source.data.get("about") or "")).strip(),
-        parameters={name: replace(p, is_share=name in names.shares) for name, p in names.parameters.items()},
+        parameters=KeptParameters(
+            {name: replace(p, is_share=name in names.shares) for name, p in names.parameters.items()}
+        ),
         bodies=names.bodies | {it.carrier: it.body() for it in carried},
         constraint_rows=tuple(held),
         applied_loads=tuple(applied_loads),

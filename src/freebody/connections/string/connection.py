@@ -54,6 +54,10 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+# `slip: false`: it grips every pulley that can turn, as it does anyhow; which truth value says that it slips.
+_SLIPS = {"slip": True, "slips": True, "no_slip": False, "slipping": True}
+
+
 class String(Connection, kind="string"):
     """`string: {from: left, over: [pulley], to: right}`; longer ways as a list, with hubs and drums:
     `string: {path: [wound on drum radius r at right, under moving, over fixed, ground.A]}`.
@@ -90,16 +94,40 @@ class String(Connection, kind="string"):
         "rope friction",
         "bollard",
     )
-    also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil")
+    also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil", "Faden", "Schnur")
     elsewhere: ClassVar[Mapping[str, str]] = {
         "length": Message(
             "it is as long as where its ends and the bodies on its way are put (at) makes it; two points at a fixed "
             "distance are a link: {{from: A, to: B, length: L}}"
         ),
         **dict.fromkeys(
+            ("wound_on", "wound", "winds", "unwinds", "unwinds_from"),
+            Message("what it is wound on is one of its ends, with its side: to: wound on yoyo at right"),
+        ),
+        **dict.fromkeys(
             ("bodies", "between", "ends", "pulley", "pulleys", "around"),
             Message("its way is from one end over pulleys to the other: {{from: a, over: [pulley], to: b}}"),
         ),
+    }
+
+    instead: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("band_brake", "band", "strap_brake", "Bandbremse"),
+            Message(
+                "the band is a string with friction: string: {{from: ground.A, over: [drum], to: lever.P, friction: "
+                "{{drum: mu}}}}, its angle on the drum, where its leads do not tell, wrap: {{drum: 180 deg}}"
+            ),
+        ),
+        **dict.fromkeys(
+            ("capstan", "bollard"),
+            Message(
+                "the rope is a string with friction: string: {{from: A, over: [drum], to: B, friction: mu, turns: 2}}"
+            ),
+        ),
+    }
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        "turns": ("wrap",),
+        **dict.fromkeys(_SLIPS, ("grips",)),
     }
 
     start: str | None = Field(default=None, alias="from")
@@ -144,14 +172,21 @@ connections:
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
         """A list of places is the way of the string: [a, b] from a to b, [a, pulley, b] over the pulley between, also
-        with the way written before some of them, [a, over pulley, under hook, b]."""
+        with the way written before some of them, [a, over pulley, under hook, b]; turns: n is the angle of n
+        turns."""
         items: list[Any] = cast("list[Any]", value) if isinstance(value, list) else []
         if len(items) > 1 and all(isinstance(item, str) for item in items):
             if not any(" " in item.strip() for item in items):
                 return {"from": items[0], "over": items[1:-1], "to": items[-1]}
             between = [item if " " in item.strip() else f"over {item}" for item in items[1:-1]]
             return {"path": [items[0], *between, items[-1]]}
-        return super().from_plain(value)
+        given = super().from_plain(value)
+        if "turns" in given and "wrap" not in given:
+            given["wrap"] = f"({given.pop('turns')})*2*pi"
+        slips = [given.pop(word) is is_so for word, is_so in _SLIPS.items() if isinstance(given.get(word), bool)]
+        if slips and slips[0]:
+            given.setdefault("grips", [])
+        return given
 
     def _places(self) -> list[tuple[str, tuple[str | int, ...]]]:
         """The places on its way, and where in the model each is written."""

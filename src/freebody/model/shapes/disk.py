@@ -33,6 +33,13 @@ class Disk(Gyrating, kind="disk"):
             ("teeth", "module"),
             Message("teeth and a module are those of a gear: {{gear: {{teeth: 20, module: 2 mm}}}}"),
         ),
+        **dict.fromkeys(
+            ("eccentricity", "eccentric", "offset", "e"),
+            Message(
+                "an axle beside its middle is a point of it, at which it is pinned: beside the disk "
+                "points: {{axle: [-e, 0]}}"
+            ),
+        ),
     }
     also: ClassVar[tuple[str, ...]] = (
         "disc",
@@ -46,6 +53,8 @@ class Disk(Gyrating, kind="disk"):
         "Rolle",
         "Walze",
         "Schwungrad",
+        "Zylinder",
+        "Trommel",
     )
 
     mass: Formula = 0

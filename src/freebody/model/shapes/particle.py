@@ -22,7 +22,7 @@ class Particle(Shape, kind="particle"):
     )
     also: ClassVar[tuple[str, ...]] = (
         *("block", "bob", "bead", "piston", "car", "cart", "collar"),
-        *("Massenpunkt", "Punktmasse", "Kolben", "Klotz", "Perle", "Wagen"),
+        *("Massenpunkt", "Punktmasse", "Kolben", "Klotz", "Perle", "Wagen", "point_mass"),
     )
 
     mass: Formula = 0

@@ -5,7 +5,8 @@ Moment of inertia: Beer, Johnston & Cornwell, Vector Mechanics for Engineers: Dy
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import ONE, divide, negate, number, power
 from freebody.language.units import LENGTH, MASS
@@ -33,7 +34,22 @@ class Rectangle(Shape, kind="rectangle"):
     these points is used."""
 
     called: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car", "domino")
-    also: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car")
+    also: ClassVar[tuple[str, ...]] = (
+        "block",
+        "box",
+        "crate",
+        "plate",
+        "plank",
+        "cart",
+        "car",
+        "Klotz",
+        "Quader",
+        "Kiste",
+        "Platte",
+        "square",
+        "Quadrat",
+    )
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {"side": ("width", "height")}
 
     mass: Formula = 0
     width: Formula | None = None
@@ -45,6 +61,14 @@ class Rectangle(Shape, kind="rectangle"):
     }
 
     example = "{mass: 1 kg, width: 0.4 m, height: 0.2 m}"
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`side: a` of a square is its width and its height."""
+        given = super().from_plain(value)
+        if "side" in given and not {"width", "height"} & given.keys():
+            given |= dict.fromkeys(("width", "height"), given.pop("side"))
+        return given
 
     def build(self, names: Names) -> Build:
         m = names.positive(self, "mass", MASS)

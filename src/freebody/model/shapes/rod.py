@@ -26,7 +26,7 @@ class Rod(Shape, kind="rod"):
     called: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "link", "crank", "stick", "pole", "arm")
     also: ClassVar[tuple[str, ...]] = (
         *("bar", "beam", "ladder", "crank", "stick", "pole", "arm"),
-        *("Stab", "Balken", "Leiter", "Kurbel"),
+        *("Stab", "Balken", "Leiter", "Kurbel", "Stange", "Pleuel"),
     )
 
     elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(

@@ -48,8 +48,10 @@ def how_high(names: Names, main: Clause) -> Groups:
 
 def risen_from_below(names: Names, who: str) -> list[str]:
     """How much higher than at the start something comes that starts where it hangs straight down."""
-    if who not in lookup.moving(names) or not poses.begins_at(names, who, lowest=True):
+    if who not in lookup.moving(names) or not (names.hung or poses.begins_at(names, who, lowest=True)):
         return []
+    if names.hung and not names.measures:
+        return [f"(greatest height of {who}) - (height of {who} at start)"]
     return [f"change of height of {who} until {turns}" for turns in poses.turning(names, who)]
 
 
@@ -90,9 +92,14 @@ def how_far(names: Names, main: Clause) -> Groups:
             ways = lookup.ways(names, who) or along_lines.slid(names, who)
             yield [f"distance travelled along {way} until slipping ends" for way in ways]
     elif set(main.all("verb")) == {"turn"}:
+        if who in names.hung:
+            ways = [f"change of {angle} until rate({angle}) = 0" for angle in lookup.angles(names, who)]
+            yield ways or [f"(greatest angle of {who}) - (angle of {who} at start)"]
+            return
         led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
+        is_led = lookup.is_forced(names) or (names.lets_go_from_rest and not names.applied_loads)
         yield [
-            f"stroke of {angle}" if angle in led or lookup.is_forced(names) else f"{angle} when rate({angle}) = 0"
+            f"stroke of {angle}" if angle in led or is_led else f"{angle} when rate({angle}) = 0"
             for angle in lookup.angles(names, who)
         ]
         yield [lookup.farthest(names, angle) for angle in lookup.hung(names, who)]

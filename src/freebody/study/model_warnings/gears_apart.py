@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from freebody.language.expression import add, free_symbols
 from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.model.glyphs import Wheels
@@ -18,6 +19,7 @@ class GearsApart(WarningKind, name="gears apart"):
 
     def look(self, model: Opened) -> Iterator[ModelWarning]:
         system = model.system
+        known = {name for name, p in system.parameters.items() if p.value is not None}
         for shown in system.glyphs:
             sign = shown.sign
             if not isinstance(sign, Wheels) or not sign.is_toothed or system.space:
@@ -25,6 +27,8 @@ class GearsApart(WarningKind, name="gears apart"):
             gears = sign.first.body, sign.second.body
             if all(name not in system.bodies or system.bodies[name].start.at is not None for name in gears):
                 continue
+            if not free_symbols(add(*sign.radii)) <= known:
+                continue  # nothing says how large they are
             needed = abs(sum(float(model.reference.number(radius)) for radius in sign.radii))
             apart = float(model.start.value(Distance(sign.first, sign.second)))
             if abs(apart - needed) <= _SAME * needed:

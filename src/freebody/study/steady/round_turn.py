@@ -178,8 +178,14 @@ def time_ratio_in_numbers(turn: DrawnTurn) -> float:
 
 
 def _values_on_the_way(turn: DrawnTurn) -> list[tuple[float, Array, float]]:
-    """(angle from the start, pose, value) all round the turn, one after the other."""
-    return [(away, q, turn.value(q)) for away, q in sorted(turn.poses(), key=lambda pose: pose[0])]
+    """(angle from the start, pose, value) all round the turn, one after the other. Raises CannotAnswer where the
+    quantity is another one after it."""
+    poses = [(away, q, turn.value(q)) for away, q in sorted(turn.poses(), key=lambda pose: pose[0])]
+    (begin, first, _value), (_away, last, _last) = poses[0], poses[-1]
+    same = turn.value(turn.pose(first, begin)), turn.value(turn.pose(last, begin + math.tau))
+    if abs(same[0] - same[1]) > _SAME * max(map(abs, same)):
+        raise CannotAnswer(Message("it grows with every turn of {x}", x=turn.c.name))
+    return poses
 
 
 def _closer(turn: DrawnTurn, pose: tuple[float, Array, float], sign: float) -> tuple[float, float]:

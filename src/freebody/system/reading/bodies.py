@@ -29,7 +29,7 @@ from freebody.system.reading.two_places import distance_of_ends
 _CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
 _LIES = ("on", "lies_on", "rests_on")
 _FLAT = ("floor", "table", "road", "street", "Boden", "Tisch", "Fahrbahn")
-_ENDS_IN_WORDS = {"von": "from", "nach": "to"}
+_ENDS_IN_WORDS = {"von": "from", "nach": "to", "start": "from", "end": "to"}
 _SHOWN = 4  # of shapes that fit
 
 
@@ -100,8 +100,12 @@ class BodySections:
         entry = self._with_points({key: value for key, value in entry.items() if key not in self.names.broken}, known)
         known_keys(self.names, entry, known, "ground", "ground")
         for name in self._floors(ground):
-            ground.lines[name] = read_line(self.names, ground, name, {"along": "right"})
             told = Message("{name} is not declared: it is the horizontal line through the origin", name=name)
+            if self.names.space:
+                ground.planes[name] = read_plane(self.names, ground, name, {"normal": "up"})
+                told = Message("{name} is not declared: it is the horizontal plane through the origin", name=name)
+            else:
+                ground.lines[name] = read_line(self.names, ground, name, {"along": "right"})
             self.names.assumptions.append(told)
         with self.names.at("ground"):
             points = self.source.open.points(entry.get("points"), GROUND, ground.points.__contains__) or {}
@@ -111,13 +115,13 @@ class BodySections:
     def _floors(self, ground: RigidBody) -> list[str]:
         """Floors that connections name and nobody declares."""
         given = self.source.mapping("ground")
-        owned = [value for key in ("points", "lines") if isinstance(value := given.get(key), dict | list)]
+        owned = [value for key in ("points", "lines", "planes") if isinstance(value := given.get(key), dict | list)]
         taken = {name for value in owned for name in value if isinstance(name, str)} | self.names.bodies.keys()
         taken |= (
             given.keys() | self.source.mapping("bodies").keys() | ground.lines.keys() | self.names.parameters.keys()
         )
         named = set(_texts(self.source.data.get("connections")))
-        return [] if self.names.space else [name for name in _FLAT if name in named and name not in taken]
+        return [name for name in _FLAT if name in named and name not in taken]
 
     def _with_points(self, entry: dict[str, Any], known: Collection[str]) -> dict[str, Any]:
         """`ground: {A: [0, 0]}` with its places among the points of the ground."""
@@ -228,11 +232,13 @@ class BodySections:
         for word, value in entry.items():
             fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
             fields = {_ENDS_IN_WORDS.get(key, key): each for key, each in fields.items()}
-            if "at" in entry or not {"from", "to"} <= fields.keys() or (kind := self._kind(word, fields)) is None:
+            given = [key for key in ("from", "to") if key in fields]
+            if "at" in entry or not given or (kind := self._kind(word, fields)) is None:
                 continue
             if ends := Shape.kinds[kind].ends:
-                own = {key: each for key, each in fields.items() if key not in ("from", "to")}
-                return {**entry, word: own or None, "at": dict(zip(ends, (fields["from"], fields["to"]), strict=True))}
+                own = {key: each for key, each in fields.items() if key not in given}
+                places = {end: fields[key] for end, key in zip(ends, ("from", "to"), strict=True) if key in given}
+                return {**entry, word: own or None, "at": places}
         return entry
 
     def _kind(self, word: str, value: Any) -> str | None:

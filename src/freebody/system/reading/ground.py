@@ -90,7 +90,7 @@ def place_ground_points(names: Names) -> None:
     """One undeclared ground point is the origin; of several nobody knows where they are."""
     free = _without_misspelt_lines(names)
     declared = names.bodies[GROUND].points
-    if len(free) == 1 and len(declared) == 1:
+    if len(free) == 1 and len(declared.keys() - names.by_coordinates) == 1:
         (name,) = free
         declared[name] = names.origin
     elif free:

@@ -8,6 +8,7 @@ from typing import Any, cast
 
 from freebody.connections.base import Connection
 from freebody.language.document.writer import flow_text
+from freebody.language.folded import folded
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message, as_found
 from freebody.loads.base import Load
@@ -15,6 +16,8 @@ from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT
 from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, SECTIONS
 from freebody.system.reading.source import Source, known_keys
+
+_UNITS = ("units", "unit", "einheiten", "einheit")
 
 
 def title(source: Source) -> str:
@@ -56,6 +59,10 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
             return Message(
                 "{key} belongs under {section}, with a name of its own: {entry}", key=key, section=section, entry=entry
             )
+    if folded(key) in _UNITS:
+        return Message(
+            "each number has its own unit, as 1500 mm or 10 kg; one without is in SI units: leave {key} out", key=key
+        )
     if key in OF_GROUND:
         return Message(
             "{key} stand under ground or under a body: {entry}", key=key, entry=flow_text({"ground": {key: value}})

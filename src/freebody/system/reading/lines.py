@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, cast
 
-from freebody.language.sentences import Message
+from freebody.language.document.writer import flow_text
+from freebody.language.sentences import Message, in_turn
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Point
 from freebody.model.elements import BodyPlane, Line, RigidBody
@@ -15,6 +16,8 @@ from freebody.system.reading.source import known_keys
 # along: the way it points, solid on its right; angle: the same by an angle; solid: the side that is solid, across it
 _DIRECTIONS = ("along", "angle", "solid")
 
+_OF_CONTACTS = ("friction", "mu", "mu_s", "mu_k", "restitution", "Reibung")
+
 
 def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
     entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
@@ -22,6 +25,13 @@ def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
         label = _label(body, name)
         apart = tuple(b - a for a, b in zip(*(end.offset for end in ends), strict=True))
         return Line(ends[0], replace(names.unit_direction(body.name, apart), name=label), label)
+    if rough := {key: value for key, value in entry.items() if key in _OF_CONTACTS}:
+        contact = {"contact": {"between": ["BODY", name], **rough}}
+        told = Message(
+            "a line has no {keys}: that is of {contact}", keys=in_turn([*rough]), contact=flow_text(contact)[1:-1]
+        )
+        names.problem(told, next(iter(rough)))
+        entry = {key: value for key, value in entry.items() if key not in rough}
     known_keys(names, entry, ("through", *_DIRECTIONS), Message("a line"))
     given = [key for key in _DIRECTIONS if key in entry]
     if not given:

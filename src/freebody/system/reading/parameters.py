@@ -11,7 +11,20 @@ from freebody.errors import InputError, NoQuantity, UnitError
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.parser import parse
 from freebody.language.sentences import Message, in_turn
-from freebody.language.units import DIMENSIONLESS, TIME, dimension_of, parse_quantity, parse_unit, quantities_within
+from freebody.language.units import (
+    ANGULAR_VELOCITY,
+    DIMENSIONLESS,
+    FORCE,
+    IMPULSE,
+    TIME,
+    TORQUE,
+    VELOCITY,
+    Quantity,
+    dimension_of,
+    parse_quantity,
+    parse_unit,
+    quantities_within,
+)
 from freebody.model.elements import Parameter, Sign
 from freebody.model.formulas import no_parameter_in
 from freebody.model.names import Names
@@ -132,8 +145,9 @@ def _is_read(read: Callable[[str], object], text: str) -> bool:
 def read_parameter(names: Names, name: str, value: Any) -> Parameter:
     sign: Sign = "positive"
     unit: str | None = None
+    given = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
     if isinstance(value, dict):
-        entry = cast("dict[str, Any]", value)
+        entry = given
         known_keys(names, entry, ("value", "unit", "sign", "about"), Message("a parameter"))
         if entry.get("sign", "positive") not in ("positive", "nonnegative", "any"):
             names.problem(
@@ -151,6 +165,10 @@ def read_parameter(names: Names, name: str, value: Any) -> Parameter:
         quantity = parse_quantity(text)
     except (InputError, TypeError) as error:
         return _without_number(names, name, value, sign, error)
+    if sign == "positive" and quantity.value < 0 and "sign" not in given and _has_two_senses(quantity):
+        sign = "any"
+        told = Message("{name} = {value} is negative, so that formulas let it have either sign", name=name, value=value)
+        names.assumptions.append(told)
     if sign == "positive" and quantity.value <= 0:
         names.problem(
             Message(
@@ -168,6 +186,11 @@ def read_parameter(names: Names, name: str, value: Any) -> Parameter:
     shown = str(text).split(maxsplit=1)[1] if " " in str(text).strip() else ""
     number = quantity.value if sign == "any" else abs(quantity.value)  # a wrong sign is told here, and nowhere else
     return Parameter(name, quantity.dimension, number, sign, acute, shown, quantity.is_angle)
+
+
+def _has_two_senses(quantity: Quantity) -> bool:
+    """Whether it is of a kind whose sign says which way: a speed, a force, an angle; a negative mass is a slip."""
+    return quantity.is_angle or quantity.dimension in (VELOCITY, ANGULAR_VELOCITY, FORCE, TORQUE, IMPULSE)
 
 
 def _without_number(names: Names, name: str, value: Any, sign: Sign, error: Exception) -> Parameter:

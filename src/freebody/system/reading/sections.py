@@ -27,7 +27,7 @@ SECTIONS = (
 # what people write for a section
 MEANT_SECTIONS: Mapping[str, str] = {
     **dict.fromkeys(
-        ("joints", "constraints", "supports", "contacts", "drivers", "motors", "collisions"), "connections"
+        ("joints", "constraints", "supports", "contacts", "drivers", "drives", "motors", "collisions"), "connections"
     ),
     **dict.fromkeys(("forces", "torques", "springs", "dampers", "actions"), "loads"),
     **dict.fromkeys(("initial", "initial_conditions", "initial_values", "at_start"), "start"),
@@ -39,7 +39,15 @@ MEANT_SECTIONS: Mapping[str, str] = {
     **{"Parameter": "parameters", "gegeben": "parameters", "Körper": "bodies", "verbindungen": "connections"},
     **{"Verbindungen": "connections", "Gelenke": "connections", "Lager": "connections", "Boden": "ground"},
     **{"Lasten": "loads", "lasten": "loads", "Kräfte": "loads", "Anfang": "start", "Fragen": "questions"},
-    **{"fragen": "questions", "gesucht": "questions", "körper": "bodies", "Titel": "title"},
+    **{
+        "fragen": "questions",
+        "gesucht": "questions",
+        "körper": "bodies",
+        "Titel": "title",
+        "Messgrößen": "measures",
+        "Koordinaten": "measures",
+        "Federn": "loads",
+    },
     **dict.fromkeys(("description",), "about"),
 }
 OF_LINES = ("through", "along", "angle", "solid", "x", "y")  # the fields of a line

@@ -14,6 +14,7 @@ from freebody.errors import InputError, ModelError
 from freebody.language.document import Document
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
+from freebody.language.folded import folded
 from freebody.language.parser import in_ascii
 from freebody.language.sentences import Message, as_found, in_turn, listed
 from freebody.language.units import ANGULAR_VELOCITY, LENGTH, parse_quantity
@@ -306,6 +307,7 @@ class Source:
     def _ground_point(self, place: list[Any], *path: str | int) -> str:
         points, name = self.names.bodies[GROUND].points, self._letters[_as_key(place)]
         points.setdefault(name, self.names.components(place, LENGTH, *path))
+        self.names.by_coordinates.add(name)
         return f"{GROUND}.{name}"
 
     @cached_property
@@ -376,9 +378,13 @@ class Source:
             return Message(
                 "{kind} is no kind of {what}: it belongs under {section}", kind=kind, what=what, section=other
             )
+        everything = {**kinds, **others}
+        words = {folded(word): told for each in everything.values() for word, told in each.instead.items()}
+        if (told := words.get(folded(kind))) is not None:
+            return Message("{kind} is no kind of {what}: {told}", kind=kind, what=what, told=told)
         taking = sorted(
             name
-            for name, each in {**kinds, **others}.items()
+            for name, each in everything.items()
             if kind in each.model_fields and (self.names.space or not each.space_only)
         )
         if len(taking) == 1:

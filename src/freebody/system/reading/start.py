@@ -100,7 +100,7 @@ def _with_phrase(names: Names, key: str, measures: Mapping[str, Measure]) -> tup
     if turning != key and turning in names.bodies and not names.space:
         key = f"rate(angle of {turning})"
     inner = key.removeprefix("rate(").removesuffix(")") if key.startswith("rate(") else key
-    if inner in measures or " " not in inner.strip():
+    if inner in measures or not ({" ", "."} & {*inner.strip()}):
         return key, measures
     with names.quietly():
         measure = read_measure(names, inner)

@@ -19,7 +19,7 @@ from freebody.language.sentences import Message
 
 Entry = dict[str, Any]
 
-MEMBERS = ("members", "bars", "struts", "truss_members", "Stäbe")
+MEMBERS = ("members", "elements", "bars", "struts", "truss_members", "Stäbe")
 PLACES = ("nodes", "joints", "points", "Knoten")
 _PINNED = ("pin", "pinned", "hinge", "fixed", "Festlager", "A-Lager")
 _ROLLER = ("roller", "Loslager", "B-Lager", "slider")
@@ -29,16 +29,17 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
     """The data with bodies and connections for a truss, where what stands in the file, and what is taken for granted;
     None where it has none, or not all of it can be read."""
     members_key = next((key for key in MEMBERS if key in data), None)
-    places_key = next((key for key in PLACES if isinstance(data.get(key), dict)), None)
+    places_key = next((key for key in PLACES if _places(data.get(key))), None)
     if members_key is None or places_key is None or data.get("bodies"):
         return None
-    places: Entry = data[places_key]
+    places = _places(data[places_key])
     members = _members(data[members_key], places)
     supports: Any = data.get("supports") or {}
     if members is None or not isinstance(supports, dict) or not cast("Entry", supports).keys() <= places.keys():
         return None
     connections: Entry = {name: {"link": [first, second]} for name, (_step, first, second) in members.items()}
-    moved: dict[Place, Place] = {("bodies", name): (places_key, name) for name in places}
+    steps = places if isinstance(data[places_key], dict) else range(len(places))
+    moved: dict[Place, Place] = {("bodies", name): (places_key, k) for name, k in zip(places, steps, strict=True)}
     moved |= {("connections", name): (members_key, step) for name, (step, _first, _second) in members.items()}
     for node, said in cast("Entry", supports).items():
         held = _support(node, said, space=space)
@@ -53,6 +54,15 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
     new = {key: value for key, value in data.items() if key not in (members_key, places_key, "supports")}
     told = Message("the members are hinged at the nodes, so that each carries a force along itself only")
     return {**new, "bodies": bodies, "connections": {**cast("Entry", there), **connections}}, moved, told
+
+
+def _places(given: Any) -> Entry:
+    """Nodes with their places: a mapping, or a list of `{name: A, x: 0, y: 0}`; empty for anything else."""
+    if not isinstance(given, list):
+        return cast("Entry", given) if isinstance(given, dict) else {}
+    items = [cast("Entry", item) if isinstance(item, dict) else {} for item in cast("list[Any]", given)]
+    found = {str(item["name"]): [item[axis] for axis in "xyz" if axis in item] for item in items if "name" in item}
+    return found if len(found) == len(items) and all(len(place) > 1 for place in found.values()) else {}
 
 
 def _members(given: Any, nodes: Entry) -> dict[str, tuple[str | int, str, str]] | None:

@@ -1,0 +1,167 @@
+"""A beam as it is written in books: its length, supports and loads by their distances from its left end.
+
+    beam: {length: 6 m}
+    supports: [{type: pin, at: 0}, {type: roller, at: 5 m}]          also {A: {pin: 0 m}, B: {roller: 5 m}}
+    loads: [{type: distributed, from: 0, to: 3 m, value: q}, {type: point, at: 6 m, value: F}, {type: moment, ...}]
+
+The beam lies level and begins at the origin; supports without names are A, B ... Loads act downwards and couples turn
+counter-clockwise where they say no direction, which is told.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from string import ascii_uppercase
+from typing import Any, cast
+
+from freebody.language.document.tree import Place
+from freebody.language.expression import name_problem
+from freebody.language.folded import folded
+from freebody.language.sentences import Message
+from freebody.system.reading.written.form import SAYS_KIND, SAYS_NAME, Entry, Written
+
+_BEAMS = ("beam", "balken", "traeger", "girder")
+_SUPPORTS = ("supports", "lager", "auflager")
+_LOADS = ("loads", "lasten", "belastung", "forces", "kraefte")
+_ENGLISH = {
+    **{"typ": "type", "art": "type", "laenge": "length", "masse": "mass", "wert": "value", "groesse": "value"},
+    **{"von": "from", "bis": "to", "nach": "to", "bei": "at", "ort": "at", "richtung": "direction"},
+}
+_PINNED = ("pin", "pinned", "hinge", "hinged", "fixed_hinge", "festlager")
+_ROLLERS = ("roller", "rolling", "loslager")
+_CLAMPS = ("fixed", "clamp", "clamped", "fixed_end", "einspannung", "weld")
+_POINTS = ("point", "force", "point_load", "point_force", "concentrated", "kraft", "einzelkraft", "load")
+_SPREAD = ("distributed", "distributed_load", "uniform", "udl", "uniform_load", "line_load", "streckenlast")
+_COUPLES = ("moment", "couple", "torque", "drehmoment")
+_SUPPORTED = re.compile(r"(?P<type>[\w ]+?) (?:at|bei) (?P<at>.+)")
+_AT = ("at", "x", "position", "distance")
+_SIZES = ("value", "magnitude", "force", "moment", "load", "intensity", "q", "F", "M", "P", "size")
+
+_FROM = {"from": ("from", "start", "x1"), "to": ("to", "end", "x2")}
+
+
+def with_beam(w: Written) -> None:
+    """Puts a beam that is a section of its own, with its supports and loads, among the bodies and connections."""
+    beams = [key for key in w.data if folded(key) in _BEAMS and not w.data.get("bodies")]
+    if w.space or len(beams) != 1 or w.data.get("connections") or w.data.get("ground"):
+        return
+    at, on = (next((key for key in w.data if folded(key) in words), "") for words in (_SUPPORTS, _LOADS))
+    given = w.data[beams[0]]
+    fields = _in_english(cast("Entry", given)) if isinstance(given, dict) else {"length": given}
+    length = next((fields[key] for key in ("length", "L", "l") if key in fields), None)
+    beam = _Beam(beams[0], str(length))
+    able = length is not None and fields.keys() <= {"length", "L", "l", "mass", "m"}
+    if not (able and beam.supports(w.data.get(at), at) and beam.loads(w.data.get(on), on)):
+        return
+    masses = [fields[key] for key in ("mass", "m") if key in fields]
+    rod = {"length": length, **({"mass": masses[0]} if masses else {})}
+    body = {"rod": rod, "at": {"start": [0, 0]}, "angle": 0, "points": beam.points}
+    rest = {key: value for key, value in w.data.items() if key not in (beam.name, at, on)}
+    ground = {"ground": {"points": beam.ground}} if beam.ground else {}
+    w.data = {**rest, **ground, "bodies": {beam.name: body}, "connections": beam.connections}
+    w.data |= {"loads": beam.pushed} if beam.pushed else {}
+    w.moved |= {("bodies", beam.name): (beam.name,), **beam.moved}
+    w.assumed.append(
+        Message(
+            "the {beam} lies level from the origin to the right; loads without a direction act downwards, couples "
+            "turn counter-clockwise",
+            beam=beam.name,
+        )
+    )
+
+
+class _Beam:
+    """What a beam comes to while its supports and loads are read."""
+
+    def __init__(self, name: str, length: str) -> None:
+        self.name, self.length = name, length
+        self.points: Entry = {}
+        self.ground: Entry = {}
+        self.connections: Entry = {}
+        self.pushed: Entry = {}
+        self.moved: dict[Place, Place] = {}
+
+    def supports(self, given: Any, section: str) -> bool:
+        """Whether all supports could be read."""
+        items = [*_items(given)]
+        free = (letter for letter in ascii_uppercase if all(letter != name for _step, name, _fields in items))
+        for step, said, fields in items:
+            word, at = _kind(fields), _one(fields, _AT)
+            name = said or next(free)
+            if word is None or at is None or name_problem(name) is not None:
+                return False
+            point, there = self._point(name, at), f"ground.{name}"
+            self.ground[name] = [at, 0]
+            if word in _ROLLERS:
+                held: Entry = {"slot": {"pin": point, "through": there, "along": "right"}}
+            elif word in (*_PINNED, *_CLAMPS):
+                held = {"pin" if word in _PINNED else "weld": [there, point]}
+            else:
+                return False
+            self.connections[name] = held
+            self.moved["connections", name] = (section, step)
+        return bool(items)
+
+    def loads(self, given: Any, section: str) -> bool:
+        """Whether all loads could be read."""
+        for k, (step, said, fields) in enumerate(_items(given), 1):
+            word, size = _kind(fields), _one(fields, _SIZES)
+            name = said or (f"{word}_{k}" if word else "")
+            load = None if word is None or size is None else self._load(name, word, str(size), fields)
+            if load is None or name in self.pushed or name_problem(name) is not None:
+                return False
+            self.pushed[name] = load
+            self.moved["loads", name] = (section, step)
+        return True
+
+    def _load(self, name: str, word: str, size: str, fields: Entry) -> Entry | None:
+        way, at = fields.get("direction", fields.get("along")), _one(fields, _AT)
+        if word in _SPREAD:
+            ends = [_one(fields, words) for words in _FROM.values()]
+            points = [self._point(f"{name}_{k}", end) for k, end in zip(_FROM, ends, strict=True) if end is not None]
+            if len(points) != len(ends):
+                points = [f"{self.name}.start", f"{self.name}.end"]
+            return {"distributed": {"between": points, "along": way or "down", "intensity": size}}
+        if at is None:
+            return None
+        if word in _POINTS:
+            return {"force": {"at": self._point(name, at), "along": way or "down", "magnitude": size}}
+        if word in _COUPLES:
+            turned = {} if way is None else {"direction": way}
+            return {"torque": {"on": self._point(name, at), "magnitude": size, **turned}}
+        return None
+
+    def _point(self, name: str, at: Any) -> str:
+        """A point of the beam at a distance from its left end."""
+        self.points[name] = [f"({at}) - ({self.length})/2", 0]
+        return f"{self.name}.{name}"
+
+
+def _items(given: Any) -> Iterator[tuple[str | int, str, Entry]]:
+    """Items of a list or a mapping: where each stands, its name and fields; `{pin: 0 m}` says kind and place."""
+    listed = cast("list[Any]", given if isinstance(given, list) else [])
+    pairs = [*cast("Entry", given).items()] if isinstance(given, dict) else [*enumerate(listed)]
+    for step, item in pairs:
+        fields = _in_english(cast("Entry", item)) if isinstance(item, dict) else {}
+        named = next((str(fields.pop(key)) for key in SAYS_NAME if key in fields), "")
+        if isinstance(item, str) and (said := _SUPPORTED.fullmatch(item.strip())):
+            fields = {"type": said["type"], "at": said["at"]}
+        if len(fields) == 1 and not isinstance(next(iter(fields.values())), dict):
+            ((word, at),) = fields.items()
+            fields = {"type": word, "at": at}
+        yield step, named or (step if isinstance(step, str) else ""), fields
+
+
+def _in_english(fields: Entry) -> Entry:
+    return {_ENGLISH.get(folded(key), key): value for key, value in fields.items()}
+
+
+def _kind(fields: Entry) -> str | None:
+    return next((folded(str(fields[key])) for key in SAYS_KIND if key in fields), None)
+
+
+def _one(fields: Entry, words: tuple[str, ...]) -> Any:
+    """The value under one of some words."""
+    found = [fields[word] for word in words if word in fields]
+    return found[0] if len(found) == 1 and not isinstance(found[0], dict | list) else None

@@ -1,0 +1,161 @@
+"""One entry of bodies, connections or loads: its kind as the key, its fields inside, what every body may have beside.
+
+F: {force: 5 N, at: P, along: down}        F: {force: {magnitude: 5 N, at: P, along: down}}
+{disk: {radius: R, at: [0, 0]}}            {disk: {radius: R}, at: [0, 0]}
+crank: {type: rod, length: L}              crank: {rod: {length: L}}
+connections: {s: {spring: ...}}            loads: {s: {spring: ...}}
+F: 5 N down at P                           F: {force: {magnitude: 5 N, along: down, at: P}}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, cast
+
+from freebody.language.document.tree import Place
+from freebody.model.friction import AT_REST, IN_MOTION
+from freebody.model.spec import Spec
+from freebody.model.written_kinds import put_inside
+from freebody.system.reading.sections import CLOSES
+from freebody.system.reading.written.form import (
+    JOINED,
+    SAYS_KIND,
+    Entry,
+    Written,
+    as_option,
+    keys_beside,
+    kind_of,
+    kinds_of,
+    takes_as,
+)
+from freebody.system.reading.written.vectors import by_axes, with_direction, with_velocity
+
+
+def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
+    """One entry of bodies, connections or loads."""
+    place: Place = (section, name)
+    beside = keys_beside(section, space=w.space)
+    if not isinstance(entry, dict):
+        if section in JOINED:
+            _without_kind(w, section, name, entry)
+        return
+    given = cast("Entry", entry)
+    if section == "bodies":
+        given = with_velocity(w, place, given)
+    elif section == "loads" and not w.space:
+        given = with_direction(w, place, given)
+    is_said = any(isinstance(given.get(key), str) for key in SAYS_KIND)
+    found = None if is_said else next(_kinds_in(w, section, given, beside), None)
+    if found is None and (said := _said_kind(w, section, given)) is not None:
+        key, word = said
+        fields = {k: v for k, v in given.items() if k != key and k not in beside}
+        given = {word: fields or None, **{k: v for k, v in given.items() if k in beside}}
+        w.moved[*place, word] = w.stood(place)
+        w.data[section][name] = given
+        found = next(_kinds_in(w, section, given, beside), None)
+    if found is None:
+        _without_kind(w, section, name, given)
+        return
+    word, at, kind = found
+    if section == "connections":
+        given = _closing(w, place, given, word)
+    given = _with_own_inside(w, place, given, word, kind, beside)
+    if section == "bodies":
+        given = _with_options_beside(w, place, given, word, kind, beside)
+        given = {key: by_axes(value) if key != word else value for key, value in given.items()}
+    w.data[section][name] = given
+    if at != section:
+        w.move(section, name, at)
+
+
+def _closing(w: Written, place: Place, given: Entry, word: str) -> Entry:
+    """`when: at start` beside a connection says when it closes."""
+    if "when" not in given or word == "when" or CLOSES in given or not isinstance(given["when"], str):
+        return given
+    said: str = given["when"]
+    w.moved[*place, CLOSES] = (*w.stood(place), "when")
+    closes = said if said.startswith(("at ", "when ")) or said == "start" else f"when {said}"
+    return {CLOSES if key == "when" else key: closes if key == "when" else value for key, value in given.items()}
+
+
+def _kinds_in(w: Written, section: str, given: Entry, beside: tuple[str, ...]) -> Iterator[tuple[str, str, type[Spec]]]:
+    """The one kind that an entry names: its word, the section where it belongs, and the kind."""
+    keys = [key for key in given if key not in beside]
+    own = [key for key in keys if key in kinds_of(section)] or keys
+    found = [(key, at, kind) for key in own for at, kind in [kind_of(w, section, key, given[key])] if kind]
+    if len(found) == 1:
+        ((word, at, kind),) = found
+        yield word, at, kind
+
+
+def _said_kind(w: Written, section: str, given: Entry) -> tuple[str, str] | None:
+    """`type: rod`: the key, and the word that it says."""
+    for key in SAYS_KIND:
+        word = given.get(key)
+        fields = {k: v for k, v in given.items() if k != key and k not in keys_beside(section, space=w.space)}
+        if isinstance(word, str) and kind_of(w, section, word, fields)[1] is not None:
+            return key, word
+    return None
+
+
+def _without_kind(w: Written, section: str, name: str, entry: Any) -> None:
+    """An entry that its name says the kind of, or that is written in words."""
+    beside = keys_beside(section, space=w.space)
+    given = cast("Entry", entry) if isinstance(entry, dict) else {}
+    inner = {k: v for k, v in given.items() if k not in beside} if isinstance(entry, dict) else entry
+    word = name.rstrip("_0123456789") or name
+    for at in (section, *(other for other in JOINED if other != section)) if section in JOINED else (section,):
+        if inner not in (None, {}) and takes_as(word, inner, kinds_of(at), space=w.space):
+            w.data[section][name] = {word: inner, **{k: v for k, v in given.items() if k in beside}}
+            w.moved[section, name, word] = w.stood((section, name))
+            if at != section:
+                w.move(section, name, at)
+            elif section == "bodies":
+                put_entry_in_order(w, section, name, w.data[section][name])
+            return
+        fields = ((kind, spec.in_words(entry)) for kind, spec in kinds_of(at).items() if isinstance(entry, str))
+        for kind, said in fields:
+            if said is not None:
+                w.data[section][name] = {kind: said}
+                w.moved[section, name, kind] = w.stood((section, name))
+                return
+
+
+def _with_own_inside(
+    w: Written, place: Place, given: Entry, word: str, kind: type[Spec], beside: tuple[str, ...]
+) -> Entry:
+    """`{force: 5 N, at: P}`: what stands beside a kind and is a field of it, inside."""
+    fields = {f.alias or n for n, f in kind.model_fields.items()}
+    options = {key for key in given if as_option(key, beside)}
+    both = (*AT_REST, *IN_MOTION) if "friction" in fields else ()
+    known = {*fields, *kind.more_words, *both}
+    own = [key for key in given if key != word and key not in options and (key in known or kind.meant(key))]
+    meant = {key: found[0] if len(found := kind.meant(key)) == 1 and key not in known else key for key in own}
+    inside = {*kind.from_plain(given[word])}
+    if not own or any(key in kind.elsewhere and key not in both for key in own) or len({*meant.values()}) < len(own):
+        return given
+    whole = put_inside(kind, given[word], kind.from_plain({meant[key]: given[key] for key in own}))
+    if inside & {*meant.values()} and isinstance(given[word], dict | list):
+        return given  # said twice
+    w.moved |= {(*place, word, meant[key]): (*w.stood(place), key) for key in own}
+    return {key: whole if key == word else value for key, value in given.items() if key not in own}
+
+
+def _with_options_beside(
+    w: Written, place: Place, given: Entry, word: str, kind: type[Spec], beside: tuple[str, ...]
+) -> Entry:
+    """`{disk: {radius: R, at: [0, 0]}}`: what every body may have, beside its shape."""
+    if not isinstance(given[word], dict):
+        return given
+    inner = cast("Entry", given[word])
+    fields = {f.alias or n for n, f in kind.model_fields.items()}
+    out = [
+        key
+        for key in inner
+        if key not in fields and not kind.meant(key) and key not in kind.elsewhere and as_option(key, beside)
+    ]
+    if not out or any(key in given for key in out):
+        return given
+    w.moved |= {(*place, key): (*w.stood((*place, word)), key) for key in out}
+    left = {key: value for key, value in inner.items() if key not in out}
+    return {**given, word: left or None, **{key: inner[key] for key in out}}

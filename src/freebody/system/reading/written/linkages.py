@@ -1,0 +1,111 @@
+"""A linkage as it is drawn: points with their places, links between them, and which points are on the ground.
+
+    points: {A: [0, 0], B: [0, 1 m], C: [3 m, 2 m], D: [2 m, 0]}
+    links: {crank: [A, B], coupler: [B, C], rocker: [C, D]}           also {from: A, to: B, mass: m}
+    ground: [A, D]                                                    also joints: {A: pin to ground, D: ground}
+
+Links are rods that start where they are drawn, and are hinged where they meet.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, cast
+
+from freebody.language.expression import name_problem
+from freebody.language.folded import folded
+from freebody.language.sentences import Message
+from freebody.system.reading.written.form import Entry, Written
+
+_LINKS = ("links", "Glieder")
+_PLACES = ("points", "nodes", "joints", "Punkte")
+_HELD = ("ground", "fixed", "supports", "joints", "pivots")
+_ON_GROUND = re.compile(r"\b(ground|grounded|fixed|frame|world|gestell|pin|pinned|support)\b")
+_HINGES = re.compile(r"\b(pin|pinned|revolute|hinge|gelenk|drehgelenk)\b")
+_ENDS = (("from", "to"), ("start", "end"), ("first", "second"), ("von", "nach"))
+
+
+def with_linkage(w: Written) -> None:
+    """Puts links between points among the bodies, with pins where they meet; whatever else there is stays as it is."""
+    links = next((key for key in _LINKS if isinstance(w.data.get(key), dict)), None)
+    places = next((key for key in _PLACES if isinstance(w.data.get(key), dict)), None)
+    if w.space or links is None or places is None or w.data.get("bodies"):
+        return
+    nodes = cast("Entry", w.data[places])
+    found = {name: _link(entry, nodes) for name, entry in cast("Entry", w.data[links]).items()}
+    ends = {name: link[0] for name, link in found.items() if link is not None}
+    held = _held(w, places, nodes)
+    connections = w.data.get("connections") or {}
+    if len(ends) < len(found) or not held or not isinstance(connections, dict) or any(map(name_problem, found)):
+        return
+    pins = _pins(ends, nodes, [*held])
+    if pins.keys() & cast("Entry", connections).keys():
+        return
+    bodies = {
+        name: {"rod": link[1] or None, "at": {"start": nodes[link[0][0]], "end": nodes[link[0][1]]}}
+        for name, link in found.items()
+        if link is not None
+    }
+    gone = {links, places, *held.values()}
+    rest = {key: value for key, value in w.data.items() if key not in gone}
+    w.data = {**rest, "ground": {"points": {node: nodes[node] for node in held}}, "bodies": bodies}
+    w.data["connections"] = {**cast("Entry", connections), **pins}
+    w.moved |= {("bodies", name): (links, name) for name in bodies} | {("bodies",): (links,)}
+    w.moved |= {("connections", node): (places, node) for node in pins}
+    w.moved |= {("ground", "points", node): (places, node) for node in held}
+    w.assumed.append(Message("the links are rods that are hinged where they meet: {nodes}", nodes=", ".join(pins)))
+
+
+def _link(entry: Any, nodes: Entry) -> tuple[tuple[str, str], Entry] | None:
+    """The two nodes of a link, and what else is said of the rod."""
+    fields: Entry = {}
+    if isinstance(entry, dict):
+        fields = dict(cast("Entry", entry))
+        entry = fields.pop("points", None) or fields.pop("between", None)
+        for pair in _ENDS if entry is None else ():
+            if {*pair} <= fields.keys():
+                entry = [fields.pop(key) for key in pair]
+                break
+    pair = [str(end) for end in cast("list[Any]", entry)] if isinstance(entry, list) else []
+    is_able = len(pair) == 2 and {*pair} <= nodes.keys() and fields.keys() <= {"mass", "m"}
+    return ((pair[0], pair[1]), fields) if is_able else None
+
+
+def _held(w: Written, places: str, nodes: Entry) -> dict[str, str]:
+    """The nodes on the ground, each with the section that says so; none where that says more than hinges."""
+    found: dict[str, str] = {}
+    for key in _HELD:
+        given = None if key == places else w.data.get(key)
+        if isinstance(given, str):
+            given = [given]
+        if isinstance(given, list) and {*map(str, cast("list[Any]", given))} <= nodes.keys():
+            found |= dict.fromkeys(map(str, cast("list[Any]", given)), key)
+        elif isinstance(given, dict) and given and cast("Entry", given).keys() <= nodes.keys():
+            words = {node: folded(str(said)).replace("_", " ") for node, said in cast("Entry", given).items()}
+            on_ground = [node for node, said in words.items() if _is_on_ground(said, key)]
+            if any(not _HINGES.search(said) and node not in on_ground for node, said in words.items()):
+                return {}
+            found |= dict.fromkeys(on_ground, key)
+    return found
+
+
+def _is_on_ground(said: str, section: str) -> bool:
+    """Whether a node is on the ground: among joints only where it is said, among supports where it is a pin."""
+    said_of = _ON_GROUND if section != "joints" else re.compile(r"\b(ground|grounded|fixed|frame|world|gestell)\b")
+    return said_of.search(said) is not None
+
+
+def _pins(ends: dict[str, tuple[str, str]], nodes: Entry, held: list[str]) -> Entry:
+    """The pins of all nodes where links meet, or where one is held."""
+    pins: Entry = {}
+    for node in nodes:
+        at = [
+            f"{name}.{end}"
+            for name, pair in ends.items()
+            for end, each in zip(("start", "end"), pair, strict=True)
+            if each == node
+        ]
+        points = [*([f"ground.{node}"] if node in held else []), *at]
+        if len(points) > 1:
+            pins[node] = {"pin": points}
+    return pins

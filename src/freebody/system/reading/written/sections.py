@@ -1,0 +1,177 @@
+"""Sections under other words, and what stands beside the sections, where it is read.
+
+joints: ..., springs: ..., find: ...       connections: ..., loads: ..., questions: ...
+points: ..., gravity: g                    ground: {points: ...}, loads: {gravity: {gravity: g}}
+ground: {slope: {angle: 30 deg}}           ground: {lines: {slope: {angle: 30 deg}}}
+"""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from freebody.language.document.tree import Place
+from freebody.model.written_kinds import written_kind
+from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, SECTIONS
+from freebody.system.reading.written.form import (
+    JOINED,
+    SAYS_KIND,
+    SAYS_NAME,
+    Entry,
+    Written,
+    kinds_of,
+    section_of,
+    takes_as,
+)
+from freebody.system.reading.written.lists import name_items, with_names
+from freebody.system.reading.written.spelling import spell_entry
+
+_BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no connection
+_PLACES = ("points", "nodes", "joints")  # sections that may hold places
+
+
+def rename_sections(w: Written) -> None:
+    """Sections under other words."""
+    for key, value in list(w.data.items()):
+        if key in (*SECTIONS, *OF_GROUND) or (key in _PLACES and _are_places(value)):
+            continue
+        if _joined_as(w, key, value) is not None:
+            continue
+        if (plural := _plural(w, key)) is not None:
+            _rename(
+                w, key, *(("bodies", value) if _are_bodies(w, value) else (plural[0], _of_kind(w, plural[1], value)))
+            )
+        elif (section := MEANT_SECTIONS.get(key)) is not None:
+            _rename(w, key, section, value)
+    if isinstance(w.data.get("questions"), str):
+        w.data["questions"] = [w.data["questions"]]
+        w.moved["questions", 0] = w.stood(("questions",))
+
+
+def take_in_sections(w: Written) -> None:
+    """Points beside the sections, and connections and loads that are sections of their own."""
+    for key, value in list(w.data.items()):
+        if key in SECTIONS:
+            continue
+        if key in OF_GROUND or (key in _PLACES and _are_places(value)):
+            _take_in(w, "ground", {key if key in OF_GROUND else "points": value}, key, (key,))
+        elif (joined := _joined_as(w, key, value)) is not None:
+            _take_in(w, joined, {key: {key: value}}, key, (key,))
+
+
+def lines_of_ground(w: Written) -> None:
+    """`ground: {slope: {angle: 30 deg}}` among the lines of the ground."""
+    ground = w.data.get("ground")
+    if not isinstance(ground, dict) or w.space:
+        return
+    entries = cast("Entry", ground)
+    if isinstance(entries.get("surfaces"), dict) and "lines" not in entries:
+        entries = {"lines" if key == "surfaces" else key: value for key, value in entries.items()}
+        w.data["ground"] = entries
+        w.moved["ground", "lines"] = w.stood(("ground", "surfaces"))
+    own = {
+        name: value
+        for name, value in entries.items()
+        if name not in OF_GROUND and isinstance(value, dict) and value and cast("Entry", value).keys() <= {*OF_LINES}
+    }
+    lines = entries.get("lines") or {}
+    if own and isinstance(lines, dict) and not own.keys() & cast("Entry", lines).keys():
+        rest = {name: value for name, value in entries.items() if name not in own}
+        w.data["ground"] = {**rest, "lines": {**cast("Entry", lines), **own}}
+        w.moved |= {("ground", "lines", name): ("ground", name) for name in own}
+
+
+def _plural(w: Written, key: str) -> tuple[str, str] | None:
+    """The section of things that are all of one kind, and the word for that: `springs`."""
+    word = key.removesuffix("s")
+    for section in JOINED if word != key else ():
+        if written_kind(word, None, kinds_of(section), space=w.space) is not None:
+            return section, word
+    return None
+
+
+def _are_bodies(w: Written, value: Any) -> bool:
+    """Whether entries that are called by a connection, such as the links of a robot, say what bodies say."""
+    items = [*cast("Entry", value).values()] if isinstance(value, dict) else value
+    each = [cast("Entry", item) for item in cast("list[Any]", items)] if isinstance(items, list) else []
+    return (
+        bool(each)
+        and all(isinstance(item, dict) and _BODIES_SAY & item.keys() for item in each)
+        and not w.data.get("bodies")
+    )
+
+
+def _of_kind(w: Written, word: str, value: Any) -> Any:
+    """Entries of a section of one kind, each with the word for that where it says no other."""
+    if isinstance(value, list):
+        return [_as_kind(w, word, each) for each in cast("list[Any]", value)]
+    if not isinstance(value, dict):
+        return value
+    return {name: _as_kind(w, word, each) for name, each in cast("Entry", value).items()}
+
+
+def _as_kind(w: Written, word: str, entry: Any) -> Any:
+    """An entry that says no other kind as one of that kind, whose fields are told where they are wrong."""
+    if not isinstance(entry, dict):
+        return {word: entry} if any(takes_as(word, entry, kinds_of(at), space=w.space) for at in JOINED) else entry
+    fields = cast("Entry", entry)
+    if any(key in SAYS_KIND or section_of(w, at, key, fields[key]) for key in fields for at in JOINED):
+        return entry
+    named = {key: value for key, value in fields.items() if key in SAYS_NAME}
+    return {**named, word: {key: value for key, value in fields.items() if key not in named}}
+
+
+def _joined_as(w: Written, key: str, value: Any) -> str | None:
+    """The section in which a connection or a load belongs that stands as a section of its own."""
+    for section in JOINED:
+        if takes_as(key, value, kinds_of(section), space=w.space):
+            return section
+    return None
+
+
+def _take_in(w: Written, section: str, own: Entry, key: str, place: Place) -> None:
+    """Entries that stand elsewhere, into a section where there is nothing of their names."""
+    there = w.data.get(section) or {}
+    if not isinstance(there, dict) or own.keys() & cast("Entry", there).keys():
+        return
+    w.data[section] = {**cast("Entry", there), **own}
+    del w.data[key]
+    for name, entry in own.items():
+        w.moved[section, name] = w.stood(place)
+        if isinstance(entry, dict) and [*cast("Entry", entry)] == [key]:
+            w.moved[section, name, key] = w.stood(place)
+
+
+def _rename(w: Written, key: str, section: str, value: Any) -> None:
+    if section == "questions" and not isinstance(value, list | dict):
+        value = [value]
+    there = w.data.get(section)
+    if isinstance(there, list) and isinstance(value, list | dict) and section != "questions":
+        name_items(w, section)
+        there = w.data[section]
+    if isinstance(there, dict) and isinstance(value, list):
+        spelt = [spell_entry(w, section, (key, k), each) for k, each in enumerate(cast("list[Any]", value))]
+        if (named := with_names(w, section, (key,), spelt)) is not None and not there.keys() & named.keys():
+            w.data[section] = {**cast("Entry", there), **named}
+            del w.data[key]
+    elif isinstance(there, dict) and isinstance(value, dict):
+        entries = cast("Entry", value)
+        if not there.keys() & entries.keys():
+            w.data[section] = {**cast("Entry", there), **entries}
+            w.moved |= {(section, name): w.stood((key, name)) for name in entries}
+            del w.data[key]
+    elif there is None and section not in w.data:
+        w.data = {section if k == key else k: value if k == key else v for k, v in w.data.items()}
+        w.moved[(section,)] = w.stood((key,))
+
+
+def _are_places(value: Any) -> bool:
+    """Whether a section holds the places of points by their names."""
+    places = [*cast("Entry", value).values()] if isinstance(value, dict) else []
+    return bool(places) and all(
+        isinstance(place, list) and len(cast("list[Any]", place)) in (2, 3) and all(map(_is_coordinate, place))
+        for place in places
+    )
+
+
+def _is_coordinate(value: Any) -> bool:
+    return isinstance(value, int | float) or (isinstance(value, str) and any(sign.isdigit() for sign in value))

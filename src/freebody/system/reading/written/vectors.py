@@ -1,0 +1,125 @@
+"""Vectors as people write them, as the components that are read.
+
+position: (0, h)                           position: [0, h]
+velocity: {x: v, y: 0}                     velocity: [v, 0]
+speed: v, direction: alpha                 velocity: [(v)*cos(alpha), (v)*sin(alpha)]
+force: [0, -F]  (at a point)               along: up, magnitude: -F
+force: [Fx, Fy]                            along: [(Fx)/(1 N), (Fy)/(1 N)], magnitude: sqrt((Fx)^2 + (Fy)^2)
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, cast
+
+from freebody.language.document.tree import Place
+from freebody.model.written_kinds import takes
+from freebody.system.reading.written.form import Entry, Written, kinds_of
+
+_IN_BRACKETS = re.compile(r"\s*\((?P<inside>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*")
+_COMMA = re.compile(r",(?![^(]*\))")
+_SPEEDS = ("speed", "velocity", "initial_velocity", "v0", "Geschwindigkeit")
+_DIRECTIONS = ("direction", "Richtung", "launch_angle", "at_angle")
+_WAYS = {"right": (1, 0), "left": (-1, 0), "up": (0, 1), "down": (0, -1)}
+_FORCE = "force"
+_ALONG = ("along", "direction", "angle", "Richtung")
+_FORCES = ("force", "vector", "components", "value", "magnitude", "F", "Kraft")
+
+
+def without_brackets(value: Any) -> Any:
+    """The value with lists in place of texts such as `(0, h)`, which no formula is."""
+    if isinstance(value, dict):
+        return {key: without_brackets(each) for key, each in _joined(cast("Entry", value)).items()}
+    if isinstance(value, list):
+        texts = cast("list[Any]", value)
+        is_cut = len(texts) in (2, 3) and _begins(texts[0]) and isinstance(texts[-1], str) and texts[-1].endswith(")")
+        return without_brackets(", ".join(map(str, texts))) if is_cut else [without_brackets(each) for each in texts]
+    said = _IN_BRACKETS.fullmatch(value) if isinstance(value, str) else None
+    parts = [] if said is None else [part.strip() for part in _COMMA.split(said["inside"])]
+    return parts if len(parts) in (2, 3) and all(parts) else value
+
+
+def _begins(value: Any) -> bool:
+    """Whether a text begins with a bracket that it does not close."""
+    return isinstance(value, str) and value.startswith("(") and value.count("(") > value.count(")")
+
+
+def _joined(entries: Entry) -> Entry:
+    """`{at: (0, h)}`, which YAML reads as `at: (0` and a key `h)` without a value, with the whole text."""
+    read: Entry = {}
+    last = ""
+    for key, value in entries.items():
+        if last and value is None and _begins(read[last]):
+            read[last] = f"{read[last]}, {key}"
+        else:
+            read[key], last = value, key
+    return read
+
+
+def by_axes(value: Any) -> Any:
+    """`{x: 60 m/s, y: 0}` as components."""
+    if not isinstance(value, dict) or not {"x", "y"} <= {*cast("Entry", value)} <= {"x", "y", "z"}:
+        return value
+    return [value[axis] for axis in "xyz" if axis in value]
+
+
+def with_velocity(w: Written, place: Place, entry: Entry) -> Entry:
+    """The speed and the direction of a body of the plane as the components of its velocity."""
+    speeds, ways = ([key for key in keys if _is_scalar(entry.get(key))] for keys in (_SPEEDS, _DIRECTIONS))
+    if w.space or len(speeds) != 1 or len(ways) != 1:
+        return entry
+    v, way = entry[speeds[0]], entry[ways[0]]
+    parts = [f"({v})*{turn}({way})" for turn in ("cos", "sin")]
+    if (axes := _WAYS.get(str(way))) is not None:
+        parts = [{0: 0, 1: v, -1: f"-({v})"}[sense] for sense in axes]
+    w.moved[*place, "velocity"] = (*w.stood(place), speeds[0])
+    rest = {key: value for key, value in entry.items() if key not in (speeds[0], ways[0])}
+    return {**rest, "velocity": parts}
+
+
+def with_direction(w: Written, place: Place, entry: Entry) -> Entry:
+    """`{at: P, force: [Fx, Fy]}`, also behind `force`, as a force with its direction and magnitude."""
+    inner = entry.get(_FORCE)
+    if isinstance(inner, dict) and len(entry) == 1:
+        return {_FORCE: _by_direction(cast("Entry", inner)) or inner}
+    whole = _by_direction(entry)
+    if whole is None:
+        return entry
+    w.moved[*place, _FORCE] = w.stood(place)
+    return {_FORCE: whole}
+
+
+def _by_direction(given: Entry) -> Entry | None:
+    """The fields of a force from its components, where what it acts on is given and no direction: along an axis where
+    only one of them is not zero."""
+    vectors = [key for key in _FORCES if _is_vector(given.get(key))]
+    if len(vectors) != 1 or {*_ALONG} & given.keys():
+        return None
+    parts = [str(part) for part in given[vectors[0]]]
+    is_zero = [_number(part) == 0.0 for part in parts]
+    if all(is_zero):
+        return None
+    said: Entry = {
+        "along": [f"({p})/(1 N)" for p in parts],
+        "magnitude": f"sqrt({' + '.join(f'({p})^2' for p in parts)})",
+    }
+    if is_zero.count(False) == 1:
+        k = is_zero.index(False)
+        said = {"along": ("right", "up")[k], "magnitude": given[vectors[0]][k]}
+    whole = {**{key: value for key, value in given.items() if key != vectors[0]}, **said}
+    return whole if takes(kinds_of("loads")[_FORCE], whole) else None
+
+
+def _is_scalar(value: Any) -> bool:
+    return isinstance(value, str | int | float) and not isinstance(value, bool)
+
+
+def _is_vector(value: Any) -> bool:
+    return isinstance(value, list) and len(cast("list[Any]", value)) == 2 and all(map(_is_scalar, value))
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text.split(maxsplit=1)[0])
+    except (ValueError, IndexError):
+        return None
