@@ -18,6 +18,7 @@ from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.in_the_impact import is_of_impact
 from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.unneeded import is_pivot
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -110,7 +111,7 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     moved = _MOVED.match(text)
     if moved and moved["body"] in names.bodies and names.bodies[moved["body"]].fixed:
         return False
-    if asked & _FREQUENCIES and Word("preposition", "about") in words and " about " not in text:
+    if asked & _FREQUENCIES and _is_about_path(names, words) and " about " not in text:
         return False  # about a circle, which is no equilibrium
     if loses_quantity(words, text):
         return False
@@ -127,6 +128,18 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     is_place = Word("ask", "where") in words and not asked
     return not (is_place and _is_extreme(text))
+
+
+def _is_about_path(names: Names, words: Sequence[Word]) -> bool:
+    """Whether something is to be about what is no axle."""
+    about = Word("preposition", "about")
+    return any(
+        word == about and not is_pivot(names, words, k + 1 + _n_fillers(words, k + 1)) for k, word in enumerate(words)
+    )
+
+
+def _n_fillers(words: Sequence[Word], begin: int) -> int:
+    return len([*takewhile(lambda word: word.kind == "filler", words[begin:])])
 
 
 def loses_quantity(words: Sequence[Word], text: str) -> bool:

@@ -103,7 +103,17 @@ def time(names: Names, sentence: Sentence) -> Groups:
     else:
         return
     for group in conditions(names, clause):
-        yield [f"time when {condition}" for condition in group]
+        free = _flown_free(names, group) if clause is not head and set(head.all("verb")) == {"fly"} else []
+        yield free or [f"time when {condition}" for condition in group]
+
+
+def _flown_free(names: Names, conditions_: list[str]) -> list[str]:
+    """How long it flies until its string is taut again: from where that went slack."""
+    return [
+        f"time between {name} goes slack and {name} goes taut"
+        for name in joining.swinging_on(names)
+        if conditions_ in ([f"{name} goes taut"], ["it goes taut"])
+    ]
 
 
 def _in_contact(names: Names, head: Clause) -> Groups:
@@ -213,6 +223,11 @@ def lost(names: Names, sentence: Sentence) -> Groups:
 def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups:
     """What fraction of the energy is lost up to an event: of the kinetic energy, where there is no other."""
     main = sentence.main.without("part", "initial")  # of what there is at first
+    if asked in (["energy"], ["kinetic energy"]) and main.has("verb", "lost"):  # that goes into heat
+        asked = [f"{asked[0]} lost"]
+        meant = Word("quantity", asked[0])
+        main = Clause([meant if w.kind == "quantity" and w.what != "fraction" else w for w in main.words])
+        main = main.without("verb", "lost")
     whole_loss = Word("quantity", "energy lost")
     is_heat = asked == ["heat of kinetic energy"]  # of the kinetic energy, whatever becomes of the rest of it
     asked = [whole_loss.what] if is_heat else asked
@@ -321,6 +336,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             heights = [name for name, sense in lookup.heights(names, who) if (sense < 0) == down]
             along = [name for name, sense in lookup.inclined(names, who) if (sense < 0) == down]
             yield [f"{counted} {name}" for name in heights or along]
+            if down and counted == "change of" and not (heights or along):  # by what measures it upwards
+                yield [f"-(change of {name})" for name, sense in lookup.heights(names, who) if sense > 0]
             is_plain = counted == "change of" and who in lookup.moving(names)
             is_plain &= not lookup.places(names, who) or (up and not (heights or along))  # counted downwards
             yield [f"change of height of {who}"] if is_plain else []

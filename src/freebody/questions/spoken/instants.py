@@ -61,6 +61,7 @@ _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
 _LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
 _BLOWS = ("after the impact", "before the impact")
+_ON = ("by", "on", "to", "in", "with", "from")  # what leads to who catches something
 _NTH = re.compile(rf"(?P<side>after|before|at) the {NTH} impact")
 _DEAD = ("at the dead points", "at the outer dead point", "at the inner dead point")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", *_DEAD)}
@@ -553,11 +554,11 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
 
 
 def _without_catcher(names: Names, words: list[Word]) -> list[Word]:
-    """After it is caught by the peg is after the impact, where nothing else catches it."""
+    """After it is caught by the peg, after hooking on it, is after the impact, where nothing else catches it."""
     blows = (*_BLOWS, "at the impact", "in the impact")
     said = [k for k, word in enumerate(words) if word.kind != "filler"]
     for blow, by, who in zip(said, said[1:], said[2:], strict=False):
-        is_caught = words[blow].kind == "instant" and words[blow].what in blows and words[by].what == "by"
+        is_caught = words[blow].kind == "instant" and words[blow].what in blows and words[by].what in _ON
         if is_caught and words[who].kind == "name" and _is_caught(names, words[who].what):
             return [*words[: blow + 1], *words[who + 1 :]] if len(names.closing_later) == 1 else words
     return words

@@ -20,6 +20,7 @@ from freebody.questions.spoken import along_lines, given, joining, lookup
 from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.expressed import dropped
 from freebody.questions.spoken.lexicon import ENGLISH, Word, tells_apart
+from freebody.questions.spoken.unneeded import is_pivot
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -57,7 +58,7 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     is_of_all = _OF_ALL.search(text) is not None
     cut = _begin_of_state(names, words) if is_of_all else len(words)
     for k, word in enumerate(words):
-        if _is_what_turns(names, words, k) and "over a turn" in text:
+        if (_is_what_turns(names, words, k) and "over a turn" in text) or is_pivot(names, words, k):
             continue
         for thing in _THING.findall(word.what) if word.kind in ("name", "value") else ():
             if not _is_thing(names, thing) or _stands(names, thing, things):
@@ -201,7 +202,7 @@ def n_freedoms(names: Names) -> int:
 def _is_of(names: Names, thing: str, parameter: str) -> bool:
     """Whether a parameter is one of a thing: its mass, a size, how fast it starts, how hard it is pushed."""
     body = thing.partition(".")[0]
-    if parameter in given.started_with(names, [body]):
+    if parameter in given.started_with(names, [body]) or parameter in given.leaning_by(names, thing):
         return True
     if body in names.bodies:
         own = names.bodies[body]

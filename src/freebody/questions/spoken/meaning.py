@@ -25,6 +25,7 @@ from freebody.questions.spoken.of_motion import MASS_CENTER
 from freebody.questions.spoken.recomposing import recomposed
 from freebody.questions.spoken.sentence import Sentence, parted, told_who
 from freebody.questions.spoken.stated import stated
+from freebody.questions.spoken.unneeded import without_unneeded
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -84,6 +85,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
+    said = without_unneeded(names, said)
     said = rewording.sliding_in_slots(names, rewording.holding_fast(names, said))
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
     said = rewording.by_joint(names, rewording.taken_along(names, said))
@@ -344,8 +346,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
     growing = [name for _, name in whole.names if name in names.parameters]
     bodies = [name for _, name in whole.names if name in names.bodies]
+    kinds = [given.KIND_OF[what] for what in whole.all("quantity") if given.is_by_unit(what)]
     if not growing and whole.has("verb", "grow") and all(lookup.is_all_that_moves(names, name) for name in bodies):
         growing = given.growing(names, [name for _, name in whole.names])
+        growing = [name for name in growing if all(kind.has(names.parameters[name]) for kind in kinds)]
     doing = set(whole.all("verb")) - {"start", "move"}
     if {"tip", "slide", "rise"} == doing:  # when the ramp is raised
         doing, growing = {"tip", "slide", "grow"}, growing or given.growing(names, [])
@@ -356,7 +360,6 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if doing == {"tip", "slide"} and not (sentence.others or whole.has("ask")):  # of the only force
         growing = growing or given.growing(names, [])
         doing |= {"grow"}
-    kinds = [given.KIND_OF[what] for what in whole.all("quantity") if given.is_by_unit(what)]
     if doing == {"tip", "slide", "grow"} and not growing and len(kinds) == 1:  # as the acceleration increases
         growing = given.chosen(names, kinds[0], [])
         bodies = []

@@ -115,7 +115,13 @@ def _kinds_meant(names: Names, quantity: str, rest: Clause, joints: set[str]) ->
     if quantity == "torque" and not joints:  # no bearing is asked for its reaction so
         kinds = ("driving torque", "torque")
     pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
-    if quantity == "force" and joints <= pulling and joints and rest.only("name", *SILENT) and len(rest.names) == 1:
+    if (
+        quantity in ("force", "reaction")
+        and joints <= pulling
+        and joints
+        and rest.only("name", *SILENT)
+        and len(rest.names) == 1
+    ):
         kinds = ("force",)  # the force in a rope is no sum of what its parts pull with
     bearings = [name for name in joining.axles(names) if all(joining.touches(names, name, x) for _, x in rest.names)]
     if quantity == "bearing reaction" and bearings and not joints:  # of no rope that runs over what turns in it
