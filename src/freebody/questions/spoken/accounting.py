@@ -73,6 +73,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
     if turned := TURNED_ROUND.match(text):
+        if Word("filler", "must") in words and _is_least_push(names, words):
+            return False  # the push that is needed is none that is given, and its least is no least of a parameter
         if _RANGE in words and text.startswith(("least ", "largest ")):  # between which values
             return False
         if _HELD_THROUGHOUT.search(text) and any(word in _HIGHEST for word in words):  # at the top is not always
@@ -136,6 +138,14 @@ def _is_about_path(names: Names, words: Sequence[Word]) -> bool:
     return any(
         word == about and not is_pivot(names, words, k + 1 + _n_fillers(words, k + 1)) for k, word in enumerate(words)
     )
+
+
+def _is_least_push(names: Names, words: Sequence[Word]) -> bool:
+    """Whether the least, or the greatest, is said of a push behind the parameter that is asked for."""
+    said = [word for word in words if word.kind != "filler"]
+    *head, last, end = [*[Word("", "")] * 2, *said]
+    is_push = last.what in _PUSHES | _TURNS or last.what in names.loads
+    return end.kind == "degree" and is_push and any(word.kind == "name" for word in head)
 
 
 def _n_fillers(words: Sequence[Word], begin: int) -> int:

@@ -111,5 +111,7 @@ def _only_describes(names: Names, elements: Elements, said: str, language: str) 
             slips = verbs & _SLIPS and any(
                 "contact" in names.called.get(joint, ()) for joint in joining.rough(names, "")
             )
-            return all(word.kind in _KNOWN for word in words) and verbs <= _DESCRIBES and not slips
+            known = (*_KNOWN, "instant") if lookup.rests(names) else _KNOWN  # it rolls from rest
+            starts = {word.what for word in words if word.kind == "instant"} <= {"at start"}
+            return all(word.kind in known for word in words) and starts and verbs <= _DESCRIBES and not slips
     return False

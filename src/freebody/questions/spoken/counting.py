@@ -345,7 +345,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:
             is_path = counted != "change of" and who not in names.measures and lookup.is_free(names, who)
-            went = [] if is_path else [f"{counted} {name}" for name in lookup.went(names, who)]
+            ways = [] if is_path else _without_heights(names, who, lookup.went(names, who))
+            went = [f"{counted} {name}" for name in ways]
             is_plain = counted == "change of" and not went and who in lookup.moving(names)
             yield went or [f"change of {axis} of {who}" for axis in joining.guided_along(names, who) if is_plain]
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
@@ -354,6 +355,14 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         yield [f"work of {joint}" for joint in joining.rough(names, who)]
     elif asked == ["change"] and not verbs and who in names.measures:
         yield [f"change of {who}"]
+
+
+def _without_heights(names: Names, who: str, ways: list[str]) -> list[str]:
+    """Of what rolls, or slides, in space how high it is does not say how far it comes."""
+    joints = [name for name in names.connections if not who or joining.touches(names, name, who)]
+    rests_on = names.space and any({"contact", "rolling"} & {*names.called.get(name, ())} for name in joints)
+    upright = {name for name, _ in lookup.heights(names, "")} if rests_on else set[str]()
+    return [name for name in ways if name not in upright]
 
 
 def _has_value(names: Names, clause: Clause) -> bool:

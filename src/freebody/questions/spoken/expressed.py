@@ -144,7 +144,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "transmitted power": r"force of .* [*] .*velocity|greatest power",
         "work": r"work|energy|lost",
         "work of friction": r"work|lost",
-        "linear momentum": r"linear momentum",
+        "linear momentum": r"linear momentum|impulse of",
         "angular momentum": r"angular momentum",
         "impulse": rf"impulse|{_CHOICE}",
         "angular impulse": rf"impulse|{_CHOICE}",
@@ -259,7 +259,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "hang": rf"{_REST}|=|{_CHOICE}|start|when|below|down|tension|reaction",
         "run_off": r"=|run|off|unwound|end|leav",
         "no_move": rf"{_REST}|{_CHOICE}|slip|mov",
-        "engage": r"slip|common|engage|after|blow|impact|until",
+        "engage": r"slip|common|engage|after|blow|impact|until|velocity of \w+ = velocity",
         "infinite": r"->|infin|grow",
         "shrink": r"->|shrink|decreas|grow|as |rate",
     },
@@ -280,6 +280,7 @@ _LIMITING = (  # of which one is said where it is asked how much of something is
 )
 _STARTS, _WHICH_WAY = Word("verb", "start"), Word("ask", "way")
 _POSES = {"horizontal": "level", "vertical": "upright pose"}  # and the instant at which something is so
+_TURNED_ROUND = ("flat", "small")  # question words of which at most is the least
 _BY_ITSELF = ("long",)  # asks for how long something is done
 _AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
 _LEADS = ("until", "after", "to", "when", "while", "so_that")
@@ -319,6 +320,8 @@ def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
     for k, word in enumerate(words):
         if _goes_on(words, k) or (word == _STARTS and words[0] == _WHICH_WAY):  # as it is accelerated
             continue
+        if word.kind == "degree" and words[0].what in _TURNED_ROUND and text.startswith(("least ", "largest ")):
+            continue  # how flat at most is the least angle
         word = Word("instant", _POSES[word.what]) if _is_pose(words, k) else word
         if word.kind == "instant" and (nth := _NTH.search(word.what)):
             is_there = nth[1] in text

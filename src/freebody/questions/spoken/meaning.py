@@ -88,7 +88,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = without_unneeded(names, said)
     said = rewording.sliding_in_slots(names, rewording.holding_fast(names, said))
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
-    said = rewording.by_joint(names, rewording.taken_along(names, said))
+    said = rewording.by_joint(names, rewording.given_by_joint(names, rewording.taken_along(names, said)))
     said = rewording.pulling(names, rewording.balanced_at(names, rewording.held_by_clamp(names, said)))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.at_extremes(rewording.lifting_off(names, rewording.on_what_may_open(names, said)))
@@ -96,14 +96,16 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = rewording.transmitted(names, said, modal)
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
-    words = [_AS_LARGE.get(word, word) for word in said]
+    words = _as_large(said)
     words = rewording.heaviest(names, words)
     yield from _rough_enough_to_roll(names, Clause(words))
     said = rewording.heaviest(names, said)
     lasting = _as_long_as(said)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
-    yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
+    yield from turning_round.parameters(names, _as_large(lasting), meanings)
+    if any(word == Word("ask", "steep") for word in lasting):  # how steep is of an angle
+        yield from turning_round.parameters(names, lasting, meanings)
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
     if sentence is not None and is_whether:
@@ -129,6 +131,17 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     yield from efficiency_of_planets(names, said)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _as_large(words: list[Word]) -> list[Word]:
+    """How flat at most is how large at least."""
+    is_small = any(word in (Word("ask", "small"), Word("ask", "flat")) for word in words)
+    is_end = sum(word.kind == "degree" for word in words) == 1 and not any(
+        w.kind in ("quantity", "value") for w in words
+    )
+    ends = {"greatest": "least", "least": "greatest"} if is_small and is_end else {}
+    turned = [Word("degree", ends.get(word.what, word.what)) if word.kind == "degree" else word for word in words]
+    return [_AS_LARGE.get(word, word) for word in turned]
 
 
 def _stretched(names: Names, words: list[Word]) -> list[Word]:
@@ -382,6 +395,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["does it hold"]
     if sentence.others or main.has("value") or main.has("relation") or main.has("turns"):
         return
+    slips_not = verbs == {"slide"} and main.has("not") and main.only("verb", "name", "not", *SILENT)
+    if slips_not and all(joining.is_all_that_slips(names, name) for name in of) and not joining.rolls(names):
+        yield ["does it hold"] if lookup.rests(names) else []
     asks_when = main.words[:1] and main.words[0].kind == "ask" and main.words[0].what in ("when", "soon", "with")
     if asks_when and verbs == {"stable"} and main.all("quantity") == ["equilibrium"] and not of:
         yield ["stability of equilibrium"]  # whose answer says when

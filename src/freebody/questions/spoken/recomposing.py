@@ -100,8 +100,11 @@ def _compared(words: list[Word]) -> list[Word]:
     [k] = signs
     if words[k].kind == "relation" and words[k].what not in (">", "<", "="):
         return words
-    turns = {Word("ask", "fast"), Word("verb", "turn")} <= {*words[:k]} and not any(w.kind == "quantity" for w in words)
-    own = [Word("quantity", "angular velocity")] if turns else []  # how fast does A turn, compared with B
+    plain = not any(w.kind == "quantity" and w != _RATIO for w in words)
+    turns = plain and {Word("ask", "fast"), Word("verb", "turn")} <= {*words[:k]}
+    goes = plain and not turns and _RATIO in words and any(w.kind == "verb" and w.what in GOES_ON for w in words[:k])
+    kind = "angular velocity" if turns or Word("verb", "turn") in words else "speed"
+    own = [Word("quantity", kind)] if turns or goes else []  # how fast does A turn, compared with B
     head = [*own, *(w for w in words[:k] if w.kind not in ("ask", *(["verb"] if own else [])) and w != _RATIO)]
     tail = [w for w in words[k + 1 :] if w != _RATIO]
     while tail and tail[0].kind == "preposition":
@@ -109,9 +112,12 @@ def _compared(words: list[Word]) -> list[Word]:
     if not head or not tail or not any(w.kind == "quantity" for w in head):
         return words
     head = head[1:] if head[0].kind == "preposition" else head
+    tail = [*own, *tail]
     first, second = (tail, head) if words[k].what == "<" else (head, tail)
     if not any(w.kind == "quantity" for w in first):
         return words
+    if goes and len(first) == len(second) == 2 and kind == "speed":  # as of what moves together
+        return [Word("quantity", "gear ratio"), Word("preposition", "of"), first[1], _TO, second[1]]
     return [_RATIO, Word("preposition", "of"), *first, _TO, *second]
 
 

@@ -168,6 +168,15 @@ def by_joint(names: Names, words: list[Word]) -> list[Word]:
     return [Word("quantity", "reaction"), _FOR, of[0], Word("preposition", "on"), of[1]]
 
 
+def given_by_joint(names: Names, words: list[Word]) -> list[Word]:
+    """What momentum the coupling gives the cart is its impulse on it."""
+    momentum = Word("quantity", "linear momentum")
+    joint = next((w.what for w in words if w.kind == "name"), "")
+    is_given = momentum in words and joint in names.connections and joint not in names.bodies
+    kept = [w for w in words if w.kind not in ("ask", "verb")]
+    return [Word("quantity", "impulse") if word == momentum else word for word in kept] if is_given else words
+
+
 def in_turns(words: list[Word]) -> list[Word]:
     """While it turns once is over a turn."""
     leads = [Word("mark", "while"), *(Word("preposition", what) for what in ("of", "in", "over"))]

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, given, joining, lookup, poses
+from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -104,6 +104,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         yield (
             ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
         )  # the end of rest is where motion begins
+    if verbs == {"stop"} and not negated and len(of) <= 1 and losing.comes_to_roll(names):  # instead of rolling on
+        yield [f"velocity of {way} when rolling begins = 0" for way in lookup.places(names, who)]
     holds = verbs or clause.all("instant") == ["in equilibrium"]
     rests = verbs <= {"hold", "stop", "move"} and negated == (verbs == {"move"})
     is_one = holds and rests and len(of) == 1 and not everything

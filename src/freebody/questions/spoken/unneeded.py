@@ -13,12 +13,15 @@ from freebody.questions.spoken.lexicon import Word
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_HOW_STEEP = (Word("ask", "steep"), Word("ask", "flat"))
 _COUNTED = ("work", "power", "energy")
 _PUSHES = ("force", "torque", "moment", "tension", "spring force", "driving force", "driving torque")
 
 
 def without_unneeded(names: Names, words: list[Word]) -> list[Word]:
-    return named_as_push(names, of_slope(names, about_axle(names, at_best_angle(words))))
+    if not words:
+        return words
+    return named_as_push(names, of_driven(names, of_slope(names, about_axle(names, at_best_angle(words)))))
 
 
 def at_best_angle(words: list[Word]) -> list[Word]:
@@ -33,8 +36,9 @@ def at_best_angle(words: list[Word]) -> list[Word]:
 
 def of_slope(names: Names, words: list[Word]) -> list[Word]:
     """The angle of the ramp at which the crate slips: the ramp leans by no other."""
-    angle = Word("quantity", "angle")
-    k = words.index(angle) + 1 if angle in words and words[0].kind == "ask" else len(words)
+    angle, is_asked = Word("quantity", "angle"), words[0].kind == "ask"
+    k = words.index(angle) + 1 if angle in words and is_asked else len(words)
+    k = 1 if words[0] in _HOW_STEEP else k
     k += words[k : k + 1] == [Word("preposition", "of")]
     owner = words[k].what if k < len(words) and words[k].kind == "name" else ""
     is_alone = not any(word.kind == "name" for word in words[k + 1 :])
@@ -45,6 +49,24 @@ def about_axle(names: Names, words: list[Word]) -> list[Word]:
     """The frequency of what swings about its pivot, which it cannot leave."""
     k = next((k for k in range(len(words)) if is_pivot(names, words, k)), None)
     return words if k is None else [*words[: k - 1], *words[k + 1 :]]
+
+
+def is_unneeded(names: Names, words: Sequence[Word], k: int) -> bool:
+    return is_pivot(names, words, k) or is_driven(names, words, k)
+
+
+def of_driven(names: Names, words: list[Word]) -> list[Word]:
+    """The critical speed of the rotor: where what is shaken by it resonates."""
+    k = next((k for k in range(len(words)) if is_driven(names, words, k)), None)
+    return words if k is None else [*words[: k - 1], *words[k + 1 :]]
+
+
+def is_driven(names: Names, words: Sequence[Word], k: int) -> bool:
+    """Whether a word names what is driven at the frequency that is asked for."""
+    said = [word for word in words[:k] if word.kind != "filler"]
+    is_led = said[-2:] == [Word("quantity", "resonance frequency"), Word("preposition", "of")]
+    is_named = is_led and k < len(words) and words[k].kind == "name"
+    return is_named and any(words[k].what in joining.driven_bodies(names, p) for p in joining.drive_parameters(names))
 
 
 def is_pivot(names: Names, words: Sequence[Word], k: int) -> bool:
