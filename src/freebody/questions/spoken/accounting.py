@@ -34,6 +34,7 @@ _FREQUENCIES = frozenset({"natural frequency", "natural frequencies", "period of
 _EXERTS = tuple(Word("verb", verb) for verb in ("exert", "act", "carry"))
 _OF_LOAD = re.compile(r"(?:greatest|least) force in ")
 PLACED = ("high", "far")  # how high, how far, something acts: where
+_FROM = Word("preposition", "from")
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
 TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
@@ -72,6 +73,10 @@ def _behind(words: Sequence[Word], quantity: str) -> list[Word]:
 def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
+    if Word("verb", "stop") in words and _NO_QUANTITY.match(text) and not TURNED_ROUND.match(text):
+        begins = [after.what for before, after in pairwise(words) if before == _FROM]  # stopped from 10 rad/s
+        if any(text.endswith(f"= {value}") for value in begins):
+            return False
     if turned := TURNED_ROUND.match(text):
         if Word("filler", "must") in words and _is_least_push(names, words):
             return False  # the push that is needed is none that is given, and its least is no least of a parameter

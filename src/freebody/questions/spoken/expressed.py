@@ -221,7 +221,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         r"when|tip|value of|largest|least|relaxed|after",
         "be_open": r"=|open",
         "lock": rf"lock|rate\(|= 0|slip|{_CHOICE}|first|hold",
-        "stop": rf"stop|rest|rate\(|= 0|hold|equilibrium|{_CHOICE}|slip|end|until|turns back|upright|=|roll",
+        "stop": rf"stop|dead|rest|rate\(|= 0|hold|equilibrium|{_CHOICE}|slip|end|until|turns back|upright|=|roll",
         "turn_back": r"dead|rate\(|turns? back|highest|greatest|top|stop|farthest|until|=",
         "return": rf"return|back|{_EQUAL}|changed|rate\(|{_CHOICE}|period",
         "reach": rf"{_EQUAL}|reach|greatest|largest|{_CHOICE}|highest|when|until|hit|touch|at the|terminal|"

@@ -464,10 +464,16 @@ def _at_turning_points(names: Names, sentence: Sentence) -> Groups:
     words = [word for word in sentence.main.words if word.kind not in SILENT]
     kinds = [word.kind for word in words]
     ends = (Word("verb", "turn_back"), Word("instant", "turning point"))
+    ends = (*ends, Word("verb", "stop")) if joining.is_led(names) else ends
+    if kinds[-2:] == ["verb", "name"]:  # where does stand still the piston, as German has it
+        words, kinds = [*words[:-2], words[-1], words[-2]], [*kinds[:-2], "name", "verb"]
     if sentence.others or not words or words[-1] not in ends or kinds[-2:-1] != ["name"]:
         return
     place, turns = words[1:-2], words[-2].what
-    is_asked = words[0].kind == "ask" and words[0].what in ("with", "for") and turns in lookup.turning(names)
+    goes = lookup.places(names, turns) if joining.is_led(names) else []  # a piston, by the only measure of its place
+    turns = goes[0] if turns not in lookup.turning(names) and len(goes) == 1 else turns
+    is_asked = words[0].kind == "ask" and words[0].what in ("with", "for")
+    is_asked &= turns in lookup.turning(names) or turns in goes
     is_asked &= any(w.kind == "name" and w.what != turns for w in place)
     if is_asked and Clause(place).only("name", "quantity"):
         for group in quantities(names, Clause(place)):

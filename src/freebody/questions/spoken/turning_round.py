@@ -336,7 +336,7 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         return named, rest, end
     if head.has("ask", "from"):
         end = "least"
-    of_speed = asked in (["speed"], ["velocity"], ["angular velocity"]) and (others or head.has("ask", "fast"))
+    of_speed = asked in (["speed"], ["velocity"], ["angular velocity"]) and (others or head.has("ask", "fast") or end)
     if of_speed and not named and is_marked:
         found = _speeds(names, asked[0], others)  # the speed that the bullet must have
         return (found, rest, end) if len(found) == 1 else None
