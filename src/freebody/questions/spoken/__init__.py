@@ -22,7 +22,8 @@ lasts is put in many ways
 (limits.py).
 What a model has for words that name nothing stands in lookup.py, joining.py (connections), poses.py (what hangs,
 stands, lies level), strings.py, losing.py (what takes energy away) and given.py (parameters by what they are of).
-A speed for that of something else is a ratio (geared.py); words put as others put them are told before clauses are
+Words that say no more than others beside them are left out (unneeded.py). A speed for that of something else is a
+ratio (geared.py); words put as others put them are told before clauses are
 parted (rewording.py; beginning.py: what begins, varies, settles), and where something is meant within a clause in
 within.py. What is said of other values than the file gives is told in other_values.py, with its wording in a file of
 its own (xx.values.toml); forces that nobody chooses are told from others in unchosen.py, and what is assumed in

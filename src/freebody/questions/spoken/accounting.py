@@ -18,6 +18,7 @@ from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.in_the_impact import is_of_impact
 from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.unneeded import is_pivot
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -33,6 +34,7 @@ _FREQUENCIES = frozenset({"natural frequency", "natural frequencies", "period of
 _EXERTS = tuple(Word("verb", verb) for verb in ("exert", "act", "carry"))
 _OF_LOAD = re.compile(r"(?:greatest|least) force in ")
 PLACED = ("high", "far")  # how high, how far, something acts: where
+_FROM = Word("preposition", "from")
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
 TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
@@ -71,7 +73,13 @@ def _behind(words: Sequence[Word], quantity: str) -> list[Word]:
 def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether words of the grammar ask for a quantity of the kind that words of a text name, along the way they say."""
     asked = {word.what for word in words if word.kind == "quantity"}
+    if Word("verb", "stop") in words and _NO_QUANTITY.match(text) and not TURNED_ROUND.match(text):
+        begins = [after.what for before, after in pairwise(words) if before == _FROM]  # stopped from 10 rad/s
+        if any(text.endswith(f"= {value}") for value in begins):
+            return False
     if turned := TURNED_ROUND.match(text):
+        if Word("filler", "must") in words and _is_least_push(names, words):
+            return False  # the push that is needed is none that is given, and its least is no least of a parameter
         if _RANGE in words and text.startswith(("least ", "largest ")):  # between which values
             return False
         if _HELD_THROUGHOUT.search(text) and any(word in _HIGHEST for word in words):  # at the top is not always
@@ -110,7 +118,7 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     moved = _MOVED.match(text)
     if moved and moved["body"] in names.bodies and names.bodies[moved["body"]].fixed:
         return False
-    if asked & _FREQUENCIES and Word("preposition", "about") in words and " about " not in text:
+    if asked & _FREQUENCIES and _is_about_path(names, words) and " about " not in text:
         return False  # about a circle, which is no equilibrium
     if loses_quantity(words, text):
         return False
@@ -127,6 +135,26 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     is_place = Word("ask", "where") in words and not asked
     return not (is_place and _is_extreme(text))
+
+
+def _is_about_path(names: Names, words: Sequence[Word]) -> bool:
+    """Whether something is to be about what is no axle."""
+    about = Word("preposition", "about")
+    return any(
+        word == about and not is_pivot(names, words, k + 1 + _n_fillers(words, k + 1)) for k, word in enumerate(words)
+    )
+
+
+def _is_least_push(names: Names, words: Sequence[Word]) -> bool:
+    """Whether the least, or the greatest, is said of a push behind the parameter that is asked for."""
+    said = [word for word in words if word.kind != "filler"]
+    *head, last, end = [*[Word("", "")] * 2, *said]
+    is_push = last.what in _PUSHES | _TURNS or last.what in names.loads
+    return end.kind == "degree" and is_push and any(word.kind == "name" for word in head)
+
+
+def _n_fillers(words: Sequence[Word], begin: int) -> int:
+    return len([*takewhile(lambda word: word.kind == "filler", words[begin:])])
 
 
 def loses_quantity(words: Sequence[Word], text: str) -> bool:

@@ -246,6 +246,9 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     for cut in cuts:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
         first = Clause([*said, *first.words])
+        if kind != "ratio" and (with_parameter := list(_beside_parameter(names, first, second, operator))):
+            yield from with_parameter  # by how much the cable is longer than the span l
+            continue
         if kind == "ratio" and _are_geared(names, first, second):  # sun to carrier
             first = Clause([Word("quantity", "angular velocity"), *first.words])
         own = [w for w in first.words if w.kind == "quantity"]
@@ -264,6 +267,21 @@ def _of_two(names: Names, clause: Clause) -> Groups:
             if all(texts[0].startswith("angular velocity") for texts in (one, other) if texts):
                 pairs = pairs[:1]  # speeds of what turns about axles
             yield [f"ratio of {a} to {b}" if operator == "/" else f"{a} {operator} {b}" for a, b in pairs]
+
+
+def _beside_parameter(names: Names, first: Clause, second: Clause, operator: str) -> Groups:
+    """The difference, or the sum, of a quantity and a parameter."""
+    sides = (first, second)
+    given_ = [
+        side.names[0][1]
+        if side.only("name", *SILENT) and len(side.names) == 1 and side.names[0][1] in names.parameters
+        else ""
+        for side in sides
+    ]
+    if bool(given_[0]) == bool(given_[1]):
+        return
+    for group in quantities(names, sides[0] if given_[1] else sides[1]):
+        yield [f"{given_[0] or text} {operator} {given_[1] or text}" for text in group]
 
 
 def _are_geared(names: Names, *sides: Clause) -> bool:

@@ -1,4 +1,4 @@
-"""What a question assumes: that nothing slips, that there is no friction, no drag of the air.
+"""What a question assumes: that nothing slips, that there is no friction, no drag of the air, that wheels are locked.
 
 What holds in the model is no condition that changes the answer. What does not hold is refused by name: it would be
 another model.
@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
-from freebody.questions.spoken import joining
+from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.lexicon import assumptions, languages
 
 if TYPE_CHECKING:
@@ -48,6 +48,8 @@ def _assumed(text: str) -> Iterator[tuple[str, str]]:
 
 def _against(names: Names, what: str) -> list[str]:
     """What a model has where something is assumed not to be: contacts that are rough, or may slip, and drag."""
+    if what == "locked wheels":  # what has no wheels slides
+        return [] if joining.rough(names, "") and not joining.rolls(names) and not lookup.rests(names) else ["rest"]
     if what == "no drag":
         return [name for name in names.loads if "air" in names.called.get(name, ())]
     rough = joining.rough(names, "")

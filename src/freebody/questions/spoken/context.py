@@ -27,6 +27,11 @@ if TYPE_CHECKING:
 _KNOWN = ("name", "verb", "filler", "preposition", "pronoun", "updown", "quantity", "part")
 _DESCRIBES = {"move", "hang", "exert", "act", "fall", "rise", "turn", "roll", "slide", "fly", "carry"}
 _SLIPS = {"roll", "slide"}
+# with what leads it: a block of 2 kg, a mass m = 2 kg
+_VALUE = re.compile(
+    r"(?: (?:of|with|from|at|von|mit|aus|bei)(?: an?| the| einer?| einem)?)?(?: [^\W\d]\w* ?=)? "
+    r"(?P<value>\d[\d.,]*(?: ?[A-Za-z°][\w/^*°]*(?: m\b(?:/s)?)?))"
+)
 _EQUAL = re.compile(r"(?P<name>[^\W\d]\w*) ?= ?(?P<value>-?\d[\d.]*(?: ?[A-Za-z°][\w/^*°]*)?)")
 
 
@@ -41,10 +46,19 @@ def without_context(names: Names, elements: Elements, text: str) -> str:
             rest = text[released.end() :].rstrip(" .?!")
             is_timed = re.search(patterns["timed"], rest, re.IGNORECASE) is not None
             text = rest if is_timed else f"{rest} {patterns['at_start']}"
-        parted = re.match(patterns["statement"], text, re.IGNORECASE)
-        if parted is not None and _only_describes(names, elements, parted["said"], language):
-            text = parted["asked"]
+        text = _without_statements(names, elements, text, language)
     return text
+
+
+def _without_statements(names: Names, elements: Elements, text: str, language: str) -> str:
+    """The text without the sentences before its last one that only describe the system."""
+    sentences = re.split(r"(?<=[.;]) ", text)
+    while len(sentences) > 1:
+        parted = re.match(contexts(language)["statement"], f"{sentences[0]} {sentences[-1]}", re.IGNORECASE)
+        if parted is None or not _only_describes(names, elements, parted["said"], language):
+            break
+        sentences = sentences[1:]
+    return " ".join(sentences)
 
 
 def _starts_so(names: Names, pose: str | None) -> bool:
@@ -73,8 +87,18 @@ def _is_given(names: Names, name: str, value: str) -> bool:
     return False
 
 
+def _is_of_file(names: Names, value: str) -> bool:
+    """Whether some parameter has a value in the file."""
+    with suppress(UnitError, ValueError):
+        said = parse_quantity(re.sub(r"(?<=N)(?=m)", " ", value.replace(",", ".").replace("°", "deg")))
+        alike = [p.name for p in names.parameters.values() if p.dimension == said.dimension]
+        return any(names.number_of(name) == said.value != 0.0 for name in alike)
+    return False
+
+
 def _only_describes(names: Names, elements: Elements, said: str, language: str) -> bool:
     """Whether a sentence has nothing but known words, and says no more than how things hang together, or move."""
+    said = _VALUE.sub(lambda value: "" if _is_of_file(names, value["value"]) else value[0], said)
     plain = re.findall(r"[^\W\d_]+", said.lower())
     if re.search(r"[\d=<>]", said) or any(changes_value(word, language) for word in plain):
         return False
@@ -87,5 +111,7 @@ def _only_describes(names: Names, elements: Elements, said: str, language: str) 
             slips = verbs & _SLIPS and any(
                 "contact" in names.called.get(joint, ()) for joint in joining.rough(names, "")
             )
-            return all(word.kind in _KNOWN for word in words) and verbs <= _DESCRIBES and not slips
+            known = (*_KNOWN, "instant") if lookup.rests(names) else _KNOWN  # it rolls from rest
+            starts = {word.what for word in words if word.kind == "instant"} <= {"at start"}
+            return all(word.kind in known for word in words) and starts and verbs <= _DESCRIBES and not slips
     return False

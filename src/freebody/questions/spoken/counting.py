@@ -103,7 +103,17 @@ def time(names: Names, sentence: Sentence) -> Groups:
     else:
         return
     for group in conditions(names, clause):
-        yield [f"time when {condition}" for condition in group]
+        free = _flown_free(names, group) if clause is not head and set(head.all("verb")) == {"fly"} else []
+        yield free or [f"time when {condition}" for condition in group]
+
+
+def _flown_free(names: Names, conditions_: list[str]) -> list[str]:
+    """How long it flies until its string is taut again: from where that went slack."""
+    return [
+        f"time between {name} goes slack and {name} goes taut"
+        for name in joining.swinging_on(names)
+        if conditions_ in ([f"{name} goes taut"], ["it goes taut"])
+    ]
 
 
 def _in_contact(names: Names, head: Clause) -> Groups:
@@ -213,6 +223,11 @@ def lost(names: Names, sentence: Sentence) -> Groups:
 def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups:
     """What fraction of the energy is lost up to an event: of the kinetic energy, where there is no other."""
     main = sentence.main.without("part", "initial")  # of what there is at first
+    if asked in (["energy"], ["kinetic energy"]) and main.has("verb", "lost"):  # that goes into heat
+        asked = [f"{asked[0]} lost"]
+        meant = Word("quantity", asked[0])
+        main = Clause([meant if w.kind == "quantity" and w.what != "fraction" else w for w in main.words])
+        main = main.without("verb", "lost")
     whole_loss = Word("quantity", "energy lost")
     is_heat = asked == ["heat of kinetic energy"]  # of the kinetic energy, whatever becomes of the rest of it
     asked = [whole_loss.what] if is_heat else asked
@@ -321,6 +336,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             heights = [name for name, sense in lookup.heights(names, who) if (sense < 0) == down]
             along = [name for name, sense in lookup.inclined(names, who) if (sense < 0) == down]
             yield [f"{counted} {name}" for name in heights or along]
+            if down and counted == "change of" and not (heights or along):  # by what measures it upwards
+                yield [f"-(change of {name})" for name, sense in lookup.heights(names, who) if sense > 0]
             is_plain = counted == "change of" and who in lookup.moving(names)
             is_plain &= not lookup.places(names, who) or (up and not (heights or along))  # counted downwards
             yield [f"change of height of {who}"] if is_plain else []
@@ -328,7 +345,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:
             is_path = counted != "change of" and who not in names.measures and lookup.is_free(names, who)
-            went = [] if is_path else [f"{counted} {name}" for name in lookup.went(names, who)]
+            ways = [] if is_path else _without_heights(names, who, lookup.went(names, who))
+            went = [f"{counted} {name}" for name in ways]
             is_plain = counted == "change of" and not went and who in lookup.moving(names)
             yield went or [f"change of {axis} of {who}" for axis in joining.guided_along(names, who) if is_plain]
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
@@ -337,6 +355,14 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         yield [f"work of {joint}" for joint in joining.rough(names, who)]
     elif asked == ["change"] and not verbs and who in names.measures:
         yield [f"change of {who}"]
+
+
+def _without_heights(names: Names, who: str, ways: list[str]) -> list[str]:
+    """Of what rolls, or slides, in space how high it is does not say how far it comes."""
+    joints = [name for name in names.connections if not who or joining.touches(names, name, who)]
+    rests_on = names.space and any({"contact", "rolling"} & {*names.called.get(name, ())} for name in joints)
+    upright = {name for name, _ in lookup.heights(names, "")} if rests_on else set[str]()
+    return [name for name in ways if name not in upright]
 
 
 def _has_value(names: Names, clause: Clause) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from freebody.errors import InputError, UnitError
@@ -39,6 +40,15 @@ def kind_of(value: str, names: Names | None = None) -> str:
 
 def is_length(value: str, names: Names | None = None) -> bool:
     return _has(value, LENGTH, names)
+
+
+def is_same(names: Names, value: str, parameter: str) -> bool:
+    """Whether a parameter has a value in the file."""
+    if value == parameter:
+        return True
+    with suppress(UnitError, ValueError):
+        return parameter in names.parameters and names.number_of(parameter) == parse_quantity(value).value
+    return False
 
 
 def is_angle(value: str) -> bool:

@@ -430,8 +430,11 @@ def _tightens(names: Names, who: str, other: str) -> Groups:
 
 
 def _engages(names: Names, who: str, other: str) -> Groups:
-    """What a clutch joins turns alike where it no longer slips."""
-    yield losing.engaged(names)
+    """What a clutch joins turns alike where it no longer slips; two that move alike have the same velocity."""
+    bodies = lookup.moving(names)
+    joined = losing.engaged(names) or len(bodies) != 2 or (who and not other)
+    pairs = [] if joined else lookup.alike(names, bodies[0], bodies[1])
+    yield losing.engaged(names) or [f"velocity of {a} = velocity of {b}" for a, b in pairs if len(pairs) == 1]
 
 
 _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
@@ -464,6 +467,7 @@ _TOLD: dict[frozenset[str], Callable[..., Groups]] = {
         ("reach", _reaches),
         ("hang", _hangs),
         ("halve hang", _hangs_by_half),
+        ("halve run_off", _hangs_by_half),
         ("vanish", _passes_zero),
         ("top", _at_top),
         ("bottom", _at_bottom),

@@ -113,8 +113,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "radial acceleration": r"acceleration",
         "transverse velocity": r"velocity|speed",
         "radius of curvature": r"curvature",
-        "velocity": rf"velocity|speed|rate|{_CHOICE}|ratio",
-        "speed": rf"velocity|speed|rate|{_CHOICE}|ratio|turns|[*]|time|steady",
+        "velocity": rf"velocity|speed|rate|{_CHOICE}|ratio|does it",
+        "speed": rf"velocity|speed|rate|{_CHOICE}|ratio|turns|[*]|time|steady|does it",
         "impact speed": r"velocity|speed|rate",
         "impact angle": r"angle of velocity",
         "angle of descent": r"angle of velocity",
@@ -144,7 +144,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "transmitted power": r"force of .* [*] .*velocity|greatest power",
         "work": r"work|energy|lost",
         "work of friction": r"work|lost",
-        "linear momentum": r"linear momentum",
+        "linear momentum": r"linear momentum|impulse of",
         "angular momentum": r"angular momentum",
         "impulse": rf"impulse|{_CHOICE}",
         "angular impulse": rf"impulse|{_CHOICE}",
@@ -156,7 +156,8 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "period": rf"period|time|{_CHOICE}",
         "period of small oscillations": rf"period|{_CHOICE}",
         "period of the motion": rf"period|{_CHOICE}",
-        "tension": rf"tension|force|pull of|reaction|{_CHOICE}|theta when|speed of|slack|taut|ratio|conserved",
+        "tension": rf"tension|force|(?:work|power) of|pull of|reaction|{_CHOICE}|"
+        r"theta when|speed of|slack|taut|ratio|conserved",
         "normal force": rf"normal|tension|contact|reaction|{_CHOICE}|leav|open|lost|speed of",
         "friction force": rf"friction|lost|work|slip|{_CHOICE}|does it|hold",
         "bending moment": r"bending moment",
@@ -220,7 +221,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         r"when|tip|value of|largest|least|relaxed|after",
         "be_open": r"=|open",
         "lock": rf"lock|rate\(|= 0|slip|{_CHOICE}|first|hold",
-        "stop": rf"stop|rest|rate\(|= 0|hold|equilibrium|{_CHOICE}|slip|end|until|turns back|upright|=|roll",
+        "stop": rf"stop|dead|rest|rate\(|= 0|hold|equilibrium|{_CHOICE}|slip|end|until|turns back|upright|=|roll",
         "turn_back": r"dead|rate\(|turns? back|highest|greatest|top|stop|farthest|until|=",
         "return": rf"return|back|{_EQUAL}|changed|rate\(|{_CHOICE}|period",
         "reach": rf"{_EQUAL}|reach|greatest|largest|{_CHOICE}|highest|when|until|hit|touch|at the|terminal|"
@@ -258,7 +259,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "hang": rf"{_REST}|=|{_CHOICE}|start|when|below|down|tension|reaction",
         "run_off": r"=|run|off|unwound|end|leav",
         "no_move": rf"{_REST}|{_CHOICE}|slip|mov",
-        "engage": r"slip|common|engage|after|blow|impact|until",
+        "engage": r"slip|common|engage|after|blow|impact|until|velocity of \w+ = velocity",
         "infinite": r"->|infin|grow",
         "shrink": r"->|shrink|decreas|grow|as |rate",
     },
@@ -279,6 +280,7 @@ _LIMITING = (  # of which one is said where it is asked how much of something is
 )
 _STARTS, _WHICH_WAY = Word("verb", "start"), Word("ask", "way")
 _POSES = {"horizontal": "level", "vertical": "upright pose"}  # and the instant at which something is so
+_TURNED_ROUND = ("flat", "small")  # question words of which at most is the least
 _BY_ITSELF = ("long",)  # asks for how long something is done
 _AT_AN_INSTANT = {"hit"}  # done in no time: how long does it touch is no time until it does
 _LEADS = ("until", "after", "to", "when", "while", "so_that")
@@ -318,6 +320,8 @@ def _unexpressed(words: Sequence[Word], text: str) -> list[Word]:
     for k, word in enumerate(words):
         if _goes_on(words, k) or (word == _STARTS and words[0] == _WHICH_WAY):  # as it is accelerated
             continue
+        if word.kind == "degree" and words[0].what in _TURNED_ROUND and text.startswith(("least ", "largest ")):
+            continue  # how flat at most is the least angle
         word = Word("instant", _POSES[word.what]) if _is_pose(words, k) else word
         if word.kind == "instant" and (nth := _NTH.search(word.what)):
             is_there = nth[1] in text

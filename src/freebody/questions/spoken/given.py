@@ -157,6 +157,15 @@ def growing(names: Names, things: list[str]) -> list[str]:
     return pushed or [name for name in chosen(names, KIND_OF["angle"], things) if name in raised]
 
 
+def leaning_by(names: Names, name: str) -> frozenset[str]:
+    """What is in the angle by which a line of the ground, or a fixed body, leans."""
+    ground, body = names.bodies[GROUND], names.bodies.get(name)
+    ways = [ground.lines[name].direction] if name in ground.lines else []
+    ways += [ground.planes[name].normal] if name in ground.planes else []
+    turns = [body.start.angle or ZERO, *(t.by for t in body.start.turned or ())] if body and body.fixed else []
+    return frozenset[str]().union(*map(free_symbols, (*(x for way in ways for x in way.components), *turns)))
+
+
 def _upright_side(names: Names, body: str) -> list[str]:
     """The parameter that is the height of a block, by itself."""
     is_block = body in names.bodies and names.bodies[body].solid is BOX and len(names.bodies[body].sizes) > 1

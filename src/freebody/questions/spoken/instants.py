@@ -61,6 +61,7 @@ _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
 _LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
 _BLOWS = ("after the impact", "before the impact")
+_ON = ("by", "on", "to", "in", "with", "from")  # what leads to who catches something
 _NTH = re.compile(rf"(?P<side>after|before|at) the {NTH} impact")
 _DEAD = ("at the dead points", "at the outer dead point", "at the inner dead point")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", *_DEAD)}
@@ -72,6 +73,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
     if _may_settle(names, sentence):
         return
+    main = _told_twice(names, main, others)
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == [
@@ -363,6 +365,19 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
     return tails, main
 
 
+def _told_twice(names: Names, main: Clause, others: list[tuple[str, Clause]]) -> Clause:
+    """At the bottom after 80 m: where the model has no such place, or has it there, the length alone says where."""
+    places = [place for place in main.all("instant") if place in ("at the bottom", "at the end")]
+    is_told = len(others) == 1 and any(dimensions.is_length(value, names) for _, value in others[0][1].values)
+    of = next((name for _, name in main.names), "")
+    if len(places) != 1 or not is_told:
+        return main
+    told = others[0][1].values[0][1]
+    if not all(dimensions.is_same(names, told, text.rpartition("= ")[2]) for text in _PLACES[places[0]](names, of)):
+        return main
+    return main.without("instant", places[0])
+
+
 def _without_owner(names: Names, main: Clause, instant: str) -> Clause:
     """Without what a place is of: at the bottom of the wire."""
     k = next(k for k, word in enumerate(main.words) if word == Word("instant", instant))
@@ -391,6 +406,10 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         time = clock(names, clause)
         if time is not None:
             yield [f" after {time}"]
+            return
+        closed = [name for _, name in clause.names if name in names.struck_at_start or name in names.closing_later]
+        if clause.only("name", *SILENT) and len(closed) == len(clause.names) == 1:  # after the coupling
+            yield [" at start" if joining.is_struck_at_start_alone(names) else " after the impact"]
             return
         if clause.has("verb", "hit", "bounce") and joining.is_struck_at_start_alone(names):
             yield [" at start"]
@@ -556,11 +575,11 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
 
 
 def _without_catcher(names: Names, words: list[Word]) -> list[Word]:
-    """After it is caught by the peg is after the impact, where nothing else catches it."""
+    """After it is caught by the peg, after hooking on it, is after the impact, where nothing else catches it."""
     blows = (*_BLOWS, "at the impact", "in the impact")
     said = [k for k, word in enumerate(words) if word.kind != "filler"]
     for blow, by, who in zip(said, said[1:], said[2:], strict=False):
-        is_caught = words[blow].kind == "instant" and words[blow].what in blows and words[by].what == "by"
+        is_caught = words[blow].kind == "instant" and words[blow].what in blows and words[by].what in _ON
         if is_caught and words[who].kind == "name" and _is_caught(names, words[who].what):
             return [*words[: blow + 1], *words[who + 1 :]] if len(names.closing_later) == 1 else words
     return words
@@ -573,5 +592,6 @@ def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     lasts |= set[str]() if rubs else {"slide"}
     goes_on = set(clause.all("verb")) <= lasts and clause.has("verb")
     is_told = set(clause.all("verb")) <= {"slide"} and not rubs  # down the slope, as it does
+    clause = clause.without("preposition", "with")  # as it turns with the table
     plain = clause.only("verb", "pronoun", "name", *(("updown", "preposition") if is_told else ()))
     return mark in ("while", "when") and goes_on and joining.goes_on(names) and plain

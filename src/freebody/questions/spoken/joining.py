@@ -186,6 +186,11 @@ def tracks(names: Names) -> list[str]:
     return [name for name in names.connections if name in leading() and "link" in names.called.get(name, ())]
 
 
+def swinging_on(names: Names) -> list[str]:
+    """Strings on which something swings round the point at which they are fixed."""
+    return [name for name, spec in names.connections.items() if given_of(spec).get("swings")]
+
+
 def follows_curve(names: Names, body: str) -> bool:
     """Whether a connection leads a particle along a curve of the ground, of whose ways no straight one is as long."""
     held = [row.measure for row in names.constraint_rows if isinstance(row.measure, Composed)]

@@ -20,6 +20,7 @@ from freebody.questions.spoken import along_lines, given, joining, lookup
 from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.expressed import dropped
 from freebody.questions.spoken.lexicon import ENGLISH, Word, tells_apart
+from freebody.questions.spoken.unneeded import is_unneeded
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -32,6 +33,12 @@ _OF_ALL = re.compile(
 _SLIPS = re.compile(r"\b(?:slips?|slipping|rolls?|rolling)\b")
 _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?\w+ (?:for|so) ")
 _STATES = ("move", "slide", "slip", "rest", "stay", "hold", "tip", "stand", "stick", "start")  # of the whole, too
+_OF_ONE = re.compile(r"^(?:velocity|speed|acceleration) of (?P<body>\w+)(?= |$)(?!.* relative )")
+_OF_BOTH = re.compile(  # but not what both have in common
+    r"(?<!common )\b(?:velocit(?:y|ies)|speeds?|accelerations?|geschwindigkeit(?:en)?|beschleunigung(?:en)?)"
+    r" (?:(?:of|for) (?:the )?(?:both|two) |(?:der|von) (?:beiden|zwei) )",
+    re.IGNORECASE,
+)
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
@@ -57,7 +64,7 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     is_of_all = _OF_ALL.search(text) is not None
     cut = _begin_of_state(names, words) if is_of_all else len(words)
     for k, word in enumerate(words):
-        if _is_what_turns(names, words, k) and "over a turn" in text:
+        if (_is_what_turns(names, words, k) and "over a turn" in text) or is_unneeded(names, words, k):
             continue
         for thing in _THING.findall(word.what) if word.kind in ("name", "value") else ():
             if not _is_thing(names, thing) or _stands(names, thing, things):
@@ -67,6 +74,12 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
+
+
+def loses_other(names: Names, said: str, text: str) -> bool:
+    """Whether the speed of both of two bodies is asked for, and that of one of them stands in its place."""
+    own = _OF_ONE.match(text)
+    return own is not None and _OF_BOTH.search(said) is not None and own["body"] in names.bodies
 
 
 def loses_joint(names: Names, said: str, text: str) -> bool:
@@ -201,7 +214,7 @@ def n_freedoms(names: Names) -> int:
 def _is_of(names: Names, thing: str, parameter: str) -> bool:
     """Whether a parameter is one of a thing: its mass, a size, how fast it starts, how hard it is pushed."""
     body = thing.partition(".")[0]
-    if parameter in given.started_with(names, [body]):
+    if parameter in given.started_with(names, [body]) or parameter in given.leaning_by(names, thing):
         return True
     if body in names.bodies:
         own = names.bodies[body]

@@ -275,6 +275,8 @@ def _end(names: Names, head: Clause, state: Clause, modal: set[str]) -> str:
         named = [names.parameters[name] for _, name in head.names if name in names.parameters]
         pushes = all(kind.is_push for kind in given.KINDS for one in named if kind.dimension and kind.has(one))
         degree = "greatest" if _is_push(head) and pushes and "must" not in modal else ""
+    if head.has("ask", "flat", "small"):  # how flat at most: the least
+        degree = {"least": "greatest", "greatest": "least"}.get(degree, degree)
     if degree in ("least", "greatest"):
         if starts and "fall" in ends_rest and not is_denied and _is_push(head):
             return degree if degree == "least" else ""

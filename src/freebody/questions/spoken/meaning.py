@@ -25,6 +25,7 @@ from freebody.questions.spoken.of_motion import MASS_CENTER
 from freebody.questions.spoken.recomposing import recomposed
 from freebody.questions.spoken.sentence import Sentence, parted, told_who
 from freebody.questions.spoken.stated import stated
+from freebody.questions.spoken.unneeded import without_unneeded
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -84,9 +85,10 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
+    said = without_unneeded(names, said)
     said = rewording.sliding_in_slots(names, rewording.holding_fast(names, said))
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
-    said = rewording.by_joint(names, rewording.taken_along(names, said))
+    said = rewording.by_joint(names, rewording.given_by_joint(names, rewording.taken_along(names, said)))
     said = rewording.pulling(names, rewording.balanced_at(names, rewording.held_by_clamp(names, said)))
     said = rewording.driven_by_needed(names, rewording.can_accelerate(names, said, modal))
     said = rewording.at_extremes(rewording.lifting_off(names, rewording.on_what_may_open(names, said)))
@@ -94,14 +96,16 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.by_friction(rewording.needed_to_roll(names, rewording.in_doing(said)))
     said = rewording.transmitted(names, said, modal)
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
-    words = [_AS_LARGE.get(word, word) for word in said]
+    words = _as_large(said)
     words = rewording.heaviest(names, words)
     yield from _rough_enough_to_roll(names, Clause(words))
     said = rewording.heaviest(names, said)
     lasting = _as_long_as(said)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
-    yield from turning_round.parameters(names, [_AS_LARGE.get(word, word) for word in lasting], meanings)
+    yield from turning_round.parameters(names, _as_large(lasting), meanings)
+    if any(word == Word("ask", "steep") for word in lasting):  # how steep is of an angle
+        yield from turning_round.parameters(names, lasting, meanings)
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
     if sentence is not None and is_whether:
@@ -127,6 +131,17 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     yield from efficiency_of_planets(names, said)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _as_large(words: list[Word]) -> list[Word]:
+    """How flat at most is how large at least."""
+    is_small = any(word in (Word("ask", "small"), Word("ask", "flat")) for word in words)
+    is_end = sum(word.kind == "degree" for word in words) == 1 and not any(
+        w.kind in ("quantity", "value") for w in words
+    )
+    ends = {"greatest": "least", "least": "greatest"} if is_small and is_end else {}
+    turned = [Word("degree", ends.get(word.what, word.what)) if word.kind == "degree" else word for word in words]
+    return [_AS_LARGE.get(word, word) for word in turned]
 
 
 def _stretched(names: Names, words: list[Word]) -> list[Word]:
@@ -344,8 +359,10 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     whole = Clause([*main.words, *(word for _, own in sentence.others for word in own.words)])
     growing = [name for _, name in whole.names if name in names.parameters]
     bodies = [name for _, name in whole.names if name in names.bodies]
+    kinds = [given.KIND_OF[what] for what in whole.all("quantity") if given.is_by_unit(what)]
     if not growing and whole.has("verb", "grow") and all(lookup.is_all_that_moves(names, name) for name in bodies):
         growing = given.growing(names, [name for _, name in whole.names])
+        growing = [name for name in growing if all(kind.has(names.parameters[name]) for kind in kinds)]
     doing = set(whole.all("verb")) - {"start", "move"}
     if {"tip", "slide", "rise"} == doing:  # when the ramp is raised
         doing, growing = {"tip", "slide", "grow"}, growing or given.growing(names, [])
@@ -356,7 +373,6 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     if doing == {"tip", "slide"} and not (sentence.others or whole.has("ask")):  # of the only force
         growing = growing or given.growing(names, [])
         doing |= {"grow"}
-    kinds = [given.KIND_OF[what] for what in whole.all("quantity") if given.is_by_unit(what)]
     if doing == {"tip", "slide", "grow"} and not growing and len(kinds) == 1:  # as the acceleration increases
         growing = given.chosen(names, kinds[0], [])
         bodies = []
@@ -379,6 +395,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["does it hold"]
     if sentence.others or main.has("value") or main.has("relation") or main.has("turns"):
         return
+    slips_not = verbs == {"slide"} and main.has("not") and main.only("verb", "name", "not", *SILENT)
+    if slips_not and all(joining.is_all_that_slips(names, name) for name in of) and not joining.rolls(names):
+        yield ["does it hold"] if lookup.rests(names) else []
     asks_when = main.words[:1] and main.words[0].kind == "ask" and main.words[0].what in ("when", "soon", "with")
     if asks_when and verbs == {"stable"} and main.all("quantity") == ["equilibrium"] and not of:
         yield ["stability of equilibrium"]  # whose answer says when
@@ -445,10 +464,16 @@ def _at_turning_points(names: Names, sentence: Sentence) -> Groups:
     words = [word for word in sentence.main.words if word.kind not in SILENT]
     kinds = [word.kind for word in words]
     ends = (Word("verb", "turn_back"), Word("instant", "turning point"))
+    ends = (*ends, Word("verb", "stop")) if joining.is_led(names) else ends
+    if kinds[-2:] == ["verb", "name"]:  # where does stand still the piston, as German has it
+        words, kinds = [*words[:-2], words[-1], words[-2]], [*kinds[:-2], "name", "verb"]
     if sentence.others or not words or words[-1] not in ends or kinds[-2:-1] != ["name"]:
         return
     place, turns = words[1:-2], words[-2].what
-    is_asked = words[0].kind == "ask" and words[0].what in ("with", "for") and turns in lookup.turning(names)
+    goes = lookup.places(names, turns) if joining.is_led(names) else []  # a piston, by the only measure of its place
+    turns = goes[0] if turns not in lookup.turning(names) and len(goes) == 1 else turns
+    is_asked = words[0].kind == "ask" and words[0].what in ("with", "for")
+    is_asked &= turns in lookup.turning(names) or turns in goes
     is_asked &= any(w.kind == "name" and w.what != turns for w in place)
     if is_asked and Clause(place).only("name", "quantity"):
         for group in quantities(names, Clause(place)):

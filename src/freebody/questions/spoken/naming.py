@@ -47,6 +47,7 @@ _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _OF_WHAT_IS_LIGHT = ("element", "member", "part")
 _JOINT_WORDS = ("joint", "connection", "support")
 _SUPPORTS = ("bearing", "support", "joint", "hinge")
+_EXCITATION = ("excitation", "forcing", "driving", "exciting")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _RODS = ("rod", "bar", "strut", "link")
 _WHEELS = ("wheel",)
@@ -146,6 +147,9 @@ def elements_of(names: Names) -> Elements:
         found.add(name)
         if gain := _GAIN.fullmatch(name):  # as control engineers write them
             found.add(name, said=f"{_GAINS[gain[1].lower()]} gain", distance=INFERRED)
+    if excitation := lookup.excitation(names):
+        for said in _EXCITATION:
+            found.add(excitation, said=f"{said} frequency", distance=INFERRED)
     for name, said in motors.called(names):
         found.add(name, said=said, distance=INFERRED)
     for name in joining.planets(names):

@@ -115,9 +115,17 @@ def _kinds_meant(names: Names, quantity: str, rest: Clause, joints: set[str]) ->
     if quantity == "torque" and not joints:  # no bearing is asked for its reaction so
         kinds = ("driving torque", "torque")
     pulling = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
-    if quantity == "force" and joints <= pulling and joints and rest.only("name", *SILENT) and len(rest.names) == 1:
+    if (
+        quantity in ("force", "reaction")
+        and joints <= pulling
+        and joints
+        and rest.only("name", *SILENT)
+        and len(rest.names) == 1
+    ):
         kinds = ("force",)  # the force in a rope is no sum of what its parts pull with
     bearings = [name for name in joining.axles(names) if all(joining.touches(names, name, x) for _, x in rest.names)]
+    if quantity == "bearing reaction" and joints and joints.isdisjoint(joining.bearings(names)):
+        return ()  # teeth are no bearing
     if quantity == "bearing reaction" and bearings and not joints:  # of no rope that runs over what turns in it
         kinds = ("bearing reaction",)
     return kinds
@@ -163,6 +171,14 @@ def _in_a_heavy_rope(names: Names, quantity: str, rest: Clause) -> Groups | None
 def _in_rods(names: Names, quantity: str, rest: Clause) -> Groups | None:
     rods = transmitting.rods(names, quantity, rest)
     return iter([[f"axial force of {rod}" for rod in rods]]) if rods else None
+
+
+def _along_axle(names: Names, quantity: str, rest: Clause) -> Groups | None:
+    """The thrust on a bearing: of its reaction what goes along the axis about which it turns."""
+    of = [name for _, name in rest.names]
+    axis = getattr(names.connections.get(of[0]), "about", None) if len(of) == 1 else None
+    is_axial = quantity == "axial force" and rest.only("name", *SILENT) and isinstance(axis, str)
+    return iter([[f"reaction of {of[0]} along {axis}"]]) if is_axial else None
 
 
 def _of_surfaces_in_space(names: Names, quantity: str, rest: Clause) -> Groups | None:
@@ -212,6 +228,7 @@ _IN_A_WAY_OF_ITS_OWN = (
     _on_what_a_guide_leads,
     _in_a_heavy_rope,
     _in_rods,
+    _along_axle,
     _of_surfaces_in_space,
     _of_cables_that_sag,
     _of_tightened_belts,

@@ -357,8 +357,12 @@ def _height(names: Names, quantity: str, rest: Clause) -> Groups:
 def _depth(names: Names, quantity: str, rest: Clause) -> Groups:
     """How far something is below, by what measures it downwards."""
     of = [name for _, name in rest.names if name != GROUND]
-    if rest.only("name", *SILENT) and len(of) <= 1:
-        yield [name for name, sense in lookup.heights(names, next(iter(of), "")) if sense < 0]
+    below = [name for name in of if name.startswith(f"{GROUND}.")]
+    of = [name for name in of if name not in below]
+    if rest.only("name", *SILENT) and len(of) <= 1 >= len(below):
+        found = [name for name, sense in lookup.heights(names, next(iter(of), "")) if sense < 0]
+        origins = {name: str(getattr(names.measures[name], "origin", "")) for name in found}
+        yield [name for name in found if not below or origins[name] == below[0]]
 
 
 @said_of("highest place", "lowest place")

@@ -181,7 +181,7 @@ def other_value(names: Names, text: str) -> Message | None:
     """What is said of a text in which a parameter has another value in passing: if mu is 0.3, when does it roll?"""
     for found in _found("named", text):
         parameter = names.parameters.get(found["name"])
-        if parameter is not None and parameter.value is not None:
+        if parameter is not None and parameter.value is not None and _is_value_of(names, found["name"], found["value"]):
             return _given(found["name"], found[0], _parted(found["value"]))
     if (exerted := _exerted(names, text)) is not None and len(exerted[1]) == 1 and not exerted[2]:
         found, [name], _ = exerted

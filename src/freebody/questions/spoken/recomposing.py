@@ -59,7 +59,7 @@ def recomposed(names: Names, words: list[Word], again: Callable[[Names, list[Wor
     yield from _driven(names, sentence)
     yield from _changed(names, sentence)
     yield from _tending(names, sentence)
-    yield from _in_any_order(names, sentence)
+    yield from _in_any_order(names, sentence, again)
 
 
 def _led_by_instant(words: list[Word]) -> list[Word]:
@@ -100,8 +100,11 @@ def _compared(words: list[Word]) -> list[Word]:
     [k] = signs
     if words[k].kind == "relation" and words[k].what not in (">", "<", "="):
         return words
-    turns = {Word("ask", "fast"), Word("verb", "turn")} <= {*words[:k]} and not any(w.kind == "quantity" for w in words)
-    own = [Word("quantity", "angular velocity")] if turns else []  # how fast does A turn, compared with B
+    plain = not any(w.kind == "quantity" and w != _RATIO for w in words)
+    turns = plain and {Word("ask", "fast"), Word("verb", "turn")} <= {*words[:k]}
+    goes = plain and not turns and _RATIO in words and any(w.kind == "verb" and w.what in GOES_ON for w in words[:k])
+    kind = "angular velocity" if turns or Word("verb", "turn") in words else "speed"
+    own = [Word("quantity", kind)] if turns or goes else []  # how fast does A turn, compared with B
     head = [*own, *(w for w in words[:k] if w.kind not in ("ask", *(["verb"] if own else [])) and w != _RATIO)]
     tail = [w for w in words[k + 1 :] if w != _RATIO]
     while tail and tail[0].kind == "preposition":
@@ -109,9 +112,12 @@ def _compared(words: list[Word]) -> list[Word]:
     if not head or not tail or not any(w.kind == "quantity" for w in head):
         return words
     head = head[1:] if head[0].kind == "preposition" else head
+    tail = [*own, *tail]
     first, second = (tail, head) if words[k].what == "<" else (head, tail)
     if not any(w.kind == "quantity" for w in first):
         return words
+    if goes and len(first) == len(second) == 2 and kind == "speed":  # as of what moves together
+        return [Word("quantity", "gear ratio"), Word("preposition", "of"), first[1], _TO, second[1]]
     return [_RATIO, Word("preposition", "of"), *first, _TO, *second]
 
 
@@ -183,7 +189,15 @@ def _tending(names: Names, sentence: Sentence) -> Groups:
         yield [f"{text} as {parameters[0]} -> {_LIMITS[verbs[0]]}" for text in group]
 
 
-def _in_any_order(names: Names, sentence: Sentence) -> Groups:
+def _owner(main: Clause) -> list[Word]:
+    """The name just before the quantity, where another one follows before the verb."""
+    k = next(k for k, word in enumerate(main.words) if word.kind == "quantity")
+    leads = [word for word in main.words[max(k - 1, 0) : k] if word.kind == "name"]
+    behind = [word.kind for word in main.words[k + 1 :] if word.kind in ("name", "verb")]
+    return leads if behind[:2] == ["name", "verb"] else []
+
+
+def _in_any_order(names: Names, sentence: Sentence, again: Callable[[Names, list[Word]], Groups]) -> Groups:
     """One quantity with its owner and its instant, without verbs that say no more than that something moves or acts."""
     main, others = sentence.main, sentence.others
     asked, verbs = main.all("quantity"), main.all("verb")
@@ -203,8 +217,14 @@ def _in_any_order(names: Names, sentence: Sentence) -> Groups:
         return
     of = [word for word in main.words if word.kind == "name"]
     if comes:
-        event = Clause([*of[:1], Word("verb", comes[0]), *(Word("name", w.what) for w in of[1:])])
-        main, others = Clause([Word("quantity", asked[0]), *of[:1]]), (("when", event),)
+        owner = _owner(main)  # at what spring extension does the block begin to slip
+        doing = [Word("verb", verb) for verb in verbs if owner or verb == comes[0]]
+        who = of[1:2] if owner else of[:1]
+        event = Clause([*who, *doing, *(w for w in of if w not in (*who, *owner))])
+        main, others = Clause([Word("quantity", asked[0]), *(owner or who)]), (("when", event),)
+        if owner:
+            yield from again(names, [main.words[0], Word("preposition", "of"), *owner, _WHEN, *event.words])
+            return
         if main.has("part"):
             return
     else:

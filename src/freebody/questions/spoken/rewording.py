@@ -14,6 +14,7 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_INFINITIVE = Word("preposition", "to")
 _FOR = Word("preposition", "of")  # friction for rolling
 _DONE = tuple(Word("verb", verb) for verb in ("hold", "rise", "fall", "move", "start", "turn", "stop", "accelerate"))
 _PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
@@ -71,6 +72,10 @@ def so_far_that(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     """How far the hand must move so that the load rises by 1 m is how far until it has risen so far; how long it needs
     to reach a speed, from rest where it starts so, how long until it has reached that."""
     until = Word("mark", "until")
+    if "must" in modal and Word("ask", "far") in words and _SO_THAT not in words:  # how far to raise it by 5 cm
+        goes = (k for k in range(len(words) - 1) if words[k] == _INFINITIVE and words[k + 1].what in GOES_ON)
+        k = next(goes, None)
+        words = words if k is None else [*words[:k], _SO_THAT, *words[k + 1 :]]
     reaches = Word("ask", "long") in words and Word("verb", "reach") in words and any(w.kind == "value" for w in words)
     if reaches and (_TO in words or until in words):
         at_start = Word("instant", "at start")
@@ -161,6 +166,15 @@ def by_joint(names: Names, words: list[Word]) -> list[Word]:
     if not is_joint or body not in lookup.moving(names) or not joining.touches(names, joint, body):
         return words
     return [Word("quantity", "reaction"), _FOR, of[0], Word("preposition", "on"), of[1]]
+
+
+def given_by_joint(names: Names, words: list[Word]) -> list[Word]:
+    """What momentum the coupling gives the cart is its impulse on it."""
+    momentum = Word("quantity", "linear momentum")
+    joint = next((w.what for w in words if w.kind == "name"), "")
+    is_given = momentum in words and joint in names.connections and joint not in names.bodies
+    kept = [w for w in words if w.kind not in ("ask", "verb")]
+    return [Word("quantity", "impulse") if word == momentum else word for word in kept] if is_given else words
 
 
 def in_turns(words: list[Word]) -> list[Word]:
@@ -332,7 +346,7 @@ def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     asked = [word for word in words[:k] if word.kind not in ("filler", "ask")]
     behind = [word for word in words[k + 1 :] if word.kind != "filler" and word != Word("preposition", "to")]
     said, rest = behind[:2], behind[2:]  # to move the trolley; um die Katze zu bewegen
-    goes = [word.what for word in said if word.kind == "verb" and word.what in ("move", "turn", "exert")]
+    goes = [word.what for word in said if word.kind == "verb" and word.what in ("move", "turn", "exert", "accelerate")]
     who = [word.what for word in said if word.kind == "name"]
     if not goes or not who or not asked or asked[0].what not in kinds:
         return words
@@ -416,7 +430,7 @@ def needed_to_roll(names: Names, words: list[Word]) -> list[Word]:
 
 def signs_between(words: list[Word]) -> list[Word]:
     """A sign stands between what it compares: that the tension 8 kN not exceeds, as German has it."""
-    found = list(words)
+    found = _undenied(words)
     for k in range(1, len(found)):
         ends = k + 1 == len(found) or found[k + 1].kind in ("mark", "preposition")
         is_bound = found[k - 1].kind == "value" or (
@@ -426,6 +440,18 @@ def signs_between(words: list[Word]) -> list[Word]:
         )  # that the side force F is not exceeded
         if found[k].kind == "relation" and is_bound and ends:
             found[k - 1], found[k] = found[k], found[k - 1]
+    return found
+
+
+def _undenied(words: list[Word]) -> list[Word]:
+    """What does not exceed a value is at most that."""
+    opposite = {">": "<=", "<": ">="}
+    found: list[Word] = []
+    for word in words:
+        if word.kind == "relation" and word.what in opposite and found[-1:] == [Word("not", "not")]:
+            found[-1] = Word("relation", opposite[word.what])
+        else:
+            found.append(word)
     return found
 
 

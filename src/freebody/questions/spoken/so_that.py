@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, given, joining, lookup, poses
+from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -104,12 +104,14 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         yield (
             ["it does not slip"] if "slide" in verbs else ["it stays at rest"]
         )  # the end of rest is where motion begins
+    if verbs == {"stop"} and not negated and len(of) <= 1 and losing.comes_to_roll(names):  # instead of rolling on
+        yield [f"velocity of {way} when rolling begins = 0" for way in lookup.places(names, who)]
     holds = verbs or clause.all("instant") == ["in equilibrium"]
     rests = verbs <= {"hold", "stop", "move"} and negated == (verbs == {"move"})
     is_one = holds and rests and len(of) == 1 and not everything
     if is_one and verbs == {"stop"} and joining.comes_to_strike(names):  # one of several that collide
         yield [f"velocity of {place} after the impact = 0" for place in lookup.places(names, who)]
-    elif is_one and not joining.is_rough(names) and not _is_held(clause):  # one of several bodies stays where it is
+    elif is_one and not joining.is_rough(names):  # one of several bodies stays where it is
         moved = "steady amplitude" if lookup.is_forced(names) else "acceleration"
         yield [f"{moved} of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
     if verbs == {"leave"} and not negated and who:  # what cannot lift off by itself
@@ -174,6 +176,8 @@ def _no_farther(names: Names, clause: Clause, of: list[str]) -> Groups:
     senses = [ways[verb] for verb in clause.all("verb") if verb in ways]
     values = [value for _, value in clause.values] or [name for name in of if name in names.parameters]
     who = [name for name in of if name in lookup.moving(names)]
+    words = [_as_sign(word, clause.words[k + 1 : k + 2]) for k, word in enumerate(clause.words)]
+    clause = Clause(words)  # it falls at most 50 m
     plain = clause.only("verb", "name", "value", "relation", *SILENT) and clause.all("verb") != []
     if plain and clause.all("relation") == ["<="] and len(values) == len(senses) == 1 and len(who) <= 1:
         inclined = lookup.inclined(names, next(iter(who), ""))
@@ -261,7 +265,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         verbs, negated = {"leave"}, not negated
     if verbs == {"fall"} and negated and joining.tracks(names):  # down from its track
         verbs = {"leave"}
-    if verbs == {"turn_fully"} and not negated and (held := _on_track(names, who, other)):  # all the way round
+    if verbs == {"turn_fully"} and not negated and (held := _on_track(names, _leading_round(names), who, other)):
         yield held
         return
     if verbs in ({"roll", "start"}, {"begin_roll"}) and not negated:
@@ -273,7 +277,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
     elif verbs == {"leave"} and not negated:
         yield [f"{who or 'it'} leaves {other}".strip() if who or other else "contact is lost"]
         yield [f"{joint} opens" for joint in joining.joints(names, who, other, "normal force")] if who else []
-    elif verbs == {"leave"} and negated and (held := _on_track(names, who, other)):
+    elif verbs == {"leave"} and negated and (held := _on_track(names, joining.tracks(names), who, other)):
         yield held
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
@@ -281,6 +285,8 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} stays taut"]
     elif verbs == {"turn_fully"} and not negated and who:
         yield [f"{who} turns fully"]
+    elif verbs == {"self_locking"} and not negated:
+        yield [f"{thread} is self-locking" for thread in joining.threads(names, of)]
     elif (verbs == {"stable"} and not negated) or (verbs == {"unstable"} and negated):
         moves = lookup.is_controlled(names) or lookup.is_forced(names)
         yield ["the equilibrium is stable"] if not moves else []
@@ -297,10 +303,16 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
             yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
 
 
-def _on_track(names: Names, who: str, other: str) -> list[str]:
+def _leading_round(names: Names) -> list[str]:
+    """What leads something all the way round: a track, or a string from the ground on which it swings."""
+    swung = joining.swinging_on(names)
+    return [*joining.tracks(names), *(string for string in swung if string not in joining.tracks(names))]
+
+
+def _on_track(names: Names, leading: list[str], who: str, other: str) -> list[str]:
     """What a link stands for keeps something on as long as it pulls at the top."""
     body = who if who in names.bodies else ""  # it does not fall off the track
-    led = [track for track in joining.tracks(names) if all(joining.touches(names, track, t) for t in (who, other) if t)]
+    led = [track for track in leading if all(joining.touches(names, track, t) for t in (who, other) if t)]
     return [f"tension of {track} >= 0 when {top}" for track in led for top in poses.uppermost(names, body)]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
@@ -326,14 +327,16 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
     if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
         others = []
-    asked = head.all("quantity") or (asked_by if is_marked and not named else [])
+    titles = [one for one, after in pairwise(head.words) if after.kind == "name" and after.what in named]
+    asked = [w.what for w in head.words if w.kind == "quantity" and w not in titles]  # the sag f needs no other word
+    asked = asked or (asked_by if is_marked and not named else [])
     if head.has("ask", "up_to") and (not named or rest.has("verb", "stable")):
         end = end or "largest"
     if len(named) == 1 and len(others) <= head.has("ask") and set(asked) <= given.KIND_OF.keys():
         return named, rest, end
     if head.has("ask", "from"):
         end = "least"
-    of_speed = asked in (["speed"], ["velocity"], ["angular velocity"]) and (others or head.has("ask", "fast"))
+    of_speed = asked in (["speed"], ["velocity"], ["angular velocity"]) and (others or head.has("ask", "fast") or end)
     if of_speed and not named and is_marked:
         found = _speeds(names, asked[0], others)  # the speed that the bullet must have
         return (found, rest, end) if len(found) == 1 else None

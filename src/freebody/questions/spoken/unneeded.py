@@ -1,0 +1,95 @@
+"""Words that say no more than others beside them do: the pivot about which alone it swings, the tension of the cable
+whose work is asked for, the best angle for the greatest range."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from freebody.questions.spoken import given, joining
+from freebody.questions.spoken.frames import OSCILLATION
+from freebody.questions.spoken.lexicon import Word
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_HOW_STEEP = (Word("ask", "steep"), Word("ask", "flat"))
+_COUNTED = ("work", "power", "energy")
+_PUSHES = ("force", "torque", "moment", "tension", "spring force", "driving force", "driving torque")
+
+
+def without_unneeded(names: Names, words: list[Word]) -> list[Word]:
+    if not words:
+        return words
+    return named_as_push(names, of_driven(names, of_slope(names, about_axle(names, at_best_angle(words)))))
+
+
+def at_best_angle(words: list[Word]) -> list[Word]:
+    """The range at the best angle is the greatest range."""
+    reach, greatest = Word("quantity", "horizontal range"), Word("degree", "greatest")
+    best = [Word("preposition", "in"), greatest, Word("quantity", "angle")]
+    k = next((k for k in range(len(words) - 2) if words[k : k + 3] == best), None)
+    if k is None or reach not in words:
+        return words
+    return [greatest, *(word for word in (*words[:k], *words[k + 3 :]) if word != greatest)]
+
+
+def of_slope(names: Names, words: list[Word]) -> list[Word]:
+    """The angle of the ramp at which the crate slips: the ramp leans by no other."""
+    angle, is_asked = Word("quantity", "angle"), words[0].kind == "ask"
+    k = words.index(angle) + 1 if angle in words and is_asked else len(words)
+    k = 1 if words[0] in _HOW_STEEP else k
+    k += words[k : k + 1] == [Word("preposition", "of")]
+    owner = words[k].what if k < len(words) and words[k].kind == "name" else ""
+    is_alone = not any(word.kind == "name" for word in words[k + 1 :])
+    return words if is_alone or not given.leaning_by(names, owner) else [*words[:k], *words[k + 1 :]]
+
+
+def about_axle(names: Names, words: list[Word]) -> list[Word]:
+    """The frequency of what swings about its pivot, which it cannot leave."""
+    k = next((k for k in range(len(words)) if is_pivot(names, words, k)), None)
+    return words if k is None else [*words[: k - 1], *words[k + 1 :]]
+
+
+def is_unneeded(names: Names, words: Sequence[Word], k: int) -> bool:
+    return is_pivot(names, words, k) or is_driven(names, words, k)
+
+
+def of_driven(names: Names, words: list[Word]) -> list[Word]:
+    """The critical speed of the rotor: where what is shaken by it resonates."""
+    k = next((k for k in range(len(words)) if is_driven(names, words, k)), None)
+    return words if k is None else [*words[: k - 1], *words[k + 1 :]]
+
+
+def is_driven(names: Names, words: Sequence[Word], k: int) -> bool:
+    """Whether a word names what is driven at the frequency that is asked for."""
+    said = [word for word in words[:k] if word.kind != "filler"]
+    is_led = said[-2:] == [Word("quantity", "resonance frequency"), Word("preposition", "of")]
+    is_named = is_led and k < len(words) and words[k].kind == "name"
+    return is_named and any(words[k].what in joining.driven_bodies(names, p) for p in joining.drive_parameters(names))
+
+
+def is_pivot(names: Names, words: Sequence[Word], k: int) -> bool:
+    """Whether a word names the axle about which something swings whose frequency is asked for."""
+    said = [word for word in words[:k] if word.kind != "filler"]
+    asked = [word.what for word in said if word.kind == "quantity"]
+    is_led = said[-1:] == [Word("preposition", "about")] and asked[:1] != [] and asked[0] in OSCILLATION
+    axles = joining.axles(names) if is_led and k < len(words) and words[k].kind == "name" else []
+    return any(words[k].what in (axle, *joining.ends_of(names, axle)) for axle in axles)
+
+
+def named_as_push(names: Names, words: list[Word]) -> list[Word]:
+    """The work of the cable tension, the power of the gas force: of the load itself, whose kind needs no word."""
+    counted = any(w.kind == "quantity" and w.what in _COUNTED for w in words)
+    return [
+        word
+        for k, word in enumerate(words)
+        if not (
+            counted
+            and k > 1
+            and word.kind == "quantity"
+            and word.what in _PUSHES
+            and words[k - 1].kind == "name"
+            and words[k - 1].what in names.loads
+        )
+    ]
