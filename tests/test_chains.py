@@ -245,3 +245,17 @@ def test_the_acceleration_of_a_six_bar_has_a_chain_where_one_formula_would_be_to
     assert isinstance(crank, float)
     assert isinstance(ratio, float)
     assert found.value == pytest.approx(ratio * crank, rel=1e-9)  # from rest
+
+
+def test_the_size_of_a_long_vector_is_told_by_its_components() -> None:
+    """The speed of a point of the coupler: its components by the rate of the angle of the coupler."""
+    text = DRIVEN.replace("coupler: {rod: {", "coupler: {points: {E: [30 mm, 60 mm]}, rod: {")
+    found = posed(text, "speed of coupler.E when psi = 75 deg")
+    psi = math.radians(75)
+    (chi, _phi), (k, _n), w = pose(psi), ratios(psi), 20.0
+    along, across = B / 2 + 0.03, 0.06
+    vx = -w * A * math.sin(psi) - w * k * (along * math.sin(chi) + across * math.cos(chi))
+    vy = w * A * math.cos(psi) + w * k * (along * math.cos(chi) - across * math.sin(chi))
+    assert found.value == pytest.approx(math.hypot(vx, vy), rel=1e-10)
+    assert found.chain is not None
+    assert [to_text(x) for x in found.chain.result] == ["√(v_x² + v_y²)"]

@@ -9,6 +9,7 @@ FreebodyError
 +-- CannotAnswer          the model is fine, the question has no answer here (exit code 1)
 |   +-- BudgetExhausted   a search did all the work it was allowed: more effort may find it
 |   +-- FormulaTooLong    a formula with more terms than anybody reads, or the memory holds
+|   +-- NoRealRoot        a root of a number that is negative
 |   +-- NeverHappens      an event that is proved never to happen after the start
 +-- SelfTestFailed        an exported package does not mark known answers as it must: it is not written
 +-- RoutesDisagree        the two routes give different numbers: a defect, never an answer
@@ -94,6 +95,10 @@ class BudgetExhausted(CannotAnswer):
 
 class FormulaTooLong(CannotAnswer):
     """The closed form would be too long to be made in one piece; named parts of it may be short."""
+
+
+class NoRealRoot(CannotAnswer):
+    """A formula has no real value where something is put in: a number below its root is negative."""
 
 
 class NeverHappens(CannotAnswer):

@@ -31,7 +31,7 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import ITS_RATE, Answer, Evidence, Value, made, point_moves
-from freebody.study.answering.chain import chain_of
+from freebody.study.answering.chain import chain_of, n_terms_in_all
 from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, is_kinematic, real
 from freebody.study.answering.energy_in_names import answer_by_energy
@@ -95,7 +95,7 @@ class QuestionSolver:
             case "every motion":
                 return answered(self.system, self.question, self._conserved)
             case _:
-                found = answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
+                found = answered(self.system, self.question, self._smooth, self._number_instead, self._otherwise)
                 return found if found.is_complete else with_verdict(self.setup, self.question.quantity, found)
 
     def _smooth(self) -> Answer:
@@ -117,6 +117,13 @@ class QuestionSolver:
         """Whether it is a frequency whose formula nobody would read."""
         q, x = self.question.quantity, found.element
         return isinstance(q, SmallOscillations) and isinstance(x, Ratio) and n_operations(tidy(x)) > _MOST_READ
+
+    def _otherwise(self) -> Answer | None:
+        """Where no closed form is found: over a turn by a chain, else as whoever asks tells."""
+        from freebody.study.steady.extremes_in_names import extreme_in_names
+
+        found = extreme_in_names(self.setup, self.question)
+        return found if found is not None or self.otherwise is None else self.otherwise()
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
@@ -450,7 +457,7 @@ class QuestionSolver:
         with suppress(FormulaTooLong):
             found = q.counted(smooth_passage(self.setup, reached, self._elements, there))
         parts = found if isinstance(found, tuple) else (found,)
-        if found is not None and not any(isinstance(x, Ratio) and x.n_terms > _SWOLLEN for x in parts):
+        if found is not None and not any(isinstance(x, Ratio) and n_terms_in_all(x) > _SWOLLEN for x in parts):
             return found, there
         try:
             staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)
