@@ -259,3 +259,16 @@ def test_the_size_of_a_long_vector_is_told_by_its_components() -> None:
     assert found.value == pytest.approx(math.hypot(vx, vy), rel=1e-10)
     assert found.chain is not None
     assert [to_text(x) for x in found.chain.result] == ["√(v_x² + v_y²)"]
+
+
+def test_a_frequency_about_a_rest_without_a_formula_is_a_chain_at_an_angle_in_numbers() -> None:
+    """w^2 = V''/M where V' = 0, for the four-bar as it hangs."""
+    found = posed(FREE, "natural frequency")
+    assert found.expression is None
+    assert found.chain is not None
+    known = {p.name: p.value for p in System.from_text(FREE).parameters.values() if p.value}
+    psi, h = found.chain.values(known)["psi"], 1e-4
+    before, here, after = (potential(psi + k * h) for k in (-1, 0, 1))
+    assert (after - before) / (2 * h) == pytest.approx(0.0, abs=1e-6 * G)
+    assert found.value == pytest.approx(math.sqrt((after - 2 * here + before) / h**2 / mass(psi)), rel=1e-6)
+    assert found.chain.numbers(known)[0] == pytest.approx(found.value, rel=1e-9)

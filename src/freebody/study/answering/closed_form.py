@@ -37,7 +37,7 @@ from freebody.study.answering.conditions import as_written, is_kinematic, real
 from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.extent import as_reached, turn_of, turning_there
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise, answered
-from freebody.study.answering.frequency_in_names import frequency_in_names
+from freebody.study.answering.frequency_in_names import frequency_about_a_found_rest, frequency_in_names
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
 from freebody.study.answering.numbers import number_instead
@@ -119,10 +119,11 @@ class QuestionSolver:
         return isinstance(q, SmallOscillations) and isinstance(x, Ratio) and n_operations(tidy(x)) > _MOST_READ
 
     def _otherwise(self) -> Answer | None:
-        """Where no closed form is found: over a turn by a chain, else as whoever asks tells."""
+        """Where no closed form is found: by a chain at a place in numbers, else as whoever asks tells."""
         from freebody.study.steady.extremes_in_names import extreme_in_names
 
         found = extreme_in_names(self.setup, self.question)
+        found = found or frequency_about_a_found_rest(self.setup, self.question)
         return found if found is not None or self.otherwise is None else self.otherwise()
 
     def _conserved(self) -> Answer:
