@@ -168,7 +168,7 @@ connections:
   B: {pin: [left.end, deck.start]}
   C: {pin: [right.end, deck.end]}
 loads: {weight: {gravity: g}}
-measures: {phi: angle of left from down}
+measures: {phi: angle of left from down, beta: angle of deck}
 """
     found = System.from_text(model).solve("instant centre of deck in equilibrium").answers[0]
     down = 0.8 * math.sqrt(1.2**2 - 0.3**2) / 0.3

@@ -33,7 +33,6 @@ from freebody.study.answering.finding import NO_FORM
 from freebody.study.answering.in_names import in_numbers, told
 from freebody.study.answering.named_formulas import Chain, InNames, NamedFormula
 from freebody.study.setup import Setup
-from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.staged import NamedElement, shortened
 from freebody.symbolic.tidy import tidy
@@ -80,7 +79,7 @@ def frequency_about_a_found_rest(setup: Setup, question: Question) -> Answer | N
     q = question.quantity
     if not isinstance(q, SmallOscillations) or not setup.has_values or not _has_names(setup, question):
         return None
-    with suppress(*NO_FORM, KeyError):
+    with suppress(*NO_FORM, ArithmeticError, ValueError, KeyError):  # of the root of a stiffness that is negative
         names = _Names.of(setup, {})
         if (pulls := names.pulls()) and (found := names.frequency(q, pulls)) is not None:
             return _about_found_rest(setup, question, q, found.chain)
@@ -88,6 +87,8 @@ def frequency_about_a_found_rest(setup: Setup, question: Question) -> Answer | N
 
 
 def _about_found_rest(setup: Setup, question: Question, q: SmallOscillations, chain: Chain) -> Answer | None:
+    from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
+
     (c,), draw = setup.model.coordinates, setup.draws[0]
     pose = nearest_equilibrium(setup.system)[0].q
     refuse_out_of_bounds(setup.system, draw.reference, pose)
