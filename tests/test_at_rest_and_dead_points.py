@@ -135,6 +135,8 @@ loads:
 measures: {phi: angle of lever}
 """
     is_formula(text, "mechanical advantage of crate to hand", "a/b")
+    told = posed(text, "mechanical advantage of crate to hand").notes
+    assert "this is crate divided by hand, where the two balance each other" in told
 
 
 def test_the_ratio_of_rates_of_a_four_bar_is_that_of_nearby_poses() -> None:

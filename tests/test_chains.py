@@ -245,3 +245,31 @@ def test_the_acceleration_of_a_six_bar_has_a_chain_where_one_formula_would_be_to
     assert isinstance(crank, float)
     assert isinstance(ratio, float)
     assert found.value == pytest.approx(ratio * crank, rel=1e-9)  # from rest
+
+
+def test_the_size_of_a_long_vector_is_told_by_its_components() -> None:
+    """The speed of a point of the coupler: its components by the rate of the angle of the coupler."""
+    text = DRIVEN.replace("coupler: {rod: {", "coupler: {points: {E: [30 mm, 60 mm]}, rod: {")
+    found = posed(text, "speed of coupler.E when psi = 75 deg")
+    psi = math.radians(75)
+    (chi, _phi), (k, _n), w = pose(psi), ratios(psi), 20.0
+    along, across = B / 2 + 0.03, 0.06
+    vx = -w * A * math.sin(psi) - w * k * (along * math.sin(chi) + across * math.cos(chi))
+    vy = w * A * math.cos(psi) + w * k * (along * math.cos(chi) - across * math.sin(chi))
+    assert found.value == pytest.approx(math.hypot(vx, vy), rel=1e-10)
+    assert found.chain is not None
+    assert [to_text(x) for x in found.chain.result] == ["√(v_x² + v_y²)"]
+
+
+def test_a_frequency_about_a_rest_without_a_formula_is_a_chain_at_an_angle_in_numbers() -> None:
+    """w^2 = V''/M where V' = 0, for the four-bar as it hangs."""
+    text = FREE.replace("psi: 60 deg", "psi: -80 deg")
+    found = posed(text, "natural frequency")
+    assert found.expression is None
+    assert found.chain is not None
+    known = {p.name: p.value for p in System.from_text(FREE).parameters.values() if p.value}
+    psi, h = found.chain.values(known)["psi"], 1e-4
+    before, here, after = (potential(psi + k * h) for k in (-1, 0, 1))
+    assert (after - before) / (2 * h) == pytest.approx(0.0, abs=1e-6 * G)
+    assert found.value == pytest.approx(math.sqrt((after - 2 * here + before) / h**2 / mass(psi)), rel=1e-6)
+    assert found.chain.numbers(known)[0] == pytest.approx(found.value, rel=1e-9)

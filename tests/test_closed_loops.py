@@ -382,3 +382,77 @@ def test_a_loop_whose_branch_hangs_on_unknown_lengths_has_that_of_its_start() ->
 def test_an_angle_of_a_loop_may_point_to_the_left_on_either_side(question: str, formula: str) -> None:
     """The link of a shaper points to its ram on the left, a little up or down."""
     is_formula(SHAPER_WITH_RAM, question, formula, factors=(1.0,))
+
+
+WHITWORTH_WITH_RAM = """
+parameters: {r: 90 mm, d: 50 mm, L: 110 mm, q: 300 mm, w: 6 rad/s}
+ground: {points: {O: [0, 0], P: [0, -d]}, lines: {way: {along: right, through: [0, -d]}}}
+bodies:
+  crank: {rod: {length: r}}
+  lever: {body: {}, at: [0, -d], points: {Q: [L, 0]}}
+  link: {rod: {length: q}, near: {angle: 0 deg}}
+  ram: {particle: {mass: 6 kg}, near: {at: [0.4 m, -d]}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  P: {pin: [ground.P, lever]}
+  block: {slot: {pin: crank.end, along: lever.x}}
+  Q: {pin: [lever.Q, link.start]}
+  C: {pin: [link.end, ram]}
+  way: {slider: {body: ram, along: way}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: angle of crank, psi: angle of lever, s: x of ram}
+"""
+DRAG_LINK_WITH_RAM = """
+parameters: {a: 70 mm, b: 60 mm, c: 75 mm, d: 30 mm, l: 250 mm, w: 8 rad/s}
+ground: {points: {A: [0, 0], D: [d, 0]}, lines: {way: {along: right}}}
+bodies:
+  crank: {rod: {length: a}}
+  link: {rod: {length: b}, near: {angle: -40 deg}}
+  wheel: {rod: {length: c}, near: {angle: 20 deg}}
+  rod: {rod: {length: l}, near: {angle: 0 deg}}
+  ram: {particle: {mass: 5 kg}, near: {at: [0.35 m, 0]}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  B: {pin: [crank.end, link.start]}
+  C: {pin: [link.end, wheel.end]}
+  D: {pin: [ground.D, wheel.start]}
+  E: {pin: [wheel.end, rod.start]}
+  G: {pin: [rod.end, ram]}
+  way: {slider: {body: ram, along: way}}
+  motor: {driver: {measure: phi, follows: w*t}}
+measures: {phi: angle of crank, psi: angle of wheel, s: x of ram}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        (WHITWORTH_WITH_RAM, "stroke of s", "2*L"),
+        # the lever lies along the guide where the crank is level with P: sin(phi) = -d/r
+        (WHITWORTH_WITH_RAM, "time ratio of s", "(pi - acos(d/r))/acos(d/r)"),
+        (DRAG_LINK_WITH_RAM, "stroke of s", "2*c"),
+    ],
+)
+def test_what_a_link_drives_that_turns_fully_has_its_extremes_by_that_links_angle(
+    model: str, question: str, formula: str
+) -> None:
+    is_formula(model, question, formula, factors=(1.0,))
+
+
+def test_the_time_ratio_of_a_drag_link_is_that_of_the_crank_where_the_wheel_lies_along_the_guide() -> None:
+    """By the triangle of crank, link and the way from the pivot to the end of the wheel, d + c or c - d."""
+    a, b, c, d = 0.07, 0.06, 0.075, 0.03
+    right = math.acos((a * a + (d + c) ** 2 - b * b) / (2 * a * (d + c)))
+    left = math.acos((a * a + (c - d) ** 2 - b * b) / (2 * a * (c - d)))
+    way = right + math.pi - left  # the one above the guide, and the one below it
+    found = posed(DRAG_LINK_WITH_RAM, "time ratio of s")
+    assert found.expression is not None, found.reason
+    assert found.value == pytest.approx(max(way, math.tau - way) / min(way, math.tau - way), rel=1e-9)
+
+
+@pytest.mark.parametrize("link", ["lever", "crank"])
+def test_a_full_turn_before_a_ram_takes_what_each_loop_needs(link: str) -> None:
+    found = posed(WHITWORTH_WITH_RAM, f"does the {link} turn fully")
+    assert isinstance(found.expression, tuple)
+    assert {to_text(x) for x in found.expression} == {"r - d", "q - L"}
+    assert found.verdict == f"with the given numbers {link} turns fully"

@@ -151,3 +151,26 @@ questions: [natural frequency]
     assert named is not None
     assert named.value == pytest.approx(system.solve().answers[0].value)
     assert named.value == pytest.approx(system.modes(at="start").modes[0].frequency)
+
+
+def test_a_body_at_rest_in_an_equilibrium_has_the_instant_centre_of_the_one_way_it_can_move() -> None:
+    """A deck on two equal bars: where these meet, on the line of symmetry."""
+    model = """
+parameters: {a: 1.2 m, b: 1 m, d: 1.6 m, m: 25 kg, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], D: [d, 0]}}
+bodies:
+  left: {rod: {length: a}, near: {angle: -75 deg}}
+  right: {rod: {length: a}, near: {angle: -105 deg}}
+  deck: {rod: {length: b, mass: m}, near: {angle: 0 deg}}
+connections:
+  A: {pin: [ground.A, left.start]}
+  D: {pin: [ground.D, right.start]}
+  B: {pin: [left.end, deck.start]}
+  C: {pin: [right.end, deck.end]}
+loads: {weight: {gravity: g}}
+measures: {phi: angle of left from down, beta: angle of deck}
+"""
+    found = System.from_text(model).solve("instant centre of deck in equilibrium").answers[0]
+    down = 0.8 * math.sqrt(1.2**2 - 0.3**2) / 0.3
+    assert found.value == pytest.approx((0.8, -down))
+    assert found.expression is not None, found.reason

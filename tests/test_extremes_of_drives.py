@@ -6,6 +6,10 @@ import math
 
 import pytest
 
+from freebody.language.expression import Symbol
+from freebody.language.parser import parse
+from freebody.study.answering.named_formulas import Chain, NamedFormula
+from freebody.study.steady.extremes_in_names import ChainOverTurn
 from posed import is_derived, is_formula, posed
 
 TABLE = """
@@ -70,3 +74,57 @@ def test_without_a_closed_form_there_is_the_number() -> None:
     answer = posed(ARM, "least y of arm.end")  # L sin(b sin(W t))
     assert answer.expression is None
     assert answer.value == pytest.approx(-0.8 * math.sin(math.pi / 6))
+
+
+WHITWORTH = """
+parameters: {r: 100 mm, f: 40 mm, w: 5 rad/s, J: 0.2 kg m^2, M: 15 N m}
+ground: {points: {O: [0, 0], P: [0, -f]}}
+bodies:
+  crank: {rod: {length: r}}
+  lever: {body: {inertia: J}, at: [0, -f]}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  P: {pin: [ground.P, lever]}
+  block: {slot: {pin: crank.end, along: lever.x}}
+  motor: {driver: {measure: phi, follows: w*t}}
+loads: {load: {torque: {on: lever, magnitude: -M}}}
+measures: {phi: angle of crank, psi: angle of lever}
+"""
+
+
+def _whitworth(phi: float) -> tuple[float, float]:
+    """Torque of the drive and force on the block, with psi' = w (r^2 + r f sin phi)/n, n = r^2 + 2 r f sin phi + f^2:
+    T = (J psi'' + M) psi'/w, N = (J psi'' + M)/sqrt(n)."""
+    r, f, w, inertia, load = 0.1, 0.04, 5.0, 0.2, 15.0
+    n = r * r + 2 * r * f * math.sin(phi) + f * f
+    rate = w * (r * r + r * f * math.sin(phi)) / n
+    second = w * w * r * f * math.cos(phi) * (f * f - r * r) / n**2
+    return (inertia * second + load) * rate / w, (inertia * second + load) / math.sqrt(n)
+
+
+@pytest.mark.parametrize(
+    ("question", "which"),
+    [("greatest driving torque of motor over a turn of phi", 0), ("greatest normal force of block", 1)],
+)
+def test_an_extreme_without_a_place_in_closed_form_is_a_chain_at_an_angle_in_numbers(question: str, which: int) -> None:
+    """Of a force that pushes to either side the size is meant."""
+    found = posed(WHITWORTH, question)
+    wanted = max(abs(_whitworth(math.tau * k / 100_000)[which]) for k in range(100_000))
+    assert isinstance(found.value, float)
+    assert math.isclose(found.value, wanted, rel_tol=1e-8)
+    assert found.chain is not None
+    known = {"r": 0.1, "f": 0.04, "w": 5.0, "J": 0.2, "M": 15.0}
+    assert math.isclose(found.chain.numbers(known)[0], wanted, rel_tol=1e-8)
+    assert math.isclose(abs(_whitworth(found.chain.values(known)["phi"])[which]), wanted, rel_tol=1e-8)
+    assert "by interval arithmetic no other pose has more" in found.notes
+
+
+def test_what_an_interval_may_hold_is_no_proof_of_the_greatest_value() -> None:
+    """cos(2 phi) + sin(phi)/4 is greatest where sin(phi) = 1/16, with 1 + 1/128; a little less is not shown."""
+    steps = (NamedFormula(Symbol("x"), parse("2*atan(sin(phi)/(1 + cos(phi)))")),)
+    turn = ChainOverTurn(Chain(steps, (parse("cos(2*x) + a*sin(phi)"),)), "phi", {"a": 0.25}, 1)
+    angle, value = turn.best()
+    assert math.isclose(math.sin(angle), 1 / 16, rel_tol=1e-9)
+    assert math.isclose(value, 1 + 1 / 128, rel_tol=1e-12)
+    assert turn.is_proved(value)
+    assert not turn.is_proved(value - 1e-6)

@@ -17,6 +17,7 @@ from freebody.study.answering.chain import n_terms_in_all
 from freebody.symbolic.angle_factors import factors_of, open_parts
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.functions import cos_sin, functions
+from freebody.symbolic.roots_in_quotients import without_numeric_roots
 from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.tidy import tidy
 
@@ -369,3 +370,13 @@ def test_a_formula_is_as_long_as_what_stands_under_its_roots_and_in_its_numbers(
     assert n_terms_in_all(root) > 10
     assert n_terms_in_all(x + y) == 2
     assert n_terms_in_all(7**100 * x) > 8
+
+
+def test_a_root_below_the_bar_that_another_one_brings_back_stays_there() -> None:
+    """g = sqrt(sqrt(2) + 1): (3 g + sqrt(2))(3 g - sqrt(2)) = 9 sqrt(2) + 7, and so on without end."""
+    f = SignedField()
+    two = f.sqrt(f.element(2))
+    g, below = f.sqrt(two + 1), 3 * f.sqrt(two + 1) + two
+    x = (5 * g * two + 7 * g + 11 * two + 1) / below
+    assert without_numeric_roots(x) == x
+    assert without_numeric_roots(f.one / (two + 3)) == (3 - two) / 7

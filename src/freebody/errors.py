@@ -9,6 +9,8 @@ FreebodyError
 +-- CannotAnswer          the model is fine, the question has no answer here (exit code 1)
 |   +-- BudgetExhausted   a search did all the work it was allowed: more effort may find it
 |   +-- FormulaTooLong    a formula with more terms than anybody reads, or the memory holds
+|   |   +-- FormulaTooDear   the same for the work that it takes
+|   +-- NoRealRoot        a root of a number that is negative
 |   +-- NeverHappens      an event that is proved never to happen after the start
 +-- SelfTestFailed        an exported package does not mark known answers as it must: it is not written
 +-- RoutesDisagree        the two routes give different numbers: a defect, never an answer
@@ -98,6 +100,10 @@ class FormulaTooLong(CannotAnswer):
 
 class FormulaTooDear(FormulaTooLong):
     """Making the closed form in one piece took more work than it was allowed; it need not be long."""
+
+
+class NoRealRoot(CannotAnswer):
+    """A formula has no real value where something is put in: a number below its root is negative."""
 
 
 class NeverHappens(CannotAnswer):

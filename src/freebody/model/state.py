@@ -103,6 +103,10 @@ class State(Protocol[S_co]):
 
     def sqrt(self, x: Any) -> S_co: ...
 
+    def size(self, vector: tuple[Any, ...]) -> S_co:
+        """The length of a vector, by its components."""
+        ...
+
     def absolute(self, x: Any) -> S_co:
         """The size of what may have either sign."""
         ...

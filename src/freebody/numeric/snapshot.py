@@ -138,6 +138,9 @@ class Snapshot:
             raise CannotAnswer(Message("there is no real root of {x:.6g}", x=value))
         return math.sqrt(value)
 
+    def size(self, vector: tuple[Any, ...]) -> float:
+        return self.sqrt(sum(x * x for x in vector))
+
     def absolute(self, x: Any) -> float:
         return abs(float(x))
 

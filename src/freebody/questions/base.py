@@ -300,8 +300,9 @@ class Quantity:
         """The quantity at the event that ends a motion, or what has come together on the way there."""
         return passage.there(self)
 
-    def sized(self, *, space: bool) -> Quantity:
-        """What can be greatest of it: of a vector its size, else itself."""
+    def sized(self, *, space: bool, most: bool = False) -> Quantity:
+        """What can be least or (most) greatest of it: of a vector its size, of a force whose sign says nothing its
+        greatest size, else itself."""
         return self
 
     @property

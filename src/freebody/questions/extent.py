@@ -188,7 +188,11 @@ def extreme(names: Names, found: Found, path: Path) -> Quantity | None:
             names.problem(told, *path)
             return None
         if quantity is None or quantity.scope == "instant":
-            return None if quantity is None else ExtremeOfMotion(quantity.sized(space=names.space), end)
+            return (
+                None
+                if quantity is None
+                else ExtremeOfMotion(quantity.sized(space=names.space, most=end == "greatest"), end)
+            )
         names.problem(Message("'{text}' is no property of one instant", text=of), *path)
         return None
     measure = measure_of(names, of, *path)

@@ -57,7 +57,7 @@ questions: {it: force in spring}
             raise CannotAnswer(Message("{load} acts on several bodies; ask for one body's part", load=self.load))
         return -force if self.is_thrust else force
 
-    def sized(self, *, space: bool) -> Quantity:
+    def sized(self, *, space: bool, most: bool = False) -> Quantity:
         return replace(self, is_thrust=True) if self.only_pushes else self
 
     def place_of(self, names: Names, value: Expr) -> tuple[Measure, Expr] | None:

@@ -73,7 +73,7 @@ questions: {it: velocity of mass center of system at start}
             return ()
         return tuple((axis.name, replace(self, along=axis)) for axis in axes_of(system))
 
-    def sized(self, *, space: bool) -> Quantity:
+    def sized(self, *, space: bool, most: bool = False) -> Quantity:
         if not self.order or self.along is not None:
             return self
         return replace(self, size=True)

@@ -150,7 +150,7 @@ questions: {it: acceleration of ball}
     def may_jump(self) -> bool:
         return self.order == 2
 
-    def sized(self, *, space: bool) -> Quantity:
+    def sized(self, *, space: bool, most: bool = False) -> Quantity:
         return replace(self, size=True) if self.order and self.along is None and self.basis is None else self
 
     @property
@@ -214,7 +214,7 @@ questions: {it: angular velocity of wheel at start}
     def may_jump(self) -> bool:
         return self.order == 2
 
-    def sized(self, *, space: bool) -> Quantity:
+    def sized(self, *, space: bool, most: bool = False) -> Quantity:
         return replace(self, size=True) if self.along is None and self.basis is None else self
 
     def value(self, system: Described, state: State[Any]) -> Any:

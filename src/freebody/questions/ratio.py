@@ -144,6 +144,10 @@ questions: {it: mechanical advantage of crate to hand at start}
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.advantage", {"of": self.of, "to": self.to})
 
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        return (Message("this is {of} divided by {to}, where the two balance each other", of=self.of, to=self.to),)
+
 
 @asked(
     "mechanical advantage of LOAD to LOAD",

@@ -76,7 +76,7 @@ questions: {it: reaction of rod on bob}
     def is_moment(self) -> bool:
         return self.moment
 
-    def sized(self, *, space: bool) -> Quantity:
+    def sized(self, *, space: bool, most: bool = False) -> Quantity:
         is_vector = self.along is None and self.basis is None and (space or not self.moment)
         return replace(self, size=True) if is_vector else self
 

@@ -46,6 +46,8 @@ class ReactionComponent(Quantity, kind="reaction component"):
     further: tuple[str, ...] = ()  # rows whose reactions are added: the other places at which two outlines touch
     transmits: Dimension = FORCE
     free_wheels: tuple[str, ...] = ()  # over which a string runs with the same tension on both sides
+    pushes_either_way: bool = False  # a guide: which side is positive says nothing
+    is_size: bool = False
 
     example = """
 bodies: {bob: {particle: {mass: 1 kg}}}
@@ -62,6 +64,8 @@ questions: {it: tension of rod}
 
     @property
     def remarks(self) -> tuple[Message, ...]:
+        if self.is_size:
+            return (Message("of its size: {connection} pushes to either side", connection=self.connection),)
         if not self.free_wheels:
             return ()
         return (
@@ -92,6 +96,9 @@ questions: {it: tension of rod}
     def may_jump(self) -> bool:
         return True
 
+    def sized(self, *, space: bool, most: bool = False) -> Quantity:
+        return replace(self, is_size=True) if most and self.pushes_either_way else self
+
     def added_to(self, other: Quantity) -> Quantity | None:
         its = component_of(other)
         if its is None or self.less or its.less or self.reaction != its.reaction or self.transmits != its.transmits:
@@ -113,7 +120,7 @@ questions: {it: tension of rod}
             total = total - rows[name].sign * state.multiplier(rows[name])
         for row in others:
             total = total + row.sign * state.multiplier(row)
-        return total
+        return state.absolute(total) if self.is_size else total
 
     def sentence(self, system: Described) -> Sentence:
         at = Sentence("what.at", {"places": self.at}) if self.at else NOTHING
@@ -176,7 +183,8 @@ def read_component(names: Names, found: Found, path: Path) -> Quantity | None:
     dimension = FORCE if row.measure.dimension == LENGTH else TORQUE / row.measure.dimension
     less = tuple(f"{of}.{component}" for component in stretch.less)
     further = tuple(other.name for other, _stretch in matching[1:])
-    return ReactionComponent(of, what, row.name, at, less, further, dimension, free_wheels)
+    guides = what == "normal force" and not row.unilateral
+    return ReactionComponent(of, what, row.name, at, less, further, dimension, free_wheels, guides)
 
 
 def _comes_before(one: str, other: str, places: Sequence[str]) -> bool:

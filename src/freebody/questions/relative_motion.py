@@ -56,7 +56,7 @@ questions: {it: velocity of car relative to truck at start}
     def may_jump(self) -> bool:
         return self.order == 2
 
-    def sized(self, *, space: bool) -> Quantity:
+    def sized(self, *, space: bool, most: bool = False) -> Quantity:
         return replace(self, size=True) if self.along is None and self.basis is None else self
 
     @property

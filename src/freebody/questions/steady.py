@@ -317,7 +317,11 @@ def _over_a_turn(names: Names, found: Found, what: OverTurn, path: Path) -> Quan
         if over is None:
             return None
     of = _of_instant(names, found["of"], path)
-    return None if of is None else Extremes(of if what == "time ratio" else of.sized(space=names.space), over, what)
+    return (
+        None
+        if of is None
+        else Extremes(of if what == "time ratio" else of.sized(space=names.space, most=what == "greatest"), over, what)
+    )
 
 
 def _angle(names: Names, name: str, path: Path) -> str | None:

@@ -103,7 +103,7 @@ def component(
 ) -> Any:
     """A vector as it is asked for: its size, its part along a direction, or all of it, in a basis."""
     if size:
-        return state.sqrt(dot(vector, vector))
+        return state.size(vector)
     if along is not None:
         return dot(vector, components_of(along, state, len(vector)))
     if basis is None:

@@ -25,7 +25,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, Literal
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, NoRealRoot
 from freebody.language.expression import ONE, Expr, Number, Symbol, add, divide, multiply, number, power
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
@@ -502,7 +502,7 @@ class Field(PolynomialRing):
         if inside == 1:
             return outside
         if (inside.fraction() or 1) < 0:
-            raise CannotAnswer(Message("square root of the negative number {x}", x=to_text(self.expression(x))))
+            raise NoRealRoot(Message("square root of the negative number {x}", x=to_text(self.expression(x))))
         if (apart := root_without_root(inside, is_negative or self.has_negative_sign)) is not None:
             return outside * apart
         return outside * self._root(inside, is_negative if is_kept else None)

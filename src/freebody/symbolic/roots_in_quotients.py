@@ -44,8 +44,11 @@ def without_numeric_roots(x: Ratio) -> Ratio:
         conjugate = parts[0] - parts[1] * field.variable(roots[0])
         if strict_sign(conjugate) == 0:
             return x
+        below = den * conjugate
+        if roots[0] in below.generators():  # which the square of another root has brought back
+            return x
         # multiplying numerator and denominator separately keeps the root out of the denominator
-        plain = field.quotient((x.numerator() * conjugate).num, (den * conjugate).num)
+        plain = field.quotient((x.numerator() * conjugate).num, below.num)
         if len(plain.num) + len(plain.denominator().num) > len(x.num) + len(den.num):
             return x
         x = plain

@@ -34,6 +34,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 
 _POLYNOMIAL_LIMIT = 12
+_MOST_TERMS_OF_VECTOR = 200  # whose size is formed in one piece
 
 
 class SymbolicState:
@@ -154,6 +155,13 @@ class SymbolicState:
 
     def sqrt(self, x: Any) -> Ratio:
         return self.model.field.sqrt(x, self.model.samples.is_turned)
+
+    def size(self, vector: tuple[Any, ...]) -> Ratio:
+        """Raises FormulaTooLong where the components are so long that nobody reads a root of their squares."""
+        parts = list(map(self.model.field.element, vector))
+        if sum(x.n_terms for x in parts) > _MOST_TERMS_OF_VECTOR:
+            raise FormulaTooLong(Message("the size of a vector with such long components is a chain of formulas"))
+        return self.sqrt(sum((x * x for x in parts), start=self.model.field.zero))
 
     def absolute(self, x: Any) -> Ratio:
         """As a root, out of which only factors come whose sign is known: |m1 - m2| g."""

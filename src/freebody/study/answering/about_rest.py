@@ -176,7 +176,11 @@ def value(setup: Setup, question: Question, q: RestValue) -> Finding:
     from freebody.study.answering import at_equilibrium
 
     rest = find_equilibrium(setup.model, setup.start)
-    element: Elements = q.of.value(setup.system, StateOfRest(setup.model, rest.values))
+    state: SymbolicState = StateOfRest(setup.model, rest.values)
+    if q.of.is_of_pose_in_motion and setup.model.degrees_of_freedom == 1:  # the pose, passed in the one way there is
+        speeds = {c.speed for c in (*setup.model.coordinates, *setup.model.dependent)}
+        state = SymbolicState(setup.model, {k: x for k, x in rest.values.items() if k not in speeds})
+    element: Elements = q.of.value(setup.system, state)
     conditions = needs_of_rest(setup, rest)
     evidence = at_equilibrium.value_at_rest(setup, question.text, q.of, rest.values, element, conditions)
     return Finding(element, evidence, conditions, _stability(setup, rest))

@@ -25,6 +25,7 @@ from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, as_parts, broken, element_at, holds
 from freebody.study.answering.draws import Draw
+from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.study.where_true import left_at
@@ -121,7 +122,7 @@ def value_at_rest(
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
         places = pose_at(setup, equilibrium, draw)
-        seen = seen_at_rest(draw, *resting(draw, places))
+        seen = moving_for(of, seen_at_rest(draw, *resting(draw, places)))
         exact, numeric = element_at(setup, x, draw, draw.start()), as_parts(of.value(setup.system, seen))
         moves = unrest(setup, draw, places)
         check.compare(draw, (*map(float, exact), 1.0), (*map(float, numeric), 1.0 + moves))

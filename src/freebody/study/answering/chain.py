@@ -171,7 +171,7 @@ class ChainBuilder:
             self.between(self)
         self.name_motion(staged.speeds, staged.biases, staged.forces, staged.accelerations)
         with f.other_rates(staged.rates()):
-            value = quantity.value(self.setup.system, SymbolicState(staged.model, self.values))
+            value = quantity.value(self.setup.system, InNamesState(self, staged, quantity.letter))
         elements: tuple[Any, ...] = value if isinstance(value, tuple) else (value,)
         result = [self.here(f.element(x)) for x in elements]
         chain = self._ordered(list(map(tidy, result)))
@@ -321,6 +321,25 @@ class ChainBuilder:
         parts, rest = broken_up(result, names, "S")
         found += [NamedFormula(name, x) for name, x in parts]
         return Chain(tuple(found), tuple(rest)) if 0 < len(found) <= _MOST_STEPS else None
+
+
+class InNamesState(SymbolicState):
+    """An instant told in the names of a chain, in which components get names before the size of a vector is taken."""
+
+    def __init__(self, chain: ChainBuilder, staged: StagedMotion, letter: str) -> None:
+        super().__init__(staged.model, chain.values)
+        self._chain, self._staged, self._letter = chain, staged, letter
+
+    def size(self, vector: tuple[Any, ...]) -> Ratio:
+        f, square = self.model.field, self.model.field.zero
+        for axis, part in zip("xyz", vector, strict=False):
+            x = self._chain.here(f.element(part))
+            if x.n_terms > 1:
+                named = self._staged.named(f"{self._letter}_{axis}", x)
+                self._chain.name_motion([named])
+                x = f.variable(named.index)
+            square = square + x * x
+        return self.sqrt(square)
 
 
 def loop_angles(setup: Setup, chain: Chain) -> list[tuple[str, float]]:

@@ -31,13 +31,13 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import ITS_RATE, Answer, Evidence, Value, made, point_moves
-from freebody.study.answering.chain import chain_of
+from freebody.study.answering.chain import chain_of, n_terms_in_all
 from freebody.study.answering.completing import AnswerCompletion
 from freebody.study.answering.conditions import as_written, is_kinematic, real
 from freebody.study.answering.energy_in_names import answer_by_energy
 from freebody.study.answering.extent import as_reached, turn_of, turning_there
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise, answered
-from freebody.study.answering.frequency_in_names import frequency_in_names
+from freebody.study.answering.frequency_in_names import frequency_about_a_found_rest, frequency_in_names
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.integrals import has_integrals
 from freebody.study.answering.numbers import number_instead
@@ -96,7 +96,7 @@ class QuestionSolver:
             case "every motion":
                 return answered(self.system, self.question, self._conserved)
             case _:
-                found = answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
+                found = answered(self.system, self.question, self._smooth, self._number_instead, self._otherwise)
                 return found if found.is_complete else with_verdict(self.setup, self.question.quantity, found)
 
     def _smooth(self) -> Answer:
@@ -112,15 +112,23 @@ class QuestionSolver:
             named = named or answer_by_energy(self.setup, self.question)
             if named is not None:
                 return named
-            if not isinstance(error, FormulaTooDear):
+            if self.model.loops or not isinstance(error, FormulaTooDear):
                 raise
-            self._pairs = None  # it has no chain: then in one piece, whatever that takes
+            self._pairs = None  # without loops it has no chain: then in one piece, whatever that takes
             return self.finish(self._find())
 
     def _is_unread(self, found: Finding) -> bool:
         """Whether it is a frequency whose formula nobody would read."""
         q, x = self.question.quantity, found.element
         return isinstance(q, SmallOscillations) and isinstance(x, Ratio) and n_operations(tidy(x)) > _MOST_READ
+
+    def _otherwise(self) -> Answer | None:
+        """Where no closed form is found: by a chain at a place in numbers, else as whoever asks tells."""
+        from freebody.study.steady.extremes_in_names import extreme_in_names
+
+        found = extreme_in_names(self.setup, self.question)
+        found = found or frequency_about_a_found_rest(self.setup, self.question)
+        return found if found is not None or self.otherwise is None else self.otherwise()
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
@@ -454,7 +462,7 @@ class QuestionSolver:
         with suppress(FormulaTooLong):
             found = q.counted(smooth_passage(self.setup, reached, self._elements, there))
         parts = found if isinstance(found, tuple) else (found,)
-        if found is not None and not any(isinstance(x, Ratio) and x.n_terms > _SWOLLEN for x in parts):
+        if found is not None and not any(isinstance(x, Ratio) and n_terms_in_all(x) > _SWOLLEN for x in parts):
             return found, there
         try:
             staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)

@@ -11,8 +11,12 @@ and so on for s'' and k'. Source: Meirovitch, Elements of Vibration Analysis, 2n
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Symbol, divide, free_symbols, multiply, number
@@ -21,12 +25,13 @@ from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import SmallOscillations
-from freebody.study.answering.answer import Answer
-from freebody.study.answering.chain import ChainBuilder
+from freebody.study.answering.answer import Answer, Evidence, made
+from freebody.study.answering.chain import ChainBuilder, inputs
 from freebody.study.answering.crosscheck import CrossCheck, SaysNothing
 from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import NO_FORM
 from freebody.study.answering.in_names import in_numbers, told
-from freebody.study.answering.named_formulas import NamedFormula
+from freebody.study.answering.named_formulas import Chain, InNames, NamedFormula
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.staged import NamedElement, shortened
@@ -42,21 +47,14 @@ def frequency_in_names(setup: Setup, question: Question) -> Answer | None:
     """About the start, where that is an equilibrium of one freedom; None for other questions, starts and loads. Raises
     CannotAnswer where the names have no formulas, or it does not oscillate."""
     q, model = question.quantity, setup.model
-    if not isinstance(q, SmallOscillations) or len(model.coordinates) != 1 or not model.loops or question.options:
+    if not isinstance(q, SmallOscillations) or not _has_names(setup, question):
         return None
-    if setup.system.states or not all(map(_is_of_pose, setup.system.all_loads)):
+    (c,) = model.coordinates
+    names = _Names.of(setup, {c.index: setup.start.of(c.index)})
+    pulls = names.pulls()
+    if not pulls or not model.samples.vanishes_at_starts(names.force(pulls)):
         return None
-    names = _Names.of(setup)
-    names.builder.name_motion(names.ratios, names.inertias)
-    pulls = [pull for push in setup.system.all_loads if (pull := names.pull(push)) is not None]
-    force = sum((pull.force * pull.whole for pull in pulls), model.field.zero)
-    if not pulls or not model.samples.vanishes_at_starts(force):
-        return None
-    stiffness = -sum((names.stiffness(pull) for pull in pulls), model.field.zero)
-    names.builder.steps.append(NamedFormula(Symbol(_STIFFNESS), tidy(names.builder.here(stiffness))))
-    mass, K = names.builder.mass, Symbol(_STIFFNESS)
-    period = multiply(number(2), Symbol("pi"), Call("sqrt", divide(mass, K)))
-    found = names.builder.in_order([period if q.what == "period" else Call("sqrt", divide(K, mass))])
+    found = names.frequency(q, pulls)
     if found is None:
         return None
     check = CrossCheck(question.text, Message("numerical linearisation about the same equilibrium"), _TOLERANCE)
@@ -70,9 +68,56 @@ def frequency_in_names(setup: Setup, question: Question) -> Answer | None:
         check.compare(draw, exact, (math.tau / w if q.what == "period" else w,))
 
     evidence = check.gather(setup.draw_stream(), compare).evidence()
-    stiff = compared(K, ">", number(0))
+    stiff = compared(Symbol(_STIFFNESS), ">", number(0))
     swings = reworded(Message("{condition} (oscillates)", condition=stiff), stiff)
     return told(setup, replace(question, at_start=True), found, evidence, [swings])
+
+
+def frequency_about_a_found_rest(setup: Setup, question: Question) -> Answer | None:
+    """About the equilibrium nearest to the start, of which the place is known in numbers alone: the formula in the
+    angles there. None for other questions, and where it does not come to the frequency of the full system."""
+    q = question.quantity
+    if not isinstance(q, SmallOscillations) or not setup.has_values or not _has_names(setup, question):
+        return None
+    with suppress(*NO_FORM, ArithmeticError, ValueError, KeyError):  # of the root of a stiffness that is negative
+        names = _Names.of(setup, {})
+        if (pulls := names.pulls()) and (found := names.frequency(q, pulls)) is not None:
+            return _about_found_rest(setup, question, q, found.chain)
+    return None
+
+
+def _about_found_rest(setup: Setup, question: Question, q: SmallOscillations, chain: Chain) -> Answer | None:
+    from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
+
+    (c,), draw = setup.model.coordinates, setup.draws[0]
+    pose = nearest_equilibrium(setup.system)[0].q
+    refuse_out_of_bounds(setup.system, draw.reference, pose)
+    there = draw.reference.snapshot(pose, np.zeros_like(pose))
+    known = inputs(setup, setup.model.samples.numbers(draw.sample(there), draw.sample()))
+    (value,) = chain.numbers(known)
+    (w,) = map(float, draw.reference.frequencies(pose))
+    gap = abs(value * (w / math.tau if q.what == "period" else 1.0 / w) - 1.0)
+    if not gap <= _TOLERANCE:  # the loops are assembled in another way there
+        return None
+    place = NamedFormula(Symbol(c.name), number(Fraction(f"{known[c.name]:.10g}")))
+    at = compared(place.name, "=", number(Fraction(f"{known[c.name]:.6g}")))
+    return made(
+        question,
+        None,
+        value,
+        reason=Message("the place of the equilibrium has no closed form"),
+        notes=[reworded(Message("about the equilibrium {place}, which was found in numbers", place=at), at)],
+        evidence=Evidence(1, gap, Message("numerical linearisation about the same equilibrium")),
+        chain=Chain((place, *chain.named), chain.result),
+    )
+
+
+def _has_names(setup: Setup, question: Question) -> bool:
+    """Whether it is one freedom through closed loops, under loads that are laws of the pose."""
+    model = setup.model
+    if len(model.coordinates) != 1 or not model.loops or question.options or setup.system.states:
+        return False
+    return all(map(_is_of_pose, setup.system.all_loads))
 
 
 def _is_of_pose(push: AppliedLoad) -> bool:
@@ -112,14 +157,31 @@ class _Names:
     known: dict[int, Ratio] = field(default_factory=dict[int, Ratio])  # slopes of ratios that have names
 
     @staticmethod
-    def of(setup: Setup) -> _Names:
+    def of(setup: Setup, at: Mapping[int, Ratio]) -> _Names:
+        """at: the coordinate, where it has a formula."""
         model, (c,) = setup.model, setup.model.coordinates
-        builder = ChainBuilder(setup, {c.index: setup.start.of(c.index)}, {_STIFFNESS})
+        builder = ChainBuilder(setup, at, {_STIFFNESS})
         staged = builder.staged()
         builder.name_angles()
         pairs = zip(model.dependent, staged.speeds, strict=True)
         running = {d.index: model.field.partial(e.value, c.speed) for d, e in pairs}
         return _Names(setup, builder, tuple(staged.ratios), tuple(staged.inertias), running, staged.named)
+
+    def pulls(self) -> list[_Pull]:
+        """Of all loads that some motion moves."""
+        self.builder.name_motion(self.ratios, self.inertias)
+        return [pull for push in self.setup.system.all_loads if (pull := self.pull(push)) is not None]
+
+    def force(self, pulls: Sequence[_Pull]) -> Ratio:
+        """Along the coordinate; it vanishes in an equilibrium."""
+        return sum((pull.force * pull.whole for pull in pulls), self.setup.model.field.zero)
+
+    def frequency(self, q: SmallOscillations, pulls: Sequence[_Pull]) -> InNames | None:
+        stiffness = -sum((self.stiffness(pull) for pull in pulls), self.setup.model.field.zero)
+        self.builder.steps.append(NamedFormula(Symbol(_STIFFNESS), tidy(self.builder.here(stiffness))))
+        mass, K = self.builder.mass, Symbol(_STIFFNESS)
+        period = multiply(number(2), Symbol("pi"), Call("sqrt", divide(mass, K)))
+        return self.builder.in_order([period if q.what == "period" else Call("sqrt", divide(K, mass))])
 
     def along(self, x: Ratio) -> Ratio:
         """The slope in all, at the ratios of the names."""

@@ -168,7 +168,8 @@ def _number_at_rest(
         raise CannotAnswer(Message("whether contacts stay as they are at a rest is told by formulas alone"))
     q = nearest_equilibrium(setup.system)[0].q
     refuse_out_of_bounds(setup.system, draw.reference, q)
-    values = as_parts(quantity.of.value(setup.system, draw.seen(draw.reference.snapshot(q, np.zeros_like(q)))))
+    seen = moving_for(quantity.of, draw.reference.snapshot(q, np.zeros_like(q)))
+    values = as_parts(quantity.of.value(setup.system, draw.seen(seen)))
     return values[0] if len(values) == 1 else values
 
 

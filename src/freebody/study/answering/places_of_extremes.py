@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 
 from freebody.errors import CannotAnswer, ModelError
-from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, evaluate, number
+from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Number, Symbol, evaluate, number
 from freebody.language.notation import compared, reworded, to_python
 from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
@@ -118,7 +118,8 @@ def _target(extreme: Answer) -> Expr:
 
 def _of_quantity(event: ExtremeEvent, target: Expr) -> QuantityEvent:
     assert event.quantity is not None
-    shown = to_python(target)
+    unit = event.quantity.unit if isinstance(target, Number) else "1"
+    shown = to_python(target) if unit == "1" else f"{to_python(target)} {unit}"
     return QuantityEvent(event.measure, 0, Symbol(""), event.text, event.quantity, target, event.phrase, shown)
 
 

@@ -310,6 +310,8 @@ def _on_one_side(setup: Setup, question: Question) -> Answer | None:
     asked = wanted.of if wanted is not None and wanted.relation == "=" else question.quantity
     if question.event is None and getattr(asked, "scope", "") not in ("repeated motion", "whole motion"):
         return None
+    if not setup.model.coordinates:  # where drives lead everything none decides
+        return None
     with setup.motion.on_one_side():
         found = QuestionSolver(setup, question).answer()
     is_found = found.expression is not None or (wanted is not None and found.value is not None)

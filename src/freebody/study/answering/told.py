@@ -100,14 +100,16 @@ def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
     yield from map(line, filter(None, (answer.verdict,)))
     if answer.expression is None:
         yield from map(line, _refusal(answer))
+        if answer.chain is not None:  # of which a name is known in numbers alone
+            yield from _chain(answer.chain)
+            yield Equations((Equation(Formula((answer.chain.result[0],))),), on_request=True)
         yield from entries(*_value(answer, Message("by numbers")), _cases(answer))
         if answer.value is not None:
-            yield from entries(entry(Message("note"), *answer.notes))
+            yield from entries(entry(Message("note"), *answer.notes), _evidence(answer))
         return
     shown = answer.expression
     if answer.chain is not None:
-        steps = [Equation(Formula((step.name, step.formula), ("=",))) for step in answer.chain.named]
-        yield Equations(tuple(steps), on_request=True)
+        yield from _chain(answer.chain)
         shown = answer.chain.result if isinstance(shown, tuple) else answer.chain.result[0]
     if isinstance(shown, tuple):
         lines = [Equation(Formula((part,)), label=f"[{k}]") for k, part in enumerate(shown, 1)]
@@ -154,11 +156,22 @@ def _said(answer: ShownAnswer) -> Iterator[Entry]:
     yield entry(Message("note"), *answer.notes)
     yield from options(answer.choice, answer.options)
     yield entry(Message("to author"), *answer.author_notes)
-    if answer.evidence is not None:
-        e = answer.evidence
-        checked = Message("checked numerically at {n} random configurations: {route};", n=e.draws, route=e.route)
-        worst = Message("largest relative difference {gap:.1g}", gap=e.worst_relative_difference)
-        yield entry(Message("evidence"), checked, worst)
+    yield _evidence(answer)
+
+
+def _chain(chain: _Chain) -> Iterator[Block]:
+    steps = [Equation(Formula((step.name, step.formula), ("=",))) for step in chain.named]
+    yield Equations(tuple(steps), on_request=True)
+
+
+def _evidence(answer: ShownAnswer) -> Entry:
+    e = answer.evidence
+    if e is None:
+        return entry(Message("evidence"))
+    checked = Message("checked numerically at {n} random configurations: {route};", n=e.draws, route=e.route)
+    return entry(
+        Message("evidence"), checked, Message("largest relative difference {gap:.1g}", gap=e.worst_relative_difference)
+    )
 
 
 def _cases(answer: ShownAnswer) -> Entry:

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any, TypeVar
 
-from freebody.errors import CannotAnswer, FreebodyError, NeverHappens, NotReached
+from freebody.errors import CannotAnswer, FreebodyError, ModelError, NeverHappens, NoRealRoot, NotReached
 from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
@@ -102,6 +102,9 @@ def first_found(system: System, name: str, attempt: Callable[[System], T]) -> T:
             return attempt(other)
         except (NeverHappens, NotHere, NotReached, NoneFound, TooLittleCompared) as error:
             first = first or error
+        except ModelError:  # with another number it may not be assembled
+            if other is system:
+                raise
     assert first is not None
     raise first
 
@@ -233,9 +236,13 @@ class _Turned:
     def _candidate(self, value: Ratio, needed: Sequence[Condition], *, at_border: bool) -> _Candidate:
         """needed: in which the value is put in for the parameter, as it is where the formula is one."""
         conditions = [*domain_of(self.parameter, value), *real(value)]
-        own = [self._with_value(c, value) for c in self.formula.needed]
+        try:
+            own = [self._with_value(c, value) for c in self.formula.needed]
+            conditions += [self._with_value(c, value) for c in needed]
+        except NoRealRoot:  # the formula has no value there
+            return _Candidate(self, value, [], [])
         own = [c for c in own if not (at_border and c.relation == ">" and c.element.is_zero())]
-        conditions += [*(self._with_value(c, value) for c in needed), *own]
+        conditions += own
         kept: list[Condition] = []
         for c in conditions:
             condition, possible = require(c.element, c.relation, c.purpose)

@@ -7,6 +7,7 @@ the way round. Both are compared with the motion of the mechanism followed in nu
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from freebody.errors import CannotAnswer
@@ -23,6 +24,7 @@ from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, S
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula
+from freebody.study.mobility.behind_a_wheel import loops_round
 from freebody.study.mobility.dead_points import margins
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.grashof import dimensions
@@ -45,6 +47,7 @@ from freebody.study.steady.extremes import ExtremaSearch
 from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, merged
+from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
@@ -66,7 +69,8 @@ def _full_turn(q: FullTurn, setup: Setup, question: Question) -> Finding:
         links = four_links(setup)
         turning = links.turning(q.link)
     except CannotAnswer:
-        return _full_turn_by_coordinate(q, setup, question)
+        found = _full_turn_by_parts(q, setup, question)
+        return _full_turn_by_coordinate(q, setup, question) if found is None else found
     notes, verdict = _case(links), ""
     if not has_open_lengths(setup.system):
         verdict = _verdict(q.link, so=links.does_turn(q.link))
@@ -135,6 +139,25 @@ def _coordinate(setup: Setup, link: str) -> Coordinate:
             link=link,
         )
     )
+
+
+def _full_turn_by_parts(q: FullTurn, setup: Setup, question: Question) -> Finding | None:
+    """Of a loop of four links and another one behind a link of it that turns fully as well: what each of them needs."""
+    for front, behind, output in loops_round(setup, q.link):
+        turning = [front.turning(name) for name in dict.fromkeys((q.link, output))] + [behind.turning(output)]
+        by_margins = [(front, name) for name in dict.fromkeys((q.link, output))] + [(behind, output)]
+        here = setup.model.geometry.scalar
+        conditions = [replace(c, element=here(tidy(c.element))) for one in turning for c in one.conditions]
+        lengths = tuple(dict.fromkeys(here(tidy(x)) for links, name in by_margins for x in margins(links, name)))
+        told = joined([one.says for one in turning if one.needs])
+        says = reworded(Message("{link} turns fully if {condition}", link=q.link, condition=told), told)
+        evidence = _turns_in_numbers(setup, question.text, q.link, conditions, only_if=True)
+        notes: list[str] = [Message("as it is assembled at the start; other lengths may allow it in another way")]
+        verdict = "" if has_open_lengths(setup.system) else _verdict(q.link, so=True)
+        element = lengths[0] if len(lengths) == 1 else lengths or setup.model.field.one
+        unit = "m" if lengths else "1"
+        return Finding(element, evidence, says=[says], notes=notes, verdict=verdict, unit=unit, is_complete=True)
+    return None
 
 
 def _full_turn_by_coordinate(q: FullTurn, setup: Setup, question: Question) -> Finding:

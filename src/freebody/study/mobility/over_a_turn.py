@@ -32,9 +32,10 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NO_FORM, Elements, Finding
+from freebody.study.mobility.behind_a_wheel import BehindAWheel, bodies_of
 from freebody.study.mobility.dead_points import DeadPoint, dead_points, needs_of_reversal
-from freebody.study.mobility.linkages import Linkage, at_ground, linkages
-from freebody.study.mobility.loop_questions import four_links, is_single_loop, loop_draws
+from freebody.study.mobility.linkages import at_ground, linkages
+from freebody.study.mobility.loop_questions import four_links, is_single_loop, loop_draws, n_loops
 from freebody.study.setup import Setup
 from freebody.study.steady.round_turn import DrawnTurn, extremes_in_numbers, time_ratio_in_numbers
 from freebody.symbolic.closure import explicit
@@ -43,7 +44,6 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.parts import cut_out
-from freebody.system.system import System
 
 PLACE_TOLERANCE = 1e-6  # of a place in numbers: its value is stationary there
 _N_BETWEEN = 36  # poses between two dead points at which is looked
@@ -91,17 +91,29 @@ def by_dead_points(setup: Setup, question: Question, q: Extremes) -> Finding | N
     for loop in linkages(setup.system):
         if GROUND in loop.links and crank.of in (ends := at_ground(loop)) and len(ends) == len({*ends}):
             try:
-                return _found(setup, question, q, _reversals(setup, q, crank, _bodies(setup.system, loop), ends))
+                return _found(setup, question, q, _reversals(setup, q, crank, bodies_of(setup.system, loop), ends))
             except NO_FORM:
                 continue
     return None
 
 
-def _bodies(system: System, loop: Linkage) -> frozenset[str]:
-    """The bodies of a loop, with the particles that are its joints."""
-    at_joints = {point.body for joint in loop.joints for point in joint.points}
-    particles = {name for name in at_joints if not system.bodies[name].turns}
-    return (frozenset(loop.links) | particles) - {GROUND}
+def behind_a_wheel(setup: Setup, question: Question, q: Extremes) -> Finding | None:
+    """Of what a link drives that turns fully; None where it is another mechanism, or another quantity."""
+    watched, coordinates = q.of.watched, setup.model.coordinates
+    if watched is None or watched[1] or question.at_start or len(coordinates) != 1 or n_loops(setup.system) < 2:
+        return None
+    crank = setup.model.measure_of(coordinates[0])
+    if not isinstance(crank, Angle) or crank.origin != GROUND:
+        return None
+    for loop in linkages(setup.system):
+        if GROUND in loop.links and crank.of in (ends := at_ground(loop)) and len({*ends}) == 2:
+            try:
+                part = BehindAWheel(setup, q, crank, bodies_of(setup.system, loop), ends)
+                cranks = (setup.model.field.zero, part.between()) if q.what == "time ratio" else ()
+                return _found(setup, question, q, _Reversals(part.values, cranks, part.needs, part.where()))
+            except NO_FORM:
+                continue
+    return None
 
 
 def _reversals(setup: Setup, q: Extremes, crank: Angle, own: frozenset[str], ends: Sequence[str]) -> _Reversals:
@@ -159,7 +171,8 @@ def _found(setup: Setup, question: Question, q: Extremes, at: _Reversals) -> Fin
         return element_at(setup, x, first, first.start())[0]
 
     least, largest = sorted(at.values, key=size)
-    element = _element(q, least, largest, at.cranks, size(at.cranks[1] - at.cranks[0]))
+    between = size(at.cranks[1] - at.cranks[0]) if at.cranks else 0.0
+    element = _element(q, least, largest, at.cranks, between)
     conditions = [*at.needs, *(need for x in at.values for need in real(x))]
     if at.following is not None:  # a toggle may pass its stretched pose on the other side at other lengths
         order, _possible = require(largest - least, ">", Message("which extreme is which"))

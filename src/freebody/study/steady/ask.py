@@ -132,9 +132,11 @@ def _value(q: SteadyValue, setup: Setup, question: Question) -> Finding:
 
 @_find.register(Extremes)
 def _extremes(q: Extremes, setup: Setup, question: Question) -> Finding:
-    from freebody.study.mobility.over_a_turn import by_dead_points
+    from freebody.study.mobility.over_a_turn import behind_a_wheel, by_dead_points
     from freebody.study.steady.extremes import extremes
 
+    if (driven := behind_a_wheel(setup, question, q)) is not None:
+        return driven
     try:
         return extremes(setup, question, q)
     except RoutesDisagree:

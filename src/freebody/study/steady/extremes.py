@@ -67,7 +67,7 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     else:
         evidence = over_a_turn(setup, question.text, q.of, turning.angle, least, largest, conditions)
     ends = ((Message("least"), least), (Message("largest"), largest))
-    notes = [_where(end, e, turning) for end, e in ends] + turning.notes
+    notes = [where(end, e, turning) for end, e in ends] + turning.notes
     element = told(search, q, least, largest)
     way = {"least": 1, "greatest": -1}.get(q.what)
     each = [] if way is None else [(e.value, search.beside(e, every, way)) for e in every]
@@ -205,7 +205,8 @@ def at_start_but_for(setup: Setup, question: Question, x: Ratio, c: Coordinate) 
     return setup.model.field.follow(x, {k: v for k, v in setup.start.values.items() if k != c.index})
 
 
-def _where(which: str, e: Extremum, turning: TurningAngle) -> str:
+def where(which: str, e: Extremum, turning: TurningAngle) -> str:
+    """At which places one of the extremes is."""
     places = list(dict.fromkeys(p.text(turning.shown) for p in e.places))
     return reworded(
         Message("{which} at {places}", which=which, places=in_turn(places, "{first} and {second}")),

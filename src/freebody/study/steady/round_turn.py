@@ -11,6 +11,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.numeric.brent import least_between
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
@@ -27,8 +28,7 @@ N_POSES = 24
 STEP = math.tau / N_POSES
 _NEARLY_HALF = math.pi - 1e-6  # angles count from the start, by less than half a turn to either side
 _STEP = 0.07  # [rad] from pose to pose
-_GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
-_SECTIONS = 40  # of two steps: the place to 1e-9, the value far better
+_PLACE = 1e-9  # [rad] of the place of an extreme, the value far better
 _SAME = 1e-6  # of the largest value: less apart are two extremes that are one by symmetry
 _RATE = 0.83  # of the angle, where the quantity depends on it
 
@@ -153,28 +153,31 @@ class DrawnTurn:
 
 
 def extremes_in_numbers(turn: DrawnTurn) -> tuple[float, float]:
-    """The least and the largest value round a turn by the numeric route alone: the best of the poses on the way, and
-    between its neighbours the golden section."""
-    poses = _values_on_the_way(turn)
-    low, high = (min(poses, key=lambda pose: sign * pose[2]) for sign in (1.0, -1.0))
-    return _closer(turn, low, 1.0)[1], _closer(turn, high, -1.0)[1]
+    """The least and the largest value round a turn by the numeric route alone: beside every pose on the way that beats
+    its neighbours, by Brent's method."""
+    return _extreme_places(turn, 1.0)[0][1], _extreme_places(turn, -1.0)[0][1]
 
 
 def time_ratio_in_numbers(turn: DrawnTurn) -> float:
     """The longer of the two ways between the places of the extremes over the shorter one, by the numeric route alone.
     Raises CannotAnswer where one of them is reached more than once a turn."""
-    poses = _values_on_the_way(turn)
-    largest = max(abs(value) for _away, _q, value in poses)
+    largest = max(abs(value) for _away, _q, value in _values_on_the_way(turn))
     places: list[float] = []
     for sign in (1.0, -1.0):
-        beside = zip(poses[-1:] + poses[:-1], poses, poses[1:] + poses[:1], strict=True)
-        lowest = [b for a, b, c in beside if sign * b[2] <= min(sign * a[2], sign * c[2])]
-        found = sorted((_closer(turn, pose, sign) for pose in lowest), key=lambda place: sign * place[1])
+        found = _extreme_places(turn, sign)
         if len(found) > 1 and abs(found[1][1] - found[0][1]) <= _SAME * largest:
             raise CannotAnswer(REACHED_OFTEN)
         places.append(found[0][0])
     between = abs(math.remainder(places[1] - places[0], math.tau))
     return (math.tau - between) / between
+
+
+def _extreme_places(turn: DrawnTurn, sign: float) -> list[tuple[float, float]]:
+    """(angle from the start, value) wherever sign times the quantity has a least value, the least of all first."""
+    poses = _values_on_the_way(turn)
+    beside = zip(poses[-1:] + poses[:-1], poses, poses[1:] + poses[:1], strict=True)
+    lowest = [b for a, b, c in beside if sign * b[2] <= min(sign * a[2], sign * c[2])]
+    return sorted((_closer(turn, pose, sign) for pose in lowest), key=lambda place: sign * place[1])
 
 
 def _values_on_the_way(turn: DrawnTurn) -> list[tuple[float, Array, float]]:
@@ -191,10 +194,11 @@ def _values_on_the_way(turn: DrawnTurn) -> list[tuple[float, Array, float]]:
 def _closer(turn: DrawnTurn, pose: tuple[float, Array, float], sign: float) -> tuple[float, float]:
     """Where the least of sign times the quantity is beside a pose, and the quantity there."""
     away, q, best = pose
-    low, high = away - STEP, away + STEP
-    for _ in range(_SECTIONS):
-        first, second = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-        at_first, at_second = (sign * turn.value(turn.pose(q, x)) for x in (first, second))
-        low, high = (low, second) if at_first < at_second else (first, high)
-        best = sign * min(sign * best, at_first, at_second)
-    return (low + high) / 2.0, best
+
+    def value(x: float) -> float:
+        nonlocal q
+        q = turn.pose(q, x)  # from the pose before, which is nearer with every step
+        return sign * turn.value(q)
+
+    place, found = least_between(value, away - STEP, away + STEP, xtol=_PLACE)
+    return (place, sign * found) if found <= sign * best else (away, best)

@@ -19,6 +19,7 @@ from typing import Any
 
 import flint
 
+from freebody.budgets import allowed
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Call, Expr, Symbol
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
@@ -36,6 +37,8 @@ from freebody.tolerances import ROUND_OFF
 _NEVER = (Sign.NEGATIVE, Sign.NONPOSITIVE)  # of what is under a root: at most in single cases of the parameters
 _MOST_TERMS = 12  # of an expression that is shown
 _DEEPEST = 14  # halvings of a sixteenth of a turn
+_N_LOOKS = 48  # points at which a change of sign is looked for first
+_MOST_WORK = 2_000_000  # terms that are computed until a sum is shown to keep its sign
 _flint: Any = flint
 _QUARTERS = {(1, 0): ("0", "0"), (0, 1): ("90°", "pi/2"), (-1, 0): ("180°", "pi"), (0, -1): ("-90°", "-pi/2")}
 
@@ -264,9 +267,22 @@ class TurningAngle:
         arb = _flint.arb
         fixed = {i: arb(float(values[i])) for i in base.generators() if not self.moves(i)}
 
-        def excludes_zero(middle: Any, half: Any, depth: int) -> bool:
+        def at(middle: Any, half: Any) -> Any:
             angle = arb(middle, half)
-            x = self.field.evaluate(base, fixed | {self.cos: angle.cos(), self.sin: angle.sin()})
+            return self.field.evaluate(base, fixed | {self.cos: angle.cos(), self.sin: angle.sin()})
+
+        # a zero is seen sooner than it is not excluded
+        signs = {bool(at(math.tau * k / _N_LOOKS, 0.0) > 0) for k in range(_N_LOOKS)}
+        if len(signs) > 1:
+            return False
+        left = allowed(_MOST_WORK) // len(base.num)
+
+        def excludes_zero(middle: Any, half: Any, depth: int) -> bool:
+            nonlocal left
+            left -= 1
+            if left < 0:
+                return False
+            x = at(middle, half)
             if not x.contains(0):
                 return True
             if depth == 0:
