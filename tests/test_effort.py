@@ -98,5 +98,5 @@ def test_effort_multiplies_budgets_and_ends_with_its_block() -> None:
 
 def test_what_has_no_chain_is_told_in_one_piece_whatever_that_takes(monkeypatch: pytest.MonkeyPatch) -> None:
     """The work that is allowed only decides whether the chain of a loop is told in place of one formula."""
-    monkeypatch.setattr("freebody.study.answering.closed_form._MOST_PAIRS", 0)
+    monkeypatch.setattr("freebody.study.answering.by_kind._MOST_PAIRS", 0)
     is_formula(_ROD, "period of small oscillations of phi", "2*pi*sqrt(2*l/(3*g))")

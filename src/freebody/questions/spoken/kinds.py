@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import ZERO
 from freebody.language.units import DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, POWER, STIFFNESS, TIME, Dimension
 from freebody.language.units.dimension import ACCELERATION, ANGULAR_MOMENTUM, MOMENTUM, TORQUE, VELOCITY
 from freebody.questions.spoken import joining, lookup
@@ -45,6 +46,13 @@ _VERDICTS = ("does ", "is ", "when ")
 _OF_ANGLE = {VELOCITY: _RATE, ACCELERATION: _RATE_2, LENGTH: DIMENSIONLESS, FORCE: TORQUE, MOMENTUM: ANGULAR_MOMENTUM}
 
 
+def _is_along_a_heavy_rod(names: Names, text: str) -> bool:
+    """Whether the greatest force along a rod of some mass is told, which pulls or presses: its greatest tension is
+    another one."""
+    body = names.bodies.get(text.removeprefix("greatest axial force of "))
+    return body is not None and body.mass != ZERO
+
+
 def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Quantity]) -> bool:
     """Whether each quantity that is understood has a dimension which the main clause of some words leaves open.
 
@@ -53,6 +61,8 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
     sentence = parted(list(words))
     main = list(words) if sentence is None else sentence.main.words
     said = [word for word in main if word.kind in ("quantity", "ask")]
+    if _is_along_a_heavy_rod(names, text) and {Word("quantity", "tension"), Word("quantity", "compression")} & {*said}:
+        return False
     is_named = turned is not None and Word("name", turned["parameter"]) in main  # other words say what it is for
     is_ratio = Word("verb", "compare") in main and text.startswith("ratio ")
     if is_named or is_ratio or Word("ask", "where") in main or text.startswith(_VERDICTS):

@@ -56,7 +56,7 @@ def extreme_in_names(setup: Setup, question: Question) -> Answer | None:
     try:
         turn = _chain_over_turn(setup, q.of, 1 if q.what == "greatest" else -1)
         return None if turn is None else _told(setup, question, turn)
-    except (*NO_FORM, ArithmeticError, ValueError, KeyError):
+    except (*NO_FORM, ValueError, KeyError):
         return None
 
 
