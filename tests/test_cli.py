@@ -74,7 +74,7 @@ def test_all_mistakes_of_a_file_come_in_one_message(tmp_path: Path) -> None:
     done = solved(
         tmp_path,
         """\
-titel: typo
+titl: typo
 parameters: {m1: 3 kgg, m2: -2 kg, R: 0.1 m, g: 9.81 m/s^2}
 bodies:
   pulley: {dsk: {radius: R}}
@@ -91,7 +91,7 @@ questions: [{find: aceleration of left}, {find: tension of rop}]
     assert done.returncode == 2
     assert done.stdout == ""
     for expected in (
-        "model.yaml:1:8: titel: there is no section titel. Did you mean title?",
+        "model.yaml:1:7: titl: there is no section titl. Did you mean title?",
         "kgg",
         "m2 = -2 kg is not positive",
         "Did you mean disk?",
