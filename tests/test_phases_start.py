@@ -17,6 +17,7 @@ from freebody.study.phases.case import PhaseCase
 from freebody.study.phases.numbers import coefficients_of_friction, holds
 from freebody.study.phases.result import Phases, phases
 from freebody.system.system import System
+from posed import is_formula
 
 FOLDER = Path(__file__).parents[1] / "examples"
 Agree = Callable[[str, str], None]
@@ -454,3 +455,20 @@ questions: [instant centre of p, angular acceleration of q relative to p]
     assert centre.value == pytest.approx((0.3, 0.0))
     assert turning.expression is not None
     assert turning.value is None  # the angle of the assembly is no number of the file
+
+
+# a disk that nothing but the floor has put where it lies is drawn off it at once by a spring from above: it begins at
+# the height R, so the spring is as long as h - R, and it lifts where k (h - R - l) > m g
+DRAWN_OFF = """
+parameters: {m: 2 kg, R: 0.2 m, h: 1 m, k: 200 N/m, l: 0.5 m, g: 9.81 m/s^2}
+ground: {points: {S: [0, h]}, lines: {floor: {along: right}}}
+bodies: {ball: {disk: {mass: m, radius: R}}}
+connections: {contact: {contact: {between: [ball, floor], friction: 0}}}
+loads: {weight: {gravity: g}, pull: {spring: {between: [ground.S, ball.center], stiffness: k, length: l}}}
+"""
+
+
+def test_what_opens_at_once_begins_where_it_touched() -> None:
+    is_formula(DRAWN_OFF, "force in pull at start", "k*(h - R - l)")
+    lifts = is_formula(DRAWN_OFF, "acceleration of ball along up at start", "k*(h - R - l)/m - g")
+    assert any(str(c).startswith("m < k·(h - R - l)/g") for c in lifts.conditions)

@@ -283,6 +283,10 @@ class Home:
         if placed.bodies is None and self._parts_too_early(phase):
             placed = self.placed(self.home, self.home.start.values)
             return Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
+        if placed.bodies is None and self._begins_elsewhere(phase):
+            with suppress(CannotAnswer):
+                where = self.placed(self.home, self.home.start.values)
+                return Phase.begun(self.system, mode, where, self.sets.some(left, 3))
         if placed.bodies is None and has_lines(self.system):
             with suppress(CannotAnswer):
                 _ = phase.course
@@ -300,6 +304,11 @@ class Home:
         gone = self.closed - phase.mode.closed
         rates = (phase.state.rate(self.bound_row(name).measure) for name in gone)
         return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
+
+    def _begins_elsewhere(self, phase: Phase) -> bool:
+        """Whether what opens at once would begin apart: nobody has put it but what touched it until then."""
+        gone = (self.bound_row(name) for name in self.closed - phase.mode.closed)
+        return any(not phase.start_instant.here(phase.gap(row)).is_zero() for row in gone)
 
     @cached_property
     def _lengths_by_symbol(self) -> dict[str, Expr]:
