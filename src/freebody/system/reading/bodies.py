@@ -20,10 +20,11 @@ from freebody.model.spec import MEANT, SAME
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.body_start import POSE_KEYS, start_of_body
 from freebody.system.reading.copies import copied_names
+from freebody.system.reading.faults import kind_meant
 from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane
 from freebody.system.reading.sections import OF_LINES, PLANAR_OPTIONS, SPATIAL_OPTIONS
-from freebody.system.reading.source import Source, kind_meant, known_keys
+from freebody.system.reading.source import Source, known_keys
 from freebody.system.reading.two_places import distance_of_ends
 
 _CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
