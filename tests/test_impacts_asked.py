@@ -63,16 +63,6 @@ measures: {x1: x of front, x2: x of rear, apart: x of front from rear}
 start: {x1: 2 m, x2: 0, rate(x1): 0, rate(x2): v}
 """
 
-CARTS = """
-parameters: {m1: 0.5 kg, m2: 1.5 kg, v1: 2 m/s, v2: -1 m/s, e: 0.8, d: 2 m}
-bodies:
-  one: {cart: {mass: m1}, velocity: [v1, 0]}
-  two: {cart: {mass: m2}, at: [d, 0], velocity: [v2, 0]}
-connections:
-  track: {slider: {body: one, along: right}}
-  rail: {slider: {body: two, along: left}}
-  collision: {contact: [two, one], restitution: e}
-"""
 PARTICLES = """
 parameters: {m1: 0.5 kg, m2: 1.5 kg, v1: 2 m/s, v2: -1 m/s, e: 0.8, d: 2 m}
 bodies:
