@@ -472,3 +472,17 @@ def test_what_opens_at_once_begins_where_it_touched() -> None:
     is_formula(DRAWN_OFF, "force in pull at start", "k*(h - R - l)")
     lifts = is_formula(DRAWN_OFF, "acceleration of ball along up at start", "k*(h - R - l)/m - g")
     assert any(str(c).startswith("m < k·(h - R - l)/g") for c in lifts.conditions)
+
+
+DRAWN_OFF_IN_SPACE = """
+space: true
+parameters: {m: 2 kg, R: 0.2 m, h: 1 m, k: 200 N/m, l: 0.5 m, g: 9.81 m/s^2}
+ground: {points: {S: [0, h, 0]}, planes: {floor: {normal: up}}}
+bodies: {ball: {sphere: {mass: m, radius: R}}}
+connections: {contact: {contact: {between: [ball, floor], friction: 0}}}
+loads: {weight: {gravity: g}, pull: {spring: {between: [ground.S, ball.center], stiffness: k, length: l}}}
+"""
+
+
+def test_what_opens_at_once_in_space_begins_where_it_touched() -> None:
+    is_formula(DRAWN_OFF_IN_SPACE, "acceleration of ball along up at start", "k*(h - R - l)/m - g")

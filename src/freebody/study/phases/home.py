@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, Symbol, n_operations, substitute
+from freebody.language.expression import ZERO, Expr, Symbol, free_symbols, n_operations, substitute
 from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose, SpatialPose
@@ -287,6 +287,8 @@ class Home:
             with suppress(CannotAnswer):
                 where = self.placed(self.home, self.home.start.values)
                 return Phase.begun(self.system, mode, where, self.sets.some(left, 3))
+            with suppress(CannotAnswer):
+                return Phase.begun(self._put_in_space(), mode, placed, self.sets.some(left, 3))
         if placed.bodies is None and has_lines(self.system):
             with suppress(CannotAnswer):
                 _ = phase.course
@@ -309,6 +311,24 @@ class Home:
         """Whether what opens at once would begin apart: nobody has put it but what touched it until then."""
         gone = (self.bound_row(name) for name in self.closed - phase.mode.closed)
         return any(not phase.start_instant.here(phase.gap(row)).is_zero() for row in gone)
+
+    def _put_in_space(self) -> System:
+        """The system with the places of bodies that nothing but what touches them has put. Raises CannotAnswer where
+        these have no formula."""
+        bodies, model = dict(self.system.bodies), self.home.model
+        touched = {body for name in self.closed for body in self.bound_row(name).measure.bodies()}
+        for body in self.system.moving:
+            pose = model.poses[body.name]
+            if body.name not in touched or body.start.at is not None or not isinstance(pose, SpatialPose):
+                continue
+            assert pose.center.z is not None
+            center = (self.home.start_instant.here(x) for x in (pose.center.x, pose.center.y, pose.center.z))
+            place = tuple(model.field.expression(model.field.lowest_terms(x)) for x in center)
+            is_told = all(free_symbols(x) <= self.system.parameters.keys() for x in place)
+            if not is_told or set(body.points[body.default_point]) != {ZERO}:
+                raise CannotAnswer(Message("{body} touches at the start and moves apart at once", body=body.name))
+            bodies[body.name] = replace(body, start=replace(body.start, at=(body.default_point, place)))
+        return replace(self.system, bodies=bodies)
 
     @cached_property
     def _lengths_by_symbol(self) -> dict[str, Expr]:
