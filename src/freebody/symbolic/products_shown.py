@@ -38,10 +38,12 @@ def place(field: Field, base: Ratio) -> tuple[int, int]:
 def roots_gathered(field: Field, parts: Sequence[tuple[int, int]]) -> tuple[int, list[Expr], list[tuple[int, int]]]:
     """Roots of whole numbers in a product as one, with the number that comes out of it; and the other factors:
     sqrt(3) sqrt(6) as 3 sqrt(2)."""
-    numbers = [(g, e) for g, e in parts if field.generators[g].kind == "root" and field.radicand(g).fraction()]
+    inside = {g: field.radicand(g).fraction() for g, _e in parts if field.generators[g].kind == "root"}
+    whole = {g: n.numerator for g, n in inside.items() if n is not None and n > 0 and n.denominator == 1}
+    numbers = [(g, e) for g, e in parts if g in whole]
     if len(numbers) < 2:
         return 1, [], list(parts)
-    outside, free = square_part(math.prod(int(field.radicand(g).fraction() or 1) ** e for g, e in numbers))
+    outside, free = square_part(math.prod(whole[g] ** e for g, e in numbers))
     return outside, [Call("sqrt", number(free))] if free > 1 else [], [part for part in parts if part not in numbers]
 
 
