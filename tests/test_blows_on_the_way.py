@@ -8,6 +8,7 @@ Engineers: Dynamics, ch. 13 and 17; Hibbeler, Dynamics, ch. 15 and 19; Goodman &
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -341,3 +342,26 @@ def test_a_string_that_comes_taut_takes_the_speed_along_it(question: str, expect
     answer = fb.System.from_text(PUCK).solve(question).answers[0]
     assert answer.expression is not None, answer.reason
     assert_same_function(to_python(answer.expression), expected, {"m": 0.4, "L": 1.0, "b": 0.3, "v0": 3.0})
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [  # falls h freely: t = sqrt(2 h/g), v = sqrt(2 g h), before the catch takes any of it
+        ("time when catch closes", "sqrt(2*h/g)"),
+        ("speed of rod when catch closes", "sqrt(2*g*h)"),
+        ("work of weight until the impact", "m*g*h"),
+        ("energy lost until catch closes", "0"),
+    ],
+)
+def test_what_closes_on_the_way_is_an_event(question: str, expected: str) -> None:
+    answer = fb.System.from_text(CAUGHT).solve(question).answers[0]
+    assert answer.expression is not None, answer.reason
+    assert_same_function(to_python(answer.expression), expected, {})
+
+
+@pytest.mark.parametrize("question", ["time when bullet hits block", "energy lost until hit closes"])
+def test_what_closes_at_the_start_is_no_later_event(question: str) -> None:
+    """It never would happen again, which is not what is meant."""
+    system = (Path(__file__).parents[1] / "examples" / "ballistic_pendulum.yaml").read_text()
+    with pytest.raises(fb.ModelError, match=r"is at the start: .*'energy lost in the blow'"):
+        fb.System.from_text(system).solve(question)

@@ -233,6 +233,7 @@ class Names(Formulas):
         self.impulses: frozenset[str] = frozenset()  # the loads that act in no time
         self.strikes: tuple[AppliedLoad, ...] = ()  # what they push, and by which impulse
         self.struck_at_start: frozenset[str] = frozenset()  # what closes and strikes at the start
+        self.struck_when: Mapping[str, str] = {}  # what closes and strikes in mid-motion: the words of its event
         self.closing_later: frozenset[str] = frozenset()  # connections that close in mid-motion
         self.applied_loads: list[
             AppliedLoad

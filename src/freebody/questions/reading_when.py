@@ -9,7 +9,7 @@ from freebody.language.sentences import Message
 from freebody.model.names import Names
 from freebody.questions.base import Path, Quantity
 from freebody.questions.clock import by_the_clock
-from freebody.questions.course import Counted, Transition, read_transition
+from freebody.questions.course import Counted, Transition, can_change, read_transition
 from freebody.questions.event import AskedEvent, read_event
 from freebody.questions.sudden import by_blows
 
@@ -44,6 +44,19 @@ def placed_at(names: Names, quantity: Quantity, condition: str | None, at_start:
     if (behind := _BEHIND.match(condition)) is not None:
         return _behind_blow(names, quantity, behind["event"], behind["blow"], path)
     transition = read_transition(names, condition, path)
+    if transition is not None and _closes_at_start(names, transition):
+        told = Message(
+            "'{text}' is at the start: {at_start} is just after it, {before} just before, and what is lost in it is "
+            "{lost}",
+            text=condition,
+            at_start="'at start'",
+            before="'before the blow'",
+            lost="'energy lost in the blow'",
+        )
+        names.problem(told, *path)
+        return None
+    if transition is not None and (closes := _when_it_closes(names, transition)):
+        return Meant(quantity, read_event(names, closes, path), at_start)
     if transition is not None and transition.kind == "after" and _is_at_start(names, transition):
         return Meant(quantity, at_start=True)
     if transition is not None and transition.rests and isinstance(quantity, Counted) and quantity.ends_at_last:
@@ -68,6 +81,21 @@ def _is_at_start(names: Names, transition: Transition) -> bool:
     """Whether the blow that is meant is that of the start."""
     struck = names.struck_at_start
     return bool(struck) and struck.issuperset(transition.of)
+
+
+def _closes_at_start(names: Names, transition: Transition) -> bool:
+    """Whether what is to be touched closes as the motion begins."""
+    is_struck = transition.kind == "touches" and bool(transition.of)
+    return is_struck and names.struck_at_start.issuperset(transition.of)
+
+
+def _when_it_closes(names: Names, transition: Transition) -> str:
+    """The event at which what is meant closes or strikes in mid-motion, where nothing else can be touched."""
+    if transition.kind != "touches" or transition.count > 1:
+        return ""
+    of = transition.of or (() if can_change(names) else (*names.struck_when,))
+    events = {names.struck_when.get(name, "") for name in of}
+    return events.pop() if len(events) == 1 else ""
 
 
 def is_of_start(quantity: Quantity) -> bool:

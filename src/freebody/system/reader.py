@@ -114,6 +114,7 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     names.impulses, names.strikes = frozenset(push.load for push in impulses), impulses
     names.closing_later = frozenset(closing)
     closed = {row.connection for row in held if row.closes}
+    names.struck_when = {name: event.text for name, event in (*closing.items(), *striking.items())}
     names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})
     hang_what_is_struck(names, held, start)
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}

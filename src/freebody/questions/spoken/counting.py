@@ -21,6 +21,7 @@ _WAYS = ("distance", "displacement", "distance travelled")
 _STAYS = {"hold", "fly", "move", "stay_on"}  # verbs of what is in the air
 _COMES = ("hit", "leave", "slack", "turn_back", "return", "run_off", "slide", "stop")  # what a motion may come to
 _TO_THE_END = ("ask", "quantity", "verb", "name", *SILENT)
+_LOSSES = ("energy lost", "kinetic energy lost")
 COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event, and at no instant
 
 
@@ -197,6 +198,7 @@ def _is_of_event(main: Clause) -> bool:
 
 def lost(names: Names, sentence: Sentence) -> Groups:
     """The energy that is lost in an impact, and the kinetic energy that is lost up to an event."""
+    sentence = losing.in_the_blow(names, sentence)
     main = sentence.main
     asked = main.all("quantity")
     if asked[:1] == ["fraction"]:
@@ -235,7 +237,7 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     main = Clause([whole_loss if w in losses else w for w in main.words])
     is_first = sentence.main.has("part", "initial") and not joining.is_struck_at_start_alone(names)
     sentence = Sentence(main, sentence.others)
-    is_lost = asked in (["energy lost"], ["kinetic energy lost"])
+    is_lost = asked in ([one] for one in _LOSSES)
     is_lost = is_lost and not (
         is_first and asked == ["energy lost"] and not is_heat and not losing.has_kinetic_energy_alone(names)
     )
@@ -260,6 +262,8 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
 def counted(names: Names, sentence: Sentence) -> Groups:
     """What comes together up to an event: a way, turns, heat."""
     main = sentence.main
+    if main.has("quantity", *_LOSSES) and losing.in_the_blow(names, sentence) is not sentence:
+        return
     if main.has("ask", "turned", "travelled") and not sentence.others:
         who = next((name for _, name in main.names if name in names.bodies), "")
         heads = [who] if who in lookup.turning(names) else lookup.turning(names)

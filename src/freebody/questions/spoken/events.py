@@ -249,8 +249,8 @@ def _who(names: Names, clause: Clause) -> tuple[str, str]:
 
 def _hits(names: Names, who: str, other: str) -> Groups:
     """What can strike nothing lands where it is as low as at the start, or as zero of its height if it starts above."""
-    if caught := [name for name in sorted(names.closing_later) if other in ("", name, *joining.ends_of(names, name))]:
-        yield [f"{name} closes" for name in caught]
+    if caught := _caught(names, other):
+        yield caught
         return
     if other in names.loads:
         yield [f"{other} is reached"] if other in lookup.catching(names, pulls=False) else []
@@ -278,6 +278,12 @@ def _hits(names: Names, who: str, other: str) -> Groups:
     strikes = comes or not joining.strikes(names)
     if strikes and (other or not who or any(joining.touches(names, name, who) for name in meets)):
         yield [f"{who or 'it'} hits {other}".strip()]
+
+
+def _caught(names: Names, other: str) -> list[str]:
+    """The events that what closes in mid-motion catches: of all that closes, or of what does so at a place."""
+    closing = sorted(names.closing_later)
+    return [f"{name} closes" for name in closing if other in ("", name, *joining.ends_of(names, name))]
 
 
 def _bounces(names: Names, who: str, other: str) -> Groups:
@@ -385,6 +391,8 @@ def _reaches(names: Names, who: str, other: str) -> Groups:
         yield [f"{body} reaches {other}" for body in drawn]
     elif other in lookup.catching(names, pulls=False):
         yield [f"{other} is reached"]
+    elif other and (caught := _caught(names, other)):
+        yield caught
     elif other and not any(other in own for own in (names.parameters, names.measures, names.loads)):
         yield [f"{who or 'it'} hits {other}"]
 

@@ -40,7 +40,7 @@ def how_high(names: Names, main: Clause) -> Groups:
         if main.has("verb", "rise") and led:  # how high the cam lifts it
             yield [f"stroke of {name}" for name in led]
             return
-        if main.has("verb", "rise", "turn") and (risen := risen_from_below(names, who)):
+        if main.has("verb", "rise", "turn", "reach") and (risen := risen_from_below(names, who)):
             yield risen
             return
         yield [f"greatest height of {body}" for body in ([who] if who else lookup.moving(names))]

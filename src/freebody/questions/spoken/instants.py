@@ -321,6 +321,12 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             found_at = _PLACES[instant](names, of) or (_uppermost(names, of) if instant == "at the top" else [])
             tails.append([f" when {text}" for text in found_at])
         elif instant == "at the impact" or (instant == "in the impact" and _is_continuous(names, main)):
+            if main.has("verb", "reach"):  # the height reached is no height in the impact
+                return [[]], main
+            if joining.is_struck_at_start_alone(names):
+                tails.append([" at start"])
+                main = main.without("instant", "in the impact")
+                continue
             of = next((name for _, name in main.names), "")
             heights = lookup.rising(names, of) or lookup.falling(names, of)
             caught = [name for _, name in main.names if name in lookup.catching(names, pulls=False)]

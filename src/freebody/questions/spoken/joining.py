@@ -539,10 +539,15 @@ def turned(names: Names, body: str) -> list[str]:
     return [name for name in lookup.angles(names, body) if name in begun]
 
 
+def meshes(names: Names) -> set[str]:
+    """Connections that hold by teeth."""
+    return {row.connection for row in names.constraint_rows if row.reaction == "tooth force"}
+
+
 def feel_as_first(names: Names, placed: list[tuple[str, str]]) -> bool:
     """Whether teeth act on what is named as on the first wheel: what is radial for this is axial for another one that
     turns about another axis."""
-    for mesh in {row.connection for row in names.constraint_rows if row.reaction == "tooth force"}:
+    for mesh in meshes(names):
         given = given_of(names.connections[mesh])
         first, second = (str(given.get(key, given.get(also))) for key, also in (("first", "worm"), ("second", "wheel")))
         if any(name == second for _, name in placed) and _axes(names, mesh, first) != _axes(names, mesh, second):

@@ -19,6 +19,7 @@ from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import along_lines, given, joining, lookup
 from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.expressed import dropped
+from freebody.questions.spoken.frames import OSCILLATION
 from freebody.questions.spoken.lexicon import ENGLISH, Word, tells_apart
 from freebody.questions.spoken.unneeded import is_unneeded
 
@@ -134,6 +135,8 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
     body = thing.partition(".")[0]
     if text.startswith("stability of ") or text.endswith(" is stable"):  # of a part is that of all
         return True
+    if text in OSCILLATION and body in names.bodies and n_freedoms(names) == 1:  # what swings takes the rest along
+        return True
     if _OF_ALL.search(text):
         is_one = "slip" not in text and n_freedoms(names) == 1
         return "." not in thing and (joining.is_all_that_slips(names, body) or is_one)
@@ -143,8 +146,10 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
     parameters = things & names.parameters.keys()
     if parameters and _TURNED_ROUND.search(text):
         return any(_is_of(names, thing, other) for other in parameters)
-    struck = {struck for joint in names.struck_at_start for struck in _bodies(names, joint)}
-    return ("at start" in text or "in the blow" in text) and body in struck
+    struck = {struck for joint in names.struck_at_start for struck in (joint, *_bodies(names, joint))}
+    if "in the impact" in text and not joining.strikes(names):  # what closes on the way is all that can be struck
+        struck |= {struck for joint in names.closing_later for struck in (joint, *_bodies(names, joint))}
+    return any(told in text for told in ("at start", "in the blow", "in the impact")) and body in struck
 
 
 def _is_thing(names: Names, thing: str) -> bool:

@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import joining, lookup, poses, strings
+from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.sentence import Sentence
+from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -28,6 +31,21 @@ def only_loses_in_the_blow(names: Names) -> bool:
     is_alone = joining.is_struck_at_start_alone(names) and joining.goes_on(names)
     is_alone &= not names.struck_at_start <= names.impulses
     return is_alone and not _takes_energy(names) and not stops
+
+
+def in_the_blow(names: Names, sentence: Sentence) -> Sentence:
+    """What is lost when the bullet hits the block, when the peg catches the rod: in the blow in which both are joined,
+    where the model has no other."""
+    if [mark for mark, _ in sentence.others] != ["when"] or sentence.main.has("instant"):
+        return sentence
+    [(_, hit)] = sentence.others
+    joined = sorted({*names.struck_at_start, *names.struck_when} & names.connections.keys())
+    if joining.strikes(names) or len(joined) != 1 or hit.all("verb") != ["hit"]:
+        return sentence
+    own = {joined[0], *names.connections[joined[0]].mentions(names), *joining.ends_of(names, joined[0])}
+    if not hit.only("verb", "name", "pronoun", "preposition") or any(name not in own for _, name in hit.names):
+        return sentence
+    return Sentence(Clause([*sentence.main.words, Word("instant", "in the impact")]), ())
 
 
 def runs_down(names: Names) -> list[str]:

@@ -124,7 +124,7 @@ def _kinds_meant(names: Names, quantity: str, rest: Clause, joints: set[str]) ->
     ):
         kinds = ("force",)  # the force in a rope is no sum of what its parts pull with
     bearings = [name for name in joining.axles(names) if all(joining.touches(names, name, x) for _, x in rest.names)]
-    if quantity == "bearing reaction" and joints and joints.isdisjoint(joining.bearings(names)):
+    if quantity == "bearing reaction" and joints and joints <= joining.meshes(names):
         return ()  # teeth are no bearing
     if quantity == "bearing reaction" and bearings and not joints:  # of no rope that runs over what turns in it
         kinds = ("bearing reaction",)

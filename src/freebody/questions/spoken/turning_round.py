@@ -301,7 +301,7 @@ def _speeds(names: Names, asked: str, of: list[str]) -> list[str]:
     driven = [name for name in driven if name in given.of_kind(names, asked)]
     if asked == "angular velocity" and (of or driven):
         return driven
-    started = given.started_with(names, of or lookup.massive(names))
+    started = [] if asked == "angular velocity" else given.started_with(names, of or lookup.massive(names))
     rates = given.of_kind(names, "angular velocity")  # of a swing, that of its angle
     begun = frozenset[str]().union(*map(free_symbols, names.start_rates.values()))
     return started or ([] if of else [name for name in rates if name in begun])

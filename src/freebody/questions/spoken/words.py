@@ -23,6 +23,7 @@ from freebody.questions.spoken.lexicon import (
     phrases_at,
     places,
     plurals,
+    quantity_words,
     ruled,
     spelt,
     tells_apart,
@@ -383,6 +384,7 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
             return found[0]
         near = difflib.get_close_matches(word, words, n=3, cutoff=_LEAST_LIKE)
         right = [other for other in near if (other[0], other[-1]) == (word[0], word[-1]) and _is_slip(word, other)]
-        return right[0] if right and right[0] not in taken else found[0]
+        is_guessed = right[:1] != [] and right[0] in taken and right[0] not in quantity_words(language)
+        return right[0] if right and not is_guessed else found[0]
 
     return re.sub(r"(?<!\w)[^\W\d_]+(?![\w'’])", right, text)

@@ -326,7 +326,11 @@ class Home:
             place = tuple(model.field.expression(model.field.lowest_terms(x)) for x in center)
             is_told = all(free_symbols(x) <= self.system.parameters.keys() for x in place)
             if not is_told or set(body.points[body.default_point]) != {ZERO}:
-                raise CannotAnswer(Message("{body} touches at the start and moves apart at once", body=body.name))
+                raise CannotAnswer(
+                    Message(
+                        "{body} touches at the start and moves apart at once; say where it is then (at)", body=body.name
+                    )
+                )
             bodies[body.name] = replace(body, start=replace(body.start, at=(body.default_point, place)))
         return replace(self.system, bodies=bodies)
 
