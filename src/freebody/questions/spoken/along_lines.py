@@ -91,7 +91,9 @@ def side_by_side(names: Names, who: str, other: str) -> list[str]:
     if len(both) != 2 or any(len(own) != 1 or not own <= {*lookup.moving(names)} for own in owners):
         return []
     bodies = [body for own in owners for body in own]
-    if any({*bodies} <= joint.mentions(names) for joint in names.connections.values()):
+    joined = [*(joint.mentions(names) for joint in names.connections.values())]
+    joined += [{*load.measure.bodies()} for load in names.applied_loads]
+    if any({*bodies} <= own for own in joined):
         return []
     found = [
         (one, another)

@@ -390,7 +390,7 @@ def ends(names: Names, sentence: Sentence) -> Groups:
         is_open = sentence.main.has("quantity", "turns") and not (sentence.main.has("ask") or sentence.main.has("verb"))
         if not is_open and sentence.main.has("quantity", *COUNTED) and sentence.main.only(*_TO_THE_END):
             who = [name for _, name in sentence.main.names if name in names.bodies]
-            clutches = losing.clutches(names)
+            clutches = losing.clutches(names) or losing.taking_along(names)
             stopping = [f"{name} stops" for name in losing.runs_down(names) if not who or who == [name]]
             yield [f"slipping of {name} ends" for name in clutches] or stopping
             if losing.braked(names) and not stopping:  # as far as what is braked comes

@@ -275,6 +275,9 @@ def _hits(names: Names, who: str, other: str) -> Groups:
     if other == GROUND and (is_free or not comes):  # no ground that the model has: where the way down ends
         yield poses.named_by_file(names, who, -1)
         return
+    if "." in other and (there := [name for name in meets if other in joining.ends_of(names, name)]):  # an edge
+        yield [f"{name} touches" for name in there]
+        return
     strikes = comes or not joining.strikes(names)
     if strikes and (other or not who or any(joining.touches(names, name, who) for name in meets)):
         yield [f"{who or 'it'} hits {other}".strip()]

@@ -196,7 +196,9 @@ def timed(names: Names, sentence: Sentence) -> Groups:
             [] if others else [[f" when {text}" for group in conditions(names, landing) for text in group]]
         )
     if main.has("quantity", "common speed") and not others:
-        tails = tails or [[f" when slipping of {name} ends"] for name in losing.clutches(names)]
+        taking = losing.clutches(names) or losing.taking_along(names)
+        tails = tails or [[f" when slipping of {name} ends"] for name in taking]
+        tails = tails or ([[" after the impact"]] if names.closing_later else [])
         tails = tails or ([[" at start"]] if joining.is_struck_at_start_alone(names) else [])
     if main.has("quantity", "precession rate"):  # of a top that does not nod, unless another instant is said
         tails = tails or ([] if others else [[" in steady motion"]])

@@ -13,6 +13,8 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_PAIR = ("one", "other")
+
 
 def is_all_that_rubs(names: Names, connection: str) -> bool:
     """Whether nothing but a connection takes energy away: no other is rough, and nothing is damped."""
@@ -26,10 +28,11 @@ def damped(names: Names) -> list[str]:
 
 
 def only_loses_in_the_blow(names: Names) -> bool:
-    """Whether nothing but the blow at the start takes energy away; an impulse that is applied takes none."""
+    """Whether nothing but the blow at the start, or what closes on the way, takes energy away; an impulse that is
+    applied takes none."""
     stops = [name for name in names.connections if "stop" in names.called.get(name, ())]
-    is_alone = joining.is_struck_at_start_alone(names) and joining.goes_on(names)
-    is_alone &= not names.struck_at_start <= names.impulses
+    at_start = joining.is_struck_at_start_alone(names) and not names.struck_at_start <= names.impulses
+    is_alone = joining.goes_on(names) and (at_start or bool(names.closing_later and not names.struck_at_start))
     return is_alone and not _takes_energy(names) and not stops
 
 
@@ -84,6 +87,14 @@ def clutches(names: Names) -> list[str]:
     brakes = [name for name in names.connections if "brake" in names.called.get(name, ())]
     free = {*lookup.moving(names)}
     return [name for name in brakes if len(free & names.connections[name].mentions(names)) > 1]
+
+
+def taking_along(names: Names) -> list[str]:
+    """The one rough contact in which one of two bodies that move takes the other along, where nothing drives them."""
+    rough = joining.rough(names, "")
+    driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
+    is_alone = len(rough) == 1 and joining.is_between(names, rough[0]) and len(lookup.massive(names)) == len(_PAIR)
+    return rough if is_alone and not driven and not joining.is_driven(names) and not lookup.rests(names) else []
 
 
 def engaged(names: Names, _body: str = "") -> list[str]:

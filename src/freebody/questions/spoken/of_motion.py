@@ -203,11 +203,12 @@ def _common(names: Names, quantity: str, rest: Clause) -> Groups:
         taken = sorted(names.connections[joints[0]].mentions(names) & {*lookup.turning(names)})
         yield [f"angular velocity of {taken[-1]}"] if taken else []
         return
-    struck = [name for name in names.struck_at_start if name in names.connections]
+    joined = (*names.struck_at_start, *names.closing_later, *losing.taking_along(names))
+    struck = [name for name in joined if name in names.connections]
     bodies = [body for joint in struck for body in lookup.massive(names) if joining.touches(names, joint, body)]
     led = [body for body in bodies if any(body in own for own, _ in joining.led_round(names))]
     measured = [*motion(names, "velocity", rest)]
-    yield from (group for group in measured if len(group) == 1)
+    yield from (group[:1] for group in measured if len(group) == 1 or len(bodies) == len(group))
     yield [f"speed of {body}" for body in (led or bodies)[:1]]
     yield from measured
 
