@@ -529,3 +529,36 @@ measures: {x: x of ball, y: y of ball}
 def test_both_sides_of_an_equation_may_be_at_an_instant_of_their_own(question: str, by_hand: str) -> None:
     """While it slips u' = u - mu (1 + e) w and v' = e w."""
     is_formula(CUSHION, question, by_hand, factors=(1.0, 1.02, 0.99))
+
+
+FLOORS = """
+parameters: {m1: 4 kg, m2: 3 kg, k1: 2 kN/m, k2: 1.5 kN/m, F0: 10 N, W: 20 rad/s}
+bodies: {first: {particle: {mass: m1}}, second: {particle: {mass: m2}, at: [0, 3 m]}}
+connections: {r1: {slider: {body: first, along: right}}, r2: {slider: {body: second, along: right}}}
+loads:
+  foot: {law: {measure: x1, force: -k1*x1}}
+  columns: {law: {measure: {expression: x2 - x1}, force: -k2*(x2 - x1)}}
+  wind: {force: {at: second, along: right, magnitude: F0*sin(W*t)}}
+measures: {x1: x of first, x2: x of second}
+start: {x1: 0, x2: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("find", "words"),
+    [  # the first mass stands in the way of no frequency: only the one that is pushed has a frequency at which it rests
+        ("value of W for which steady amplitude of x1 = 0", "no value of W makes that so: k₂·F₀ would have to be zero"),
+        ("value of F0 for which acceleration of first = 1 m/s^2", "a vector has no one value"),
+    ],
+)
+def test_what_no_value_does_is_told_by_what_stands_in_the_way(find: str, words: str) -> None:
+    answer = fb.System.from_text(FLOORS).solve(find).answers[0]
+    assert answer.expression is None
+    assert words in answer.reason
+
+
+def test_the_mass_that_is_pushed_rests_at_the_frequency_of_the_rest() -> None:
+    """(k1 + k2 - m1 W^2) a1 = k2 a2 and a2 = 0: W^2 = (k1 + k2)/m1."""
+    answer = fb.System.from_text(FLOORS).solve("value of W for which steady amplitude of x2 = 0").answers[0]
+    assert answer.expression is not None
+    assert_same_function(to_python(answer.expression), "sqrt((k1 + k2)/m1)", {})

@@ -270,8 +270,9 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
     text = of_rivals(elements, text)
     if each := each_of(names, elements, text):
         found = [_one(names, said, read) for said in each[:ONE_BY_ONE]]
-        if all(found):
-            return [one for some in found for one in some]
+        every = [one for some in found for one in some]
+        if all(found) and len({*(asked for asked, _ in every)}) == len(every):  # each of them is another thing
+            return every
     for way in parts(elements, text):
         found_here: list[tuple[AskedT, str]] = []
         for part in way:

@@ -6,9 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.study.answering.answer import Evidence, Value
 from freebody.study.answering.finding import Elements
 from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
 
 
 @dataclass(frozen=True)
@@ -25,3 +28,13 @@ class Formula:
     is_put_back: bool = True
     says: bool | None = True
     why: str = ""
+
+    @property
+    def number(self) -> Ratio:
+        """The one number that it is. Raises CannotAnswer where it is a vector, or has no closed form."""
+        if isinstance(self.element, Ratio):
+            return self.element
+        if isinstance(self.element, tuple):
+            told = Message("a vector has no one value; ask for its part along a direction ({along})", along="along up")
+            raise CannotAnswer(told)
+        raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))

@@ -90,14 +90,13 @@ class _Search:
         """Of the formula whose conditions hold near the limit, at the model's own numbers."""
         why: CannotAnswer | None = None
         for formula in self.formulas:
-            if not isinstance(formula.element, Ratio):
-                raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
+            number = formula.number
             approach = Approach(self.model, self.index, self.value, way)
             try:
                 conditions = self._near(approach, formula)
                 if conditions is None:
                     continue
-                tends = approach.of(formula.element)
+                tends = approach.of(number)
             except CannotAnswer as error:
                 why = why or error
                 continue

@@ -73,9 +73,7 @@ class TruthInNumbers:
     def _truth(self, formula: Formula) -> Truth:
         if self.wanted.relation in (REACHED, SO):
             return Truth(formula, None, self.wanted.relation)
-        if not isinstance(formula.element, Ratio):
-            raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
-        element = self.field.lowest_terms(formula.element - self.model.geometry.scalar(self.wanted.target))
+        element = self.field.lowest_terms(formula.number - self.model.geometry.scalar(self.wanted.target))
         return Truth(formula, element, self.wanted.relation)
 
     def _changing(self, formulas: Sequence[Formula]) -> Sequence[Formula]:

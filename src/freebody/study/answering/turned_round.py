@@ -138,6 +138,16 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
         raise why_not
     candidates = [candidate for one in turned for candidate in one.candidates()]
     if not candidates:
+        field, left = setup.model.field, [one.element.numerator() for one in turned]
+        if not any(turned[0].index in field.ingredients(x) for x in left):
+            rest = to_text(tidy(left[0]))
+            raise NoneFound(
+                Message(
+                    "no value of {name} makes that so: {rest} would have to be zero, and {name} is not in it",
+                    name=name,
+                    rest=rest,
+                )
+            )
         equation = compared(tidy(turned[0].element.numerator()), "=", ZERO)
         why = Message("the equation {equation} is not solved for {name} in closed form", equation=equation, name=name)
         raise _in_numbers(setup, question, turned, reworded(why, equation))
@@ -185,9 +195,7 @@ def _in_numbers(setup: Setup, question: Question, turned: Sequence[_Turned], why
 
 def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula) -> _Turned:
     name, model = quantity.parameter, setup.model
-    if not isinstance(formula.element, Ratio):
-        raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
-    element = formula.element - model.geometry.scalar(quantity.target)
+    element = formula.number - model.geometry.scalar(quantity.target)
     index = model.field.index(model.geometry.scalar(Symbol(name)))
     if element.is_zero():
         if any(index in model.field.ingredients(c.element) for c in formula.needed):
