@@ -11,10 +11,9 @@ from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.model.written_kinds import written_kind
-from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, SECTIONS
+from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, ROUGH, SAYS_KIND, SECTIONS
 from freebody.system.reading.written.form import (
     JOINED,
-    SAYS_KIND,
     SAYS_NAME,
     Entry,
     Written,
@@ -26,6 +25,8 @@ from freebody.system.reading.written.lists import name_items, with_names
 from freebody.system.reading.written.spelling import spell_entry
 
 _BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no connection
+_PLURALS = ("s", "e", "en", "n")
+_FLOOR, _LEVEL = "floor", "y"  # `ground: {y: 0}`
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 
 
@@ -59,33 +60,45 @@ def take_in_sections(w: Written) -> None:
 
 
 def lines_of_ground(w: Written) -> None:
-    """`ground: {slope: {angle: 30 deg}}` among the lines of the ground."""
-    ground = w.data.get("ground")
+    """`ground: {slope: {angle: 30 deg}}`, and lines that are sections, among the lines of the ground."""
+    ground = w.data.get("ground") or {}
     if not isinstance(ground, dict) or w.space:
         return
-    entries = cast("Entry", ground)
-    if isinstance(entries.get("surfaces"), dict) and "lines" not in entries:
-        entries = {"lines" if key == "surfaces" else key: value for key, value in entries.items()}
-        w.data["ground"] = entries
-        w.moved["ground", "lines"] = w.stood(("ground", "surfaces"))
-    own = {
-        name: value
-        for name, value in entries.items()
-        if name not in OF_GROUND and isinstance(value, dict) and value and cast("Entry", value).keys() <= {*OF_LINES}
-    }
-    lines = entries.get("lines") or {}
-    if own and isinstance(lines, dict) and not own.keys() & cast("Entry", lines).keys():
-        rest = {name: value for name, value in entries.items() if name not in own}
-        w.data["ground"] = {**rest, "lines": {**cast("Entry", lines), **own}}
-        w.moved |= {("ground", "lines", name): ("ground", name) for name in own}
+    entries = dict(cast("Entry", ground))
+    lines: Any = entries.get("lines") or {}
+    if not isinstance(lines, dict):
+        return
+    own: dict[str, tuple[Place, Any]] = {}
+    for owner, given in (("ground", entries), ("", w.data)):
+        for name, value in given.items():
+            place: Place = (owner, name) if owner else (name,)
+            if name == "surfaces" and isinstance(value, dict):
+                own |= {line: ((*place, line), fields) for line, fields in cast("Entry", value).items()}
+            elif name not in (*OF_GROUND, *SECTIONS) and is_line(value):
+                own[name] = place, value
+            elif owner and name == _LEVEL and isinstance(value, str | int | float):
+                own[_FLOOR] = place, {"along": "right", "through": [0, value]}
+    if not own or own.keys() & cast("Entry", lines).keys():
+        return
+    gone = {place[0] if place[0] != "ground" else place[1] for place, _value in own.values()}
+    w.data = {key: value for key, value in w.data.items() if key not in gone}
+    rest = {key: value for key, value in entries.items() if key not in gone}
+    w.data["ground"] = {**rest, "lines": {**cast("Entry", lines), **{line: value for line, (_p, value) in own.items()}}}
+    w.moved |= {("ground", "lines", line): w.stood(place) for line, (place, _value) in own.items()}
+
+
+def is_line(value: Any) -> bool:
+    """Whether an entry says what lines say: how they lie, or how rough they are."""
+    fields = cast("Entry", value) if isinstance(value, dict) else {}
+    return bool(fields) and fields.keys() <= {*OF_LINES, *ROUGH}
 
 
 def _plural(w: Written, key: str) -> tuple[str, str] | None:
     """The section of things that are all of one kind, and the word for that: `springs`."""
-    word = key.removesuffix("s")
-    for section in JOINED if word != key else ():
-        if written_kind(word, None, kinds_of(section), space=w.space) is not None:
-            return section, word
+    for word in (key.removesuffix(ending) for ending in _PLURALS if key.endswith(ending)):
+        for section in JOINED:
+            if written_kind(word, None, kinds_of(section), space=w.space) is not None:
+                return section, word
     return None
 
 
@@ -106,7 +119,17 @@ def _of_kind(w: Written, word: str, value: Any) -> Any:
         return [_as_kind(w, word, each) for each in cast("list[Any]", value)]
     if not isinstance(value, dict):
         return value
-    return {name: _as_kind(w, word, each) for name, each in cast("Entry", value).items()}
+    return {name: _of_name(w, word, name, each) for name, each in cast("Entry", value).items()}
+
+
+def _of_name(w: Written, word: str, name: str, entry: Any) -> Any:
+    """`drives: {crank: n}`: what is driven gives the entry its name."""
+    bodies = w.data.get("bodies")
+    whole = {name: entry}
+    is_led = isinstance(bodies, dict | list) and name in bodies and not isinstance(entry, dict | list)
+    if is_led and any(takes_as(word, whole, kinds_of(at), space=w.space) for at in JOINED):
+        return {word: whole}
+    return _as_kind(w, word, entry)
 
 
 def _as_kind(w: Written, word: str, entry: Any) -> Any:

@@ -15,12 +15,14 @@ from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.language.expression import name_problem
+from freebody.language.folded import folded
 from freebody.language.sentences import Message
 
 Entry = dict[str, Any]
 
-MEMBERS = ("members", "elements", "bars", "struts", "truss_members", "Stäbe")
-PLACES = ("nodes", "joints", "points", "Knoten")
+_MEMBERS = ("members", "elements", "bars", "struts", "rods", "truss_members", "staebe")
+_PLACES = ("nodes", "joints", "points", "knoten")
+_NUMBERED = "member_"  # before a number that is the name of one
 _PINNED = ("pin", "pinned", "hinge", "fixed", "Festlager", "A-Lager")
 _ROLLER = ("roller", "Loslager", "B-Lager", "slider")
 
@@ -28,13 +30,13 @@ _ROLLER = ("roller", "Loslager", "B-Lager", "slider")
 def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], Message] | None:
     """The data with bodies and connections for a truss, where what stands in the file, and what is taken for granted;
     None where it has none, or not all of it can be read."""
-    members_key = next((key for key in MEMBERS if key in data), None)
-    places_key = next((key for key in PLACES if _places(data.get(key))), None)
+    members_key = next((key for key in data if folded(key) in _MEMBERS), None)
+    places_key = next((key for key in data if folded(key) in _PLACES and _places(data.get(key))), None)
     if members_key is None or places_key is None or data.get("bodies"):
         return None
     places = _places(data[places_key])
     members = _members(data[members_key], places)
-    supports: Any = data.get("supports") or {}
+    supports: Any = _by_node(data.get("supports") or {})
     if members is None or not isinstance(supports, dict) or not cast("Entry", supports).keys() <= places.keys():
         return None
     connections: Entry = {name: {"link": [first, second]} for name, (_step, first, second) in members.items()}
@@ -56,6 +58,20 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
     return {**new, "bodies": bodies, "connections": {**cast("Entry", there), **connections}}, moved, told
 
 
+def _by_node(supports: Any) -> Any:
+    """`[{at: A, type: pin}]` as `{A: {type: pin}}`."""
+    if not isinstance(supports, list):
+        return supports
+    found: Entry = {}
+    for item in cast("list[Any]", supports):
+        fields = dict(cast("Entry", item)) if isinstance(item, dict) else {}
+        node = next((fields.pop(key) for key in ("at", "node", "point", "joint") if key in fields), None)
+        if not isinstance(node, str) or node in found:
+            return supports
+        found[node] = fields
+    return found
+
+
 def _places(given: Any) -> Entry:
     """Nodes with their places: a mapping, or a list of `{name: A, x: 0, y: 0}`; empty for anything else."""
     if not isinstance(given, list):
@@ -67,13 +83,16 @@ def _places(given: Any) -> Entry:
 
 def _members(given: Any, nodes: Entry) -> dict[str, tuple[str | int, str, str]] | None:
     """Members by name: where each is given, and its two nodes."""
-    entries = [*cast("Entry", given).items()] if isinstance(given, dict) else [*enumerate(given or ())]
+    named = [(str(key), value) for key, value in cast("Entry", given).items()] if isinstance(given, dict) else None
+    entries = [*enumerate(given or ())] if named is None else named
     found: dict[str, tuple[str | int, str, str]] = {}
     for step, entry in entries:
         ends = _ends(entry, nodes)
         if ends is None:
             return None
         name = step if isinstance(step, str) else entry if isinstance(entry, str) else "".join(ends)
+        if name_problem(name):
+            name = f"{_NUMBERED}{name}" if name.isdigit() else "".join(ends)
         if name in found or name in nodes or name_problem(name):
             return None
         found[name] = (step, *ends)
