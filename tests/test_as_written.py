@@ -183,6 +183,46 @@ SAME = {
         "connections: {axle: {bearing: drum}}",
         "connections: {axle: {pin: [ground.axle, drum]}}",
     ),
+    "what holds a body alone": (
+        "connections: {A: {pin: rod.start}}",
+        "connections: {A: {pin: [ground.A, rod.start]}}",
+    ),
+    "the ground in German": (
+        "connections: {A: {pin: [boden, rod.start]}}",
+        "connections: {A: {pin: [ground, rod.start]}}",
+    ),
+    "a contact as a pair": (
+        "contacts: [{rod.end: floor, mu: mu}]",
+        "connections: {contact: {contact: {between: [rod.end, floor], friction: mu}}}",
+    ),
+    "components inside a force": (
+        "loads: {F: {force: {at: rod.end, Fx: 0, Fy: -3 N}}}",
+        "loads: {F: {force: {at: rod.end, along: up, magnitude: -3 N}}}",
+    ),
+    "a way in German": (
+        "loads: {F: {force: {an: rod.end, Richtung: oben, Betrag: 3 N}}}",
+        "loads: {F: {force: {at: rod.end, along: oben, magnitude: 3 N}}}",
+    ),
+    "a guide in German": (
+        "Führungen: {g: {Körper: block, Richtung: waagerecht}}",
+        "connections: {g: {Führung: {body: block, along: right}}}",
+    ),
+    "bearings by what turns in them": (
+        "bearings: {b: drum}",
+        "connections: {b: {pin: [ground.b, drum]}}",
+    ),
+    "a torque that is called motor": (
+        "torques: {motor: {on: rod, value: 3 N m}}",
+        "loads: {motor: {torque: {on: rod, magnitude: 3 N m}}}",
+    ),
+    "guides of two kinds": (
+        "guides: {g: {body: block, direction: horizontal}}",
+        "connections: {g: {slider: {body: block, along: right}}}",
+    ),
+    "a load under a word for another": (
+        "forces: {drag: {on: block, quadratic: 2 kg/m}}",
+        "loads: {drag: {drag: {body: block, quadratic: 2 kg/m}}}",
+    ),
     "braces for brackets": (
         "connections: {p: {pin: {ground.A, rod.start}}}",
         "connections: {p: {pin: [ground.A, rod.start]}}",
@@ -217,6 +257,10 @@ BODIES = {
     "a middle": (
         "d: {disk: {mass: 1 kg, radius: R}, center: [0, 1 m]}",
         "d: {disk: {mass: 1 kg, radius: R}, at: [0, 1 m]}",
+    ),
+    "a throw without a shape": (
+        "p: {mass: 1 kg, speed: 2 m/s, angle: 30 deg}",
+        "p: {particle: {mass: 1 kg}, velocity: [(2 m/s)*cos(30 deg), (2 m/s)*sin(30 deg)]}",
     ),
     "a throw in German": (
         "p: {Masse: 1 kg, Anfangsgeschwindigkeit: 2 m/s, Winkel: 30 deg}",
@@ -411,8 +455,8 @@ def test_a_wall_that_nobody_declares_is_told_upright() -> None:
 
 
 def test_what_is_left_out_is_told_in_the_names_of_the_file() -> None:
-    with pytest.raises(fb.ModelError, match=r"e.g. pin: \{first: rod.start, second: ground.hinge\}"):
-        fb.System.from_text(f"{BASE}connections: {{hinge: {{pin: rod.start}}}}\n")
+    with pytest.raises(fb.ModelError, match=r"e.g. pin: \{first: rod, second: ground.hinge\}"):
+        fb.System.from_text(f"{BASE}connections: {{hinge: {{pin: rod}}}}\n")
     with pytest.raises(fb.ModelError, match=r"Beside it write angular_velocity: 3 rad/s"):
         fb.System.from_text("bodies: {w: {disk: {mass: 1 kg, radius: 1 m, speed: 3 rad/s}}}")
 
@@ -693,7 +737,7 @@ def test_forces_of_a_truss_stand_at_its_nodes() -> None:
     text = """
 Knoten: {A: [0 m, 0 m], B: [4 m, 0 m], C: [2 m, 2 m]}
 rods: {1: [A, B], 2: [A, C], 3: [B, C]}
-supports: {A: fixed, B: roller}
+lager: {A: festlager, B: loslager}
 loads: {C: {Fx: 0, Fy: -10 kN}}
 questions: [tension of member_1, tension of member_2]
 """
@@ -730,6 +774,28 @@ questions: [tension of AB]
 """
     (answer,) = fb.System.from_text(text).solve().answers
     assert answer.value == pytest.approx(5000.0)
+
+
+def test_shapes_may_have_sections_of_their_own() -> None:
+    loose = fb.System.from_text("pulleys: {p: {radius: 1 m, inertia: 2 kg m^2, at: [0, 1 m]}}\nbearings: {b: p}\n")
+    strict = fb.System.from_text(
+        "bodies: {p: {pulley: {radius: 1 m, inertia: 2 kg m^2}, at: [0, 1 m]}}\n"
+        "connections: {b: {pin: [ground.b, p]}}\n"
+    )
+    assert loose.bodies == strict.bodies
+    assert loose.connections == strict.connections
+
+
+def test_a_load_of_a_beam_that_cannot_be_read_is_told_alone() -> None:
+    text = """
+beam: {length: 6 m}
+supports: {A: {type: pin, at: 0}, B: {type: roller, at: 4 m}}
+loads: [{type: triangular, from: 0, to: 4 m, max: 6 kN/m}]
+"""
+    with pytest.raises(fb.ModelError) as refused:
+        fb.System.from_text(text)
+    (problem,) = refused.value.problems
+    assert "a load that rises evenly is distributed with both values" in problem.message
 
 
 def test_a_beam_may_hold_its_supports_and_loads() -> None:

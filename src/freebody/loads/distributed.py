@@ -41,6 +41,11 @@ class Distributed(Load, kind="distributed"):
 
     called: ClassVar[tuple[str, ...]] = ("distributed_load", "line_load", "uniform_load")
 
+    instead: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("triangular", "trapezoidal", "linear", "Dreieckslast", "Trapezlast"),
+        Message("a load that rises evenly is distributed with both values: {{..., intensity: [0, q]}}"),
+    )
+
     more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
         **dict.fromkeys(_SPANS, ("between",)),
         **dict.fromkeys(WAYS, ("along", "intensity")),

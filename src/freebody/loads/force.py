@@ -16,6 +16,7 @@ from freebody.measures.geometry import AXES, GROUND, Point
 from freebody.model import glyphs
 from freebody.model.elements import AppliedLoad, Component, NonholonomicForm
 from freebody.model.glyphs import Glyph
+from freebody.model.names import ALSO_WAYS
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -23,13 +24,7 @@ if TYPE_CHECKING:
 
 
 WAYS = ("right", "left", "up", "down")
-_ALSO_WAYS = {
-    **{f"{way}wards": way for way in ("up", "down")},
-    **{f"{way}ward": way for way in ("up", "down")},
-    **{f"to the {way}": way for way in ("right", "left")},
-    **{"nach oben": "up", "nach unten": "down", "nach rechts": "right", "nach links": "left"},
-}
-_WAY = "|".join(sorted((*WAYS, *_ALSO_WAYS), key=len, reverse=True))
+_WAY = "|".join(sorted((*WAYS, *ALSO_WAYS), key=len, reverse=True))
 _IN_WORDS = re.compile(
     rf"(?P<magnitude>\S.*?)\s+(?:(?P<way>{_WAY})\s+(?:at|on|bei|an)\s+(?P<at>[\w.]+)"
     rf"|(?:at|on|bei|an)\s+(?P<at_first>[\w.]+)\s+(?P<way_then>{_WAY}))"
@@ -110,7 +105,7 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
         if (said := _IN_WORDS.fullmatch(text.strip())) is None:
             return None
         way = said["way"] or said["way_then"]
-        along = _ALSO_WAYS.get(way, way)
+        along = ALSO_WAYS.get(way, way)
         return {"at": said["at"] or said["at_first"], "along": along, "magnitude": said["magnitude"]}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:

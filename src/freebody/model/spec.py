@@ -63,7 +63,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "g": ("strength",),
     "body": ("on", "at", "pinion"),
     **dict.fromkeys(("point", "node"), ("pin", "at")),
-    "on": ("at",),
+    "on": ("at", "body"),
     "at": ("pin", "on"),
     "position": ("at",),
     "place": ("at",),
@@ -113,7 +113,8 @@ MEANT: Mapping[str, tuple[str, ...]] = {
             (("Stoßzahl",), ("restitution",)),
             (("Richtung",), ("along",)),
             (("Betrag", "Größe", "Wert"), ("magnitude", "strength", "intensity")),
-            (("Körper", "Bauteil"), ("on", "at", "body", "pinion")),
+            (("Körper", "Bauteil"), ("body", "on", "at", "pinion")),
+            (("an",), ("at", "on")),
             (("Punkt",), ("pin", "at")),
             (("zwischen",), ("between", "first", "second", "body", "on", "reacts_on")),
         )
@@ -133,7 +134,7 @@ SAME: frozenset[str] = frozenset((
     "Innenverzahnung", "Schwerpunkt", "fest", "Winkel", "Lage", "Ort", "Position", "Geschwindigkeit",
     "Winkelgeschwindigkeit", "Drehzahl", "Federkonstante", "Federsteifigkeit", "Steifigkeit", "Dämpfung",
     "Dämpfungskonstante", "Reibung", "Reibungszahl", "Stoßzahl", "Reibungskoeffizient", "Richtung", "Betrag",
-    "Größe", "Wert", "Körper", "Bauteil", "Punkt", "zwischen",
+    "Größe", "Wert", "an", "Körper", "Bauteil", "Punkt", "zwischen",
 ))  # fmt: skip
 # Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
 ENDS = ("first", "second", "between", "through", "center", "start", "to", "path")

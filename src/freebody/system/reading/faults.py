@@ -112,6 +112,9 @@ class Faults:
                 fields=flow_text(fields),
                 others=Message(" (or {names})", names=", ".join(kind for _n, kind in fit[1:])) if len(fit) > 1 else "",
             )
+        if isinstance(said := fields.get("type"), str):
+            rest = {key: each for key, each in fields.items() if key != "type"}
+            return self._no_kind("loads" if kinds is Load.kinds else "connections", said, rest, kinds)
         words = {word for key in (name, *fields) for word in folded(str(key)).split("_")}
         if near := [kind for kind in able if kind in words]:
             example = flow_text({near[0]: fields_of_example(kinds[near[0]])})

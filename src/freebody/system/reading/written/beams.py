@@ -121,16 +121,20 @@ class _Beam:
     def loads(self, given: Any, section: str) -> bool:
         """Whether all loads could be read."""
         for k, (step, said, fields) in enumerate(_items(given), 1):
-            word, size = _kind(fields), _one(fields, _SIZES)
-            name = said or (f"{word}_{k}" if word else "")
-            load = None if word is None or size is None else self._load(name, word, str(size), fields)
-            if load is None or name in self.pushed or name_problem(name) is not None:
+            word, size = _kind(fields), _one(fields, _SIZES) or _varying(fields)
+            name = said or (f"{word}_{k}" if word else f"load_{k}")
+            load = (
+                None
+                if word is None or size is None
+                else self._load(name, word, size if isinstance(size, list) else str(size), fields)
+            )
+            if name in self.pushed or name_problem(name) is not None:
                 return False
-            self.pushed[name] = load
+            self.pushed[name] = given[step] if load is None else load  # what cannot be read is told where it stands
             self.moved["loads", name] = (*self.w.stood((section,)), step)
         return True
 
-    def _load(self, name: str, word: str, size: str, fields: Entry) -> Entry | None:
+    def _load(self, name: str, word: str, size: Any, fields: Entry) -> Entry | None:
         way, at = fields.get("direction", fields.get("along")), _one(fields, _AT)
         if word in _SPREAD:
             ends = [_one(fields, words) for words in _FROM.values()]
@@ -138,7 +142,7 @@ class _Beam:
             if len(points) != len(ends):
                 points = [f"{self.name}.start", f"{self.name}.end"]
             return {"distributed": {"between": points, "along": way or "down", "intensity": size}}
-        if at is None:
+        if at is None or isinstance(size, list):
             return None
         if word in _POINTS:
             return {"force": {"at": self._point(name, at), "along": way or "down", "magnitude": size}}
@@ -177,6 +181,12 @@ def _in_english(fields: Entry) -> Entry:
 
 def _kind(fields: Entry) -> str | None:
     return next((folded(str(fields[key])) for key in SAYS_KIND if key in fields), None)
+
+
+def _varying(fields: Entry) -> list[Any] | None:
+    """`value: [0, q]` of a load that rises evenly."""
+    found = [fields[word] for word in _SIZES if isinstance(fields.get(word), list)]
+    return found[0] if len(found) == 1 else None
 
 
 def _one(fields: Entry, words: tuple[str, ...]) -> Any:

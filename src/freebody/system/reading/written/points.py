@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from typing import Any, cast
 
+from freebody.language.folded import folded
 from freebody.measures.geometry import GROUND
 from freebody.model.spec import Spec
 from freebody.system.reading.written.form import Entry, Written, shape_of
@@ -18,28 +19,40 @@ from freebody.system.reading.written.vectors import by_axes
 
 _OWNERS = ("body", "on", "Körper", "Bauteil")
 PLACES = ("point", "at", "Punkt")
+_GROUND = ("boden", "gestell", "fundament", "erde", "frame", "base")
 _HELD = "pin"  # the field of a point that is guided
 _JOINED = ("first", "second")
 
 
 def with_points(w: Written, name: str, kind: type[Spec], value: Any) -> Any:
     """The fields of a connection or a load, called by a name, with its points as they are named."""
-    if is_joint(kind) and (isinstance(value, str) and value in _bodies(w)):
-        called = name if value != name else f"{value}_{name}"
-        return {"first": f"{GROUND}.{called}", "second": value} if _is_round(w, value) else value
+    owner, dot, _point = value.partition(".") if isinstance(value, str) else ("", "", "")
+    if is_joint(kind) and owner in _bodies(w) and (dot or _is_round(w, owner)):
+        called = name if owner != name else f"{owner}_{name}"
+        return {"first": f"{GROUND}.{called}", "second": value}  # what holds one body alone holds it to the ground
     if not isinstance(value, dict):
-        return _named(w, value)
+        value = _named(w, value)
+        return _on_ground(w, value) if is_joint(kind) else value
     listed = [*cast("Entry", value)]
     if is_joint(kind) and len(listed) > 1 and not any(cast("Entry", value).values()):
         return _named(w, listed)  # `{ground, rod.start}`
     fields = {key: _named(w, each) for key, each in cast("Entry", value).items()}
     if is_joint(kind):
+        fields = {key: _on_ground(w, each) for key, each in fields.items()}
         return _joined(w, fields)
     fields = of_owner(w, fields)
     known = kind.model_fields.keys()
     if _HELD in known and _HELD not in fields and "body" not in known:
         return {_HELD if key in _OWNERS and key not in known else key: each for key, each in fields.items()}
     return fields
+
+
+def _on_ground(w: Written, value: Any) -> Any:
+    """`[boden, rod.start]` as points that meet: one is on the ground."""
+    if isinstance(value, list):
+        return [_on_ground(w, each) for each in cast("list[Any]", value)]
+    is_ground = isinstance(value, str) and folded(value) in _GROUND and value not in _bodies(w)
+    return GROUND if is_ground else value
 
 
 def is_joint(kind: type[Spec]) -> bool:

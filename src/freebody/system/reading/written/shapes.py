@@ -20,6 +20,7 @@ from freebody.model.spec import SAME, Spec
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.sections import SAYS_KIND
 from freebody.system.reading.written.form import JOINED, Entry, Written, as_option, keys_beside, takes_as
+from freebody.system.reading.written.vectors import SPEEDS
 
 _TURNS = ("angular_velocity", "angle", "turned", "points", "lines", "outline")
 _ALIKE = 0.7  # of a word to that of a field: a slip of the pen
@@ -89,7 +90,9 @@ def _is_more_than_a_point(w: Written, name: str, entry: Entry) -> bool:
     """Whether the file says how it turns, or names one of its points."""
     texts: Any = [w.data.get(section) for section in (*JOINED, "measures", "questions", "start")]
     named = re.search(rf"\b{re.escape(name)}\.(?!mass_center|center)\w", str(texts))
-    return any(key in entry for key in _TURNS) or named is not None
+    turns = [key for key in _TURNS if key in entry]
+    is_thrown = turns == ["angle"] and any(key in entry for key in SPEEDS)  # the angle of its velocity
+    return (bool(turns) and not is_thrown) or named is not None
 
 
 def _is_called_otherwise(name: str, shape: type[Spec]) -> bool:

@@ -23,8 +23,9 @@ Entry = dict[str, Any]
 _MEMBERS = ("members", "elements", "bars", "struts", "rods", "truss_members", "staebe")
 _PLACES = ("nodes", "joints", "points", "knoten")
 _NUMBERED = "member_"  # before a number that is the name of one
-_PINNED = ("pin", "pinned", "hinge", "fixed", "Festlager", "A-Lager")
-_ROLLER = ("roller", "Loslager", "B-Lager", "slider")
+_PINNED = ("pin", "pinned", "hinge", "fixed", "festlager", "a_lager")
+_ROLLER = ("roller", "loslager", "b_lager", "slider")
+_SUPPORTS = ("supports", "lager", "auflager")
 
 
 def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], Message] | None:
@@ -36,7 +37,8 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
         return None
     places = _places(data[places_key])
     members = _members(data[members_key], places)
-    supports: Any = _by_node(data.get("supports") or {})
+    supports_key = next((key for key in data if folded(key) in _SUPPORTS), "supports")
+    supports: Any = _by_node(data.get(supports_key) or {})
     if members is None or not isinstance(supports, dict) or not cast("Entry", supports).keys() <= places.keys():
         return None
     connections: Entry = {name: {"link": [first, second]} for name, (_step, first, second) in members.items()}
@@ -48,12 +50,12 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
         if held is None or node in connections:
             return None
         connections[node] = held
-        moved["connections", node] = ("supports", node)
+        moved["connections", node] = (supports_key, node)
     there = data.get("connections") or {}
     if not isinstance(there, dict) or connections.keys() & cast("Entry", there).keys():
         return None
     bodies: Entry = {name: {"particle": None, "at": place} for name, place in places.items()}
-    new = {key: value for key, value in data.items() if key not in (members_key, places_key, "supports")}
+    new = {key: value for key, value in data.items() if key not in (members_key, places_key, supports_key)}
     told = Message("the members are hinged at the nodes, so that each carries a force along itself only")
     return {**new, "bodies": bodies, "connections": {**cast("Entry", there), **connections}}, moved, told
 
@@ -84,7 +86,7 @@ def _places(given: Any) -> Entry:
 def _members(given: Any, nodes: Entry) -> dict[str, tuple[str | int, str, str]] | None:
     """Members by name: where each is given, and its two nodes."""
     named = [(str(key), value) for key, value in cast("Entry", given).items()] if isinstance(given, dict) else None
-    entries = [*enumerate(given or ())] if named is None else named
+    entries = [*enumerate(cast("list[Any]", given) if isinstance(given, list) else [])] if named is None else named
     found: dict[str, tuple[str | int, str, str]] = {}
     for step, entry in entries:
         ends = _ends(entry, nodes)
@@ -114,7 +116,7 @@ def _ends(entry: Any, nodes: Entry) -> tuple[str, str] | None:
 
 def _support(node: str, said: Any, *, space: bool) -> Entry | None:
     fields = cast("Entry", said) if isinstance(said, dict) else {"type": said}
-    word, along = str(fields.get("type")), fields.get("along", fields.get("direction"))
+    word, along = folded(str(fields.get("type"))), fields.get("along", fields.get("direction"))
     if word in _PINNED and fields.keys() <= {"type"}:
         return {"spherical" if space else "pin": [f"ground.{node}", node]}
     if word in _ROLLER and not space and fields.keys() <= {"type", "along", "direction"}:

@@ -20,7 +20,7 @@ from freebody.system.reading.written.form import Entry, Written, kinds_of
 
 _IN_BRACKETS = re.compile(r"\s*\((?P<inside>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*")
 _COMMA = re.compile(r",(?![^(]*\))")
-_SPEEDS = ("speed", "velocity", "initial_velocity", "v0", "Geschwindigkeit", "Anfangsgeschwindigkeit")
+SPEEDS = ("speed", "velocity", "initial_velocity", "v0", "Geschwindigkeit", "Anfangsgeschwindigkeit")
 _DIRECTIONS = ("direction", "Richtung", "launch_angle", "at_angle")
 _MIDDLE = ("center", "centre", "Mittelpunkt")
 _TURNS, _POINT = ("angle", "Winkel"), "particle"
@@ -72,7 +72,7 @@ def with_axes(w: Written, place: Place, entry: Entry) -> Entry:
     """`{x: 1 m, y: 2 m, vx: 3 m/s}` of a body as its place and velocity; an axis that is left out is zero there."""
     axes = "xyz" if w.space else "xy"
     read = entry
-    speeds = [key for key in ("v", *_SPEEDS) if _is_scalar(entry.get(key))]
+    speeds = [key for key in ("v", *SPEEDS) if _is_scalar(entry.get(key))]
     if _is_scalar(entry.get("x")) and not _is_scalar(entry.get("y")) and len(speeds) == 1:
         w.moved[*place, "velocity"] = (*w.stood(place), speeds[0])  # it moves along x
         read = {key: each for key, each in read.items() if key != speeds[0]}
@@ -100,7 +100,7 @@ def with_velocity(w: Written, place: Place, entry: Entry) -> Entry:
     """The speed and the direction of a body of the plane as the components of its velocity."""
     is_point = any(written_kind(key, each, Shape.kinds, space=w.space) == _POINT for key, each in entry.items())
     turns = _TURNS if is_point else ()  # an angle of what does not turn is that of its velocity
-    speeds, ways = ([key for key in keys if _is_scalar(entry.get(key))] for keys in (_SPEEDS, (*_DIRECTIONS, *turns)))
+    speeds, ways = ([key for key in keys if _is_scalar(entry.get(key))] for keys in (SPEEDS, (*_DIRECTIONS, *turns)))
     if w.space or len(speeds) != 1 or len(ways) != 1:
         return entry
     v, way = entry[speeds[0]], entry[ways[0]]
@@ -118,7 +118,10 @@ def with_direction(w: Written, place: Place, entry: Entry) -> Entry:
     entry = _with_components(entry)
     inner = entry.get(_FORCE)
     if isinstance(inner, dict) and len(entry) == 1:
-        return {_FORCE: _by_direction(cast("Entry", inner)) or inner}
+        inner = cast("Entry", inner)
+        parts = _with_components(inner)
+        whole = {"components" if key == _FORCE else key: each for key, each in parts.items()}
+        return {_FORCE: _by_direction(inner if parts is inner else whole) or inner}
     whole = _by_direction(entry)
     if whole is None:
         return entry
