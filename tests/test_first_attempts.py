@@ -250,10 +250,6 @@ MISTAKES = {
         f"{BLOCK}measures: {{s: x of block, v: rate(s)}}",
         "a measure has its rate beside it: rate(s) may stand in start and in questions",
     ),
-    "a level line": (
-        f"ground: {{lines: {{road: {{along: horizontal}}}}}}\n{BLOCK}",
-        "horizontal leaves two directions open: write right or left",
-    ),
     "what touches, apart": (
         f"ground: {{lines: {{road: {{along: right}}}}}}\n{BLOCK}connections: {{c: {{contact: {{body: block}}}}}}",
         "contact has no body: what touches stands together: between: [ball, ground.floor]",

@@ -112,6 +112,10 @@ class Contact(Connection, kind="contact"):
     def from_plain(cls, value: object) -> dict[str, Any]:
         """`{body: ball, on: floor}` and the like, as of what rolls: two that touch."""
         given = super().from_plain(value)
+        named = [(key, on) for key, on in given.items() if "." in key and isinstance(on, str)]
+        if len(named) == 1 and "between" not in given:  # {rod.end: floor}
+            ((first, second),) = named
+            given = {"between": [first, second], **{key: each for key, each in given.items() if key != first}}
         two = [given[word] for word in _WHAT_TOUCHES if isinstance(given.get(word), str)]
         if len(two) != 2 or "between" in given or "among" in given:
             return given

@@ -41,7 +41,7 @@ class GearMesh(SharedByCopies, kind="gear_mesh"):
     drives: of the power that goes through the mesh, as seen from the line of centres, so much comes out."""
 
     called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
-    also: ClassVar[tuple[str, ...]] = ("gear", "mesh", "Zahneingriff", "Eingriff")
+    also: ClassVar[tuple[str, ...]] = ("gear", "gears", "mesh", "Zahneingriff", "Eingriff")
 
     first: str
     second: str

@@ -121,7 +121,10 @@ def _led(names: Names, point: Point, normal: Direction, seen: frozenset[str]) ->
     return None
 
 
-_EITHER_WAY = {"horizontal": "right", "vertical": "up"}  # a guide runs both ways
+EITHER_WAY = {  # a guide, or a line, runs both ways
+    **dict.fromkeys(("horizontal", "waagerecht", "waagrecht"), "right"),
+    **dict.fromkeys(("vertical", "vertikal", "senkrecht"), "up"),
+}
 
 
 class Slider(Connection, kind="slider"):
@@ -157,7 +160,7 @@ connections: {it: {slider: {body: block, along: right}}}
     def from_plain(cls, value: object) -> dict[str, Any]:
         """`{body: block, on: wedge.slope}`: along the line that it is on."""
         given = super().from_plain(value)
-        given["along"] = _EITHER_WAY.get(str(given.get("along")), given.get("along"))
+        given["along"] = EITHER_WAY.get(str(given.get("along")), given.get("along"))
         if given["along"] is None:
             del given["along"]
         if "along" not in given and isinstance(line := given.get("on"), str) and line != GROUND:

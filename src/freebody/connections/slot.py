@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
-from freebody.connections.slider import ground_guide, guide
+from freebody.connections.slider import EITHER_WAY, ground_guide, guide
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
@@ -27,6 +27,11 @@ class Slot(Connection, kind="slot"):
 
     called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
     also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller", "Loslager")
+
+    said_by_word: ClassVar[Mapping[str, Mapping[str, str]]] = {
+        word: {"along": "right"} for word in ("roller", "Loslager")
+    }
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {"of": ("pin",)}
 
     meeting = ("through", "pin")
 
@@ -50,8 +55,12 @@ connections: {it: {slot: {pin: rod.end, along: right}}}
     def from_plain(cls, value: object) -> dict[str, Any]:
         """A support on rollers is `{at: beam.end, on: floor}`: what it is on is the direction in which it is free."""
         given = super().from_plain(value)
+        if "of" in given and "pin" not in given:
+            given["pin"] = given.pop("of")
         if "on" in given and "along" not in given:
             given["along"] = given.pop("on")
+        if str(given.get("along")) in EITHER_WAY:
+            given["along"] = EITHER_WAY[str(given["along"])]
         return given
 
     def rows(self, names: Names) -> list[ConstraintRow]:

@@ -29,7 +29,7 @@ class Weld(Connection, kind="weld"):
     x]; without any it stays as both are `turned` at the start, else parallel to the first (6 rows)."""
 
     called: ClassVar[tuple[str, ...]] = ("clamp", "fixed support", "wall")
-    also: ClassVar[tuple[str, ...]] = ("clamp", "fixed", "Einspannung")
+    also: ClassVar[tuple[str, ...]] = ("clamp", "fixed", "rigid", "welded", "glued", "Einspannung", "starr")
 
     meeting = ("first", "second")
 

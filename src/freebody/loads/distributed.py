@@ -18,7 +18,7 @@ from freebody.language.expression import ZERO, Call, Expr, add, divide, multiply
 from freebody.language.sentences import Message
 from freebody.language.units import STIFFNESS
 from freebody.loads.base import Load
-from freebody.loads.force import pushed_along
+from freebody.loads.force import WAYS, pushed_along, with_way
 from freebody.loads.law import Used, law
 from freebody.measures.geometry import Point
 from freebody.model import glyphs
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 FORCE_PER_LENGTH = STIFFNESS
+_SPANS = ("on", "from", "to")
 
 
 class Distributed(Load, kind="distributed"):
@@ -40,7 +41,15 @@ class Distributed(Load, kind="distributed"):
 
     called: ClassVar[tuple[str, ...]] = ("distributed_load", "line_load", "uniform_load")
 
-    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = dict.fromkeys(("on", "from", "to"), ("between",))
+    instead: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("triangular", "trapezoidal", "linear", "Dreieckslast", "Trapezlast"),
+        Message("a load that rises evenly is distributed with both values: {{..., intensity: [0, q]}}"),
+    )
+
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        **dict.fromkeys(_SPANS, ("between",)),
+        **dict.fromkeys(WAYS, ("along", "intensity")),
+    }
 
     between: tuple[str, str]
     intensity: Formula | list[Formula]
@@ -57,15 +66,15 @@ loads: {it: {distributed: {between: [beam.start, beam.end], along: down, intensi
         as well."""
         if isinstance(value, str | int | float):
             return {"intensity": value}
-        given = super().from_plain(value)
-        body, *ends = (given.get(word) for word in ("on", "from", "to"))
+        given = with_way(super().from_plain(value), "intensity")
+        body, *ends = (given.get(word) for word in _SPANS)
         is_whole = isinstance(body, str) and ends == [None, None]
         first, second = ("start", "end") if is_whole else ends
         if "between" in given or not (isinstance(first, str) and isinstance(second, str)):
             return given
         owner = f"{body}." if isinstance(body, str) else ""
         between = [end if "." in end else f"{owner}{end}" for end in (first, second)]
-        return {"between": between, **{key: each for key, each in given.items() if key not in cls.more_words}}
+        return {"between": between, **{key: each for key, each in given.items() if key not in _SPANS}}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         first, second = self._ends(names)

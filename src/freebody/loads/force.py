@@ -16,24 +16,27 @@ from freebody.measures.geometry import AXES, GROUND, Point
 from freebody.model import glyphs
 from freebody.model.elements import AppliedLoad, Component, NonholonomicForm
 from freebody.model.glyphs import Glyph
+from freebody.model.names import ALSO_WAYS
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-_WAYS = ("right", "left", "up", "down")
-_ALSO_WAYS = {
-    **{f"{way}wards": way for way in ("up", "down")},
-    **{f"{way}ward": way for way in ("up", "down")},
-    **{f"to the {way}": way for way in ("right", "left")},
-    **{"nach oben": "up", "nach unten": "down", "nach rechts": "right", "nach links": "left"},
-}
-_WAY = "|".join(sorted((*_WAYS, *_ALSO_WAYS), key=len, reverse=True))
+WAYS = ("right", "left", "up", "down")
+_WAY = "|".join(sorted((*WAYS, *ALSO_WAYS), key=len, reverse=True))
 _IN_WORDS = re.compile(
     rf"(?P<magnitude>\S.*?)\s+(?:(?P<way>{_WAY})\s+(?:at|on|bei|an)\s+(?P<at>[\w.]+)"
     rf"|(?:at|on|bei|an)\s+(?P<at_first>[\w.]+)\s+(?P<way_then>{_WAY}))"
 )
+
+
+def with_way(given: dict[str, Any], size: str) -> dict[str, Any]:
+    """`down: F` as `along: down` and the size."""
+    ways = [way for way in WAYS if way in given]
+    if len(ways) == 1 and not {"along", size} & given.keys():
+        return {key: each for key, each in given.items() if key not in ways} | {"along": ways[0], size: given[ways[0]]}
+    return given
 
 
 def pushed_along(names: Names, point: Point, heading: Heading) -> Measure | NonholonomicForm:
@@ -61,19 +64,28 @@ class Force(Load, kind="force"):
 
     is_chosen = True
     more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
-        **dict.fromkeys(_WAYS, ("along", "magnitude")),
-        "angle": ("along",),
+        **dict.fromkeys(WAYS, ("along", "magnitude")),
     }
-    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("x", "y", "z", "components", "vector"),
-        Message("it has a direction and a magnitude: {{along: [3, 4], magnitude: 5 N}}"),
-    ) | dict.fromkeys(
-        ("between", "from", "to", "pulls", "pushes"),
-        Message(
-            "what two bodies A and B exert on each other is a law of their distance: law: {{measure: gap, force: -F}} "
-            "pulls with F, with measures: {{gap: distance from A to B}}"
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("x", "y", "z", "components", "vector"),
+            Message("it has a direction and a magnitude: {{along: [3, 4], magnitude: 5 N}}"),
         ),
-    )
+        **dict.fromkeys(
+            ("between", "from", "to", "pulls", "pushes"),
+            Message(
+                "what two bodies A and B exert on each other is a law of their distance: law: {{measure: gap, force: "
+                "-F}} pulls with F, with measures: {{gap: distance from A to B}}"
+            ),
+        ),
+        **dict.fromkeys(
+            ("towards", "toward", "away_from"),
+            Message(
+                "a force that keeps pointing to a place is that of a string, tensioned_string: {{from: ground.P, to: "
+                "block, tension: F}}; along takes a direction that stays: right, 30 deg, [3, 4]"
+            ),
+        ),
+    }
     example = """
 bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
@@ -83,12 +95,9 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
     def from_plain(cls, value: object) -> dict[str, Any]:
         """`down: F` is `along: down, magnitude: F`."""
         given = super().from_plain(value)
-        if "angle" in given and "along" not in given:
-            given["along"] = given.pop("angle")
-        ways = [way for way in _WAYS if way in given]
-        if len(ways) == 1 and not {"along", "magnitude"} & given.keys():
-            given |= {"along": ways[0], "magnitude": given.pop(ways[0])}
-        return given
+        if isinstance(given.get("at"), list) and isinstance(given.get("on"), str):
+            del given["on"]  # one mistake: a point of a body has a name
+        return with_way(given, "magnitude")
 
     @classmethod
     def in_words(cls, text: str) -> dict[str, Any] | None:
@@ -96,7 +105,7 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
         if (said := _IN_WORDS.fullmatch(text.strip())) is None:
             return None
         way = said["way"] or said["way_then"]
-        along = _ALSO_WAYS.get(way, way)
+        along = ALSO_WAYS.get(way, way)
         return {"at": said["at"] or said["at_first"], "along": along, "magnitude": said["magnitude"]}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:

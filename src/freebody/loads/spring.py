@@ -22,7 +22,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import AXES, ONE, Direction
+from freebody.measures.geometry import AXES, GROUND, ONE, Direction
 from freebody.measures.turn import Turn
 from freebody.model import glyphs
 from freebody.model.elements import RATE, VALUE, AppliedLoad
@@ -75,14 +75,32 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         if natural is None:
             stretch = Combination(((ONE, distance),), LENGTH)
             pull = ZERO if self.preload is None else names.formula(self.preload, FORCE, "preload")
-            told = Message(
-                "the spring from {first} to {second} is relaxed at the start", first=self.first, second=self.second
-            )
-            if self.preload is None and told not in names.assumptions:
-                names.assumptions.append(told)
+            if self.preload is None:
+                self._assume_relaxed(names, {first.body, second.body} - {GROUND})
             return [AppliedLoad("", stretch, negate(multiply(k, VALUE) + pull))]
         stretch = Composed(Symbol("@length") - natural, (("@length", distance),), LENGTH)
         return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
+
+    def _assume_relaxed(self, names: Names, bodies: set[str]) -> None:
+        """Without a length it is relaxed at the start; where the start moves its ends nobody knows what is meant."""
+        moved = [
+            name
+            for name, value in names.placed_at_start.items()
+            if value != ZERO and bodies & set(names.measures[name].bodies())
+        ]
+        if moved:
+            told = Message(
+                "the spring has no length, and may be stretched where {measure} starts: give its length, e.g. length: "
+                "0.5 m, or preload: 0 where it is relaxed at the start",
+                measure=moved[0],
+            )
+            names.problem(told)
+            return
+        told = Message(
+            "the spring from {first} to {second} is relaxed at the start", first=self.first, second=self.second
+        )
+        if told not in names.assumptions:
+            names.assumptions.append(told)
 
     def _one_sided(self, names: Names, k: Expr, natural: Expr | None, distance: Distance) -> list[AppliedLoad]:
         """With e = l - l0: (e - |e|)/2 is e where it is negative and 0 elsewhere, (1 - sign e)/2 is 1 there; beside it

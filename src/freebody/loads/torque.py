@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from freebody.errors import InputError
 from freebody.language.expression import Expr, negate
 from freebody.language.sentences import Message
-from freebody.language.units import TORQUE
+from freebody.language.units import TORQUE, parse_quantity
 from freebody.loads.base import Load
 from freebody.loads.law import law, limited
 from freebody.measures.angle import Angle
@@ -21,6 +23,11 @@ from freebody.model.spins import spin
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+_WAY = r"(?:counter-?|anti-?)?clockwise"
+_IN_WORDS = re.compile(
+    rf"(?P<magnitude>\S.*?)(?:\s+(?P<way>{_WAY}))?\s+(?:on|at|an|auf)\s+(?P<on>[\w.]+)(?:\s+(?P<way_then>{_WAY}))?"
+)
 
 
 def turned_about(names: Names, on: str, reacts_on: str, about: Heading | None) -> Measure | NonholonomicForm | None:
@@ -93,6 +100,19 @@ class Torque(Couple, kind="torque"):
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
 """
+
+    @classmethod
+    def in_words(cls, text: str) -> dict[str, Any] | None:
+        """`5 N m on drum`, `5 N m clockwise on drum`: a number whose unit says that it is a torque."""
+        said = _IN_WORDS.fullmatch(text.strip())
+        try:
+            is_torque = said is not None and parse_quantity(said["magnitude"]).dimension == TORQUE
+        except InputError:
+            return None
+        if said is None or not is_torque:
+            return None
+        way = {"direction": said["way"] or said["way_then"]} if said["way"] or said["way_then"] else {}
+        return {"on": said["on"], "magnitude": said["magnitude"], **way}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         turned = turned_about(names, self.on, self.reacts_on, self.about)

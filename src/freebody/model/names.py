@@ -45,6 +45,13 @@ from freebody.model.thread import Thread
 from freebody.model.transmitted import CutTension, Transmitted
 from freebody.tolerances import LEAST
 
+_WAYS_IN_GERMAN = {"oben": "up", "unten": "down", "rechts": "right", "links": "left"}
+ALSO_WAYS = {  # what people call right, left, up and down
+    **{f"{way}{end}": way for way in ("right", "left", "up", "down") for end in ("ward", "wards")},
+    **{f"to the {way}": way for way in ("right", "left")},
+    **{f"{to}{word}": way for to in ("", "nach ") for word, way in _WAYS_IN_GERMAN.items()},
+}
+
 # what leaves the sense of a direction open, and the two that it may be
 _LEVEL = {
     "horizontal": {"first": "right", "second": "left"},
@@ -427,6 +434,7 @@ class Names(Formulas):
                 if text.startswith(prefix):
                     return self.direction(text.removeprefix(prefix), *path, body=body).normal()
             text = text.removeprefix("along ")
+            text = ALSO_WAYS.get(text, text)
             if text.startswith("[") and text.endswith("]"):
                 parts: list[Any] = [part.strip() for part in text[1:-1].split(",")]
                 return self.direction(parts, *path, body=body)

@@ -422,6 +422,13 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
         told = Message("a measure has its rate beside it: {text} may stand in start and in questions", text=text)
         names.unknown(text, told, *path)
         return None
+    if rate := re.fullmatch(r"(?P<angular>angular )?(?:velocity|speed|acceleration) of (?P<body>\w+)", text):
+        what = f"{'angle' if rate['angular'] else 'x'} of {rate['body']}"
+        told = Message(
+            "'{text}' is a rate: name what changes, {{s: {what}}}, and write rate(s) for it", text=text, what=what
+        )
+        names.unknown(text, told, *path)
+        return None
     first = text.split()[0] if text else ""
     import difflib
 

@@ -49,6 +49,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "direction": ("along",),
     "axis": ("along", "about"),
     "along": ("about",),
+    "angle": ("along",),
     "magnitude": ("intensity",),
     "rest_length": ("length",),
     **dict.fromkeys(("natural_length", "free_length", "unstretched_length"), ("length",)),
@@ -62,13 +63,13 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "g": ("strength",),
     "body": ("on", "at", "pinion"),
     **dict.fromkeys(("point", "node"), ("pin", "at")),
-    "on": ("at",),
+    "on": ("at", "body"),
     "at": ("pin", "on"),
     "position": ("at",),
     "place": ("at",),
     "location": ("at",),
     "speed": ("velocity", "angular_velocity"),
-    **dict.fromkeys(("initial_velocity", "v0"), ("velocity",)),
+    **dict.fromkeys(("initial_velocity", "v0", "v", "Anfangsgeschwindigkeit"), ("velocity",)),
     **dict.fromkeys(("omega", "initial_angular_velocity", "spin"), ("angular_velocity", "speed")),
     "initial_angle": ("angle",),
     "weight": ("mass",),
@@ -81,6 +82,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(("l", "L"), ("length",)),
     **dict.fromkeys(("J", "I"), ("inertia",)),
     **dict.fromkeys(("angular_velocity", "angular_speed"), ("speed",)),
+    "law": ("follows",),
     "in": ("inside",),
     "q": ("intensity",),
     "diameter": ("radius",),
@@ -101,7 +103,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
             (("innen", "Innenverzahnung"), ("internal",)),
             (("Schwerpunkt",), ("center_of_mass",)),
             (("fest",), ("fixed",)),
-            (("Winkel",), ("angle",)),
+            (("Winkel",), ("angle", "along")),
             (("Lage", "Ort", "Position"), ("at",)),
             (("Geschwindigkeit",), ("velocity",)),
             (("Winkelgeschwindigkeit", "Drehzahl"), ("angular_velocity", "speed")),
@@ -111,7 +113,8 @@ MEANT: Mapping[str, tuple[str, ...]] = {
             (("Stoßzahl",), ("restitution",)),
             (("Richtung",), ("along",)),
             (("Betrag", "Größe", "Wert"), ("magnitude", "strength", "intensity")),
-            (("Körper", "Bauteil"), ("on", "at", "body", "pinion")),
+            (("Körper", "Bauteil"), ("body", "on", "at", "pinion")),
+            (("an",), ("at", "on")),
             (("Punkt",), ("pin", "at")),
             (("zwischen",), ("between", "first", "second", "body", "on", "reacts_on")),
         )
@@ -120,17 +123,18 @@ MEANT: Mapping[str, tuple[str, ...]] = {
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
-    "from", "to", "on", "at", "direction", "axis", "along", "value", "magnitude", "omega", "mu", "e", "g",
+    "from", "to", "on", "at", "direction", "angle", "axis", "along", "value", "magnitude", "omega", "mu", "e", "g",
     "center", "com", "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
     "position", "initial_position", "initial_angle", "initial_velocity", "initial_angular_velocity",
     "r", "R", "m", "M", "l", "L", "F", "J", "I", "diameter", "angular_velocity", "angular_speed", "in", "q", "bodies",
+    "law",
     "point", "node", "von", "nach", "Masse", "Länge", "Ruhelänge", "ungespannte Länge", "Radius", "Durchmesser",
     "Breite", "Höhe", "Trägheitsmoment", "Massenträgheitsmoment", "Zähne", "Zähnezahl", "Modul", "innen",
     "Innenverzahnung", "Schwerpunkt", "fest", "Winkel", "Lage", "Ort", "Position", "Geschwindigkeit",
     "Winkelgeschwindigkeit", "Drehzahl", "Federkonstante", "Federsteifigkeit", "Steifigkeit", "Dämpfung",
     "Dämpfungskonstante", "Reibung", "Reibungszahl", "Stoßzahl", "Reibungskoeffizient", "Richtung", "Betrag",
-    "Größe", "Wert", "Körper", "Bauteil", "Punkt", "zwischen",
+    "Größe", "Wert", "an", "Körper", "Bauteil", "Punkt", "zwischen",
 ))  # fmt: skip
 # Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
 ENDS = ("first", "second", "between", "through", "center", "start", "to", "path")
@@ -191,6 +195,8 @@ class Spec(BaseModel, metaclass=_Described):
     is_chosen: ClassVar[bool | None] = None
     # fields that people give it and that are another kind's: what to write there
     elsewhere: ClassVar[Mapping[str, str]] = {}
+    # what a word for the kind says of its fields where a file does not
+    said_by_word: ClassVar[Mapping[str, Mapping[str, str]]] = {}
     # what people have a word for and what is written as this kind: how
     instead: ClassVar[Mapping[str, str]] = {}
     # where in Python what belongs beside such a thing stands

@@ -34,6 +34,10 @@ class Disk(Gyrating, kind="disk"):
             Message("teeth and a module are those of a gear: {{gear: {{teeth: 20, module: 2 mm}}}}"),
         ),
         **dict.fromkeys(
+            ("inner_radius", "small_radius"),
+            Message("a smaller circle for a rope is its hub: {{radius: R, hub: r}}; what has a hole is an annulus"),
+        ),
+        **dict.fromkeys(
             ("eccentricity", "eccentric", "offset", "e"),
             Message(
                 "an axle beside its middle is a point of it, at which it is pinned: beside the disk "

@@ -24,10 +24,12 @@ from freebody.system.reading.written.beams import with_beam
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
 from freebody.system.reading.written.gears import with_modules
+from freebody.system.reading.written.held import ground_as_line, hold_bodies, roughen_lines
 from freebody.system.reading.written.linkages import with_linkage
 from freebody.system.reading.written.lists import name_items
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
 from freebody.system.reading.written.spelling import ground_for_world, spell_entry, spell_sections
+from freebody.system.reading.written.starts import start_of_bodies
 from freebody.system.reading.written.trusses import with_truss
 from freebody.system.reading.written.vectors import without_brackets
 
@@ -62,6 +64,7 @@ def _put_in_order(w: Written) -> None:
     for section in _NAMED:
         if isinstance(w.data.get(section), list):
             name_items(w, section)
+    start_of_bodies(w)
     take_in_sections(w)
     lines_of_ground(w)
     ground_for_world(w)
@@ -70,4 +73,8 @@ def _put_in_order(w: Written) -> None:
         for name, entry in list(cast("Entry", entries).items()) if isinstance(entries, dict) else ():
             w.data[section][name] = spelt = spell_entry(w, section, (section, name), entry)
             put_entry_in_order(w, section, name, spelt)
+        if section == "bodies":
+            hold_bodies(w)
+    roughen_lines(w)
+    ground_as_line(w)
     with_modules(w)

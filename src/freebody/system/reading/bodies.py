@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from typing import Any, cast
 
+from freebody.connections.base import Connection
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import ZERO, negate
 from freebody.language.sentences import Message, listed
@@ -23,7 +24,7 @@ from freebody.system.reading.copies import copied_names
 from freebody.system.reading.faults import kind_meant
 from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane
-from freebody.system.reading.sections import OF_LINES, PLANAR_OPTIONS, SPATIAL_OPTIONS
+from freebody.system.reading.sections import OF_LINES, PLANAR_OPTIONS, SAYS_KIND, SPATIAL_OPTIONS
 from freebody.system.reading.source import Source, known_keys
 from freebody.system.reading.two_places import distance_of_ends
 
@@ -252,20 +253,24 @@ class BodySections:
         options = SPATIAL_OPTIONS if names.space else PLANAR_OPTIONS
         kinds = {k: kind for k, value in entry.items() if k not in options and (kind := self._kind(k, value))}
         fields = {key: value for key, value in entry.items() if key not in options and key not in kinds}
-        if not kinds and fields and (able := self._able(name, fields)):
+        said = next((key for key in SAYS_KIND if not kinds and isinstance(fields.get(key), str)), None)
+        if said is not None:
+            word = fields.pop(said)
+            own = {key: value for key, value in fields.items() if self._is_of_shapes(key)}
+            hint = kind_meant(word, Shape.kinds, Shape.kinds, space=names.space, fields=own)
+            names.problem(Message("there is no shape {word}.{hint}", word=word, hint=hint), said)
+            return None, ""
+        own = {key: value for key, value in fields.items() if self._is_of_shapes(key)}
+        if not kinds and own and (able := self._able(name, own)):
             names.problem(
                 Message(
                     "{name} needs a shape with these fields: {name}: {{{shape}: {fields}}}{others}",
                     name=name,
                     shape=able[0],
-                    fields=flow_text(fields),
+                    fields=flow_text(own),
                     others=Message(" (or {names})", names=", ".join(able[1:_SHOWN])) if len(able) > 1 else "",
                 )
             )
-            return None, ""
-        if not kinds and isinstance(word := fields.pop("type", None), str) and (kind := self._kind(word, fields)):
-            told = Message("the shape is the key: {name}: {entry}", name=name, entry=flow_text({kind: fields}))
-            names.problem(told, "type")
             return None, ""
         inside: list[str] = []
         if len(kinds) == 1:
@@ -288,6 +293,12 @@ class BodySections:
                         " Where it lies is a connection: connections: {{{entry}}}",
                         entry=flow_text({f"{name}_on_{value}": {"contact": where}})[1:-1],
                     )
+                elif written_kind(key, None, Connection.kinds, space=names.space):
+                    ends = [value if isinstance(value, list) else f"{GROUND}.{name}_{key}", f"{name}.POINT"]
+                    hint = Message(
+                        " How it is held is a connection, with the point that is held: connections: {{{entry}}}",
+                        entry=flow_text({f"{name}_{key}": {key: ends}})[1:-1],
+                    )
                 elif meant := [field for field in MEANT.get(key, ()) if field in options]:
                     hint = Message(" Did you mean {x}?", x=meant[0])
                 names.problem(Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), key)
@@ -305,6 +316,10 @@ class BodySections:
             return None, ""
         ((word, kind),) = kinds.items()
         return self.source.spec(Shape.kinds[kind], entry[word], word, beside=options), word
+
+    def _is_of_shapes(self, key: str) -> bool:
+        """Whether a key is a field of some shape."""
+        return any(key in kind.model_fields or kind.meant(key) for kind in Shape.kinds.values())
 
     def _able(self, name: str, fields: Collection[str]) -> list[str]:
         """Shapes that take all these fields: what the body is called (pulley: a disk), then those for which people have

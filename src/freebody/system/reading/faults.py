@@ -41,7 +41,8 @@ def kind_meant(
         flat = [spec.in_plane_take for spec in kinds.values() if words in spec.called and spec.in_plane_take in fits]
         if flat:
             return Message(" Did you mean {x}?", x=flat[0])
-        near = difflib.get_close_matches(key, [*known, *words_also(fits)], n=1, cutoff=0.6)
+        near = difflib.get_close_matches(key, known, n=1, cutoff=0.7)
+        near = near or difflib.get_close_matches(key, words_also(fits), n=1, cutoff=0.8)
         return did_you_mean(key, near or known)
     if len(called) == 1:
         return Message(" Did you mean {x}{example}?", x=called[0], example=example_of(fits[called[0]]))
@@ -111,6 +112,15 @@ class Faults:
                 fields=flow_text(fields),
                 others=Message(" (or {names})", names=", ".join(kind for _n, kind in fit[1:])) if len(fit) > 1 else "",
             )
+        if isinstance(said := fields.get("type"), str):
+            rest = {key: each for key, each in fields.items() if key != "type"}
+            return self._no_kind("loads" if kinds is Load.kinds else "connections", said, rest, kinds)
+        words = {word for key in (name, *fields) for word in folded(str(key)).split("_")}
+        if near := [kind for kind in able if kind in words]:
+            example = flow_text({near[0]: fields_of_example(kinds[near[0]])})
+            return Message("say of which kind it is, e.g. {name}: {example}", name=name, example=example)
+        if isinstance(value, str | int | float) and kinds is Load.kinds:
+            return Message("say where it acts and which way, e.g. {name}: {value} down at BODY", name=name, value=value)
         return Message(
             "give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {names}",
             name=name,
@@ -200,9 +210,7 @@ class Faults:
                 hint = Message(" Beside it write {entry}", entry=flow_text({option: written})[1:-1])
             self.names.problem(Message("{what} has no {key}.{hint}", what=kind.kind, key=key, hint=hint), *path, key)
         left = [field for field in absent if not any(field in fields for fields in meant.values())]
-        needed = [f.alias or name for name, f in kind.model_fields.items() if f.is_required()]
-        is_another = left == needed and any(key in kind.elsewhere for key in strange)
-        if not left or is_another:
+        if not left or any(key in kind.elsewhere for key in strange):
             return
         others = [key for key in strange if not meant[key] and key not in kind.elsewhere]
         has_no = Message("has no {keys}; it ", keys=in_turn(others)) if others else ""
@@ -239,7 +247,11 @@ class Faults:
             for key in entry
             if key not in (word, *beside) and (key in fields or kind.meant(key) or key in kind.elsewhere)
         ]
-        if inside:
+        if inside and (said := kind.elsewhere.get(inside[0])) and len(inside) == 1:
+            self.names.problem(
+                Message("{what} has no {key}: {instead}", what=kind.kind, key=inside[0], instead=said), inside[0]
+            )
+        elif inside:
             example = example_of(kind)
             if not any(key in kind.elsewhere for key in inside):
                 meant = {key: found[0] if len(found := kind.meant(key)) == 1 else key for key in inside}

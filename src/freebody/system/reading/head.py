@@ -14,9 +14,12 @@ from freebody.language.sentences import Message, as_found
 from freebody.loads.base import Load
 from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT
+from freebody.model.shapes.base import Shape
+from freebody.model.written_kinds import words_also
 from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, SECTIONS
 from freebody.system.reading.source import Source, known_keys
 
+_OF_BODIES = ("mass", "m", "Masse")  # and of nothing else
 _UNITS = ("units", "unit", "einheiten", "einheit")
 
 
@@ -73,6 +76,9 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
             key=key,
             entry=flow_text({"ground": {"points": value}}),
         )
+    if _meant(key) is None and _is_body(key, value):
+        entry = flow_text({"bodies": {key: value}})
+        return Message("{key} is a body, which stands under bodies: {entry}", key=key, entry=entry)
     begun, space, rest = key.partition(" ")
     if space and begun in SECTIONS and rest.startswith("{"):
         return Message("a colon is missing after {name}: {name}: {rest}", name=begun, rest="{...}")
@@ -85,6 +91,14 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
     meant = _meant(key)
     hint = Message(" Did you mean {x}?", x=meant) if meant else did_you_mean("", SECTIONS)
     return Message("there is no section {key}.{hint}", key=key, hint=hint)
+
+
+def _is_body(key: str, value: Any) -> bool:
+    """Whether a section says what bodies say: a shape, or a mass."""
+    fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+    words = words_also(Shape.kinds)
+    said = (*fields, folded(key)) if fields else ()
+    return any(word in Shape.kinds or word in words or word in _OF_BODIES for word in said)
 
 
 def _meant(key: str) -> str | None:

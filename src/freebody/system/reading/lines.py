@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, cast
 
+from freebody.connections.slider import EITHER_WAY
 from freebody.language.document.writer import flow_text
 from freebody.language.sentences import Message, in_turn
 from freebody.language.units import LENGTH
@@ -40,7 +41,9 @@ def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
         told = Message("{first} and {second} both say how the line runs; keep one", first=given[0], second=given[1])
         names.problem(told, given[1])
     key = next(iter(given), "angle")
-    along = names.direction(entry.get(key, 0), key, body=body.name)
+    way = entry.get(key, 0)
+    way = EITHER_WAY.get(str(way), way) if key != "solid" else way
+    along = names.direction(way, key, body=body.name)
     if key == "solid":
         along = along.normal()
     label = _label(body, name)

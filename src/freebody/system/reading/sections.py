@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from freebody.model.friction import AT_REST, IN_MOTION
+
 SECTIONS = (
     "freebody",
     "title",
@@ -51,8 +53,10 @@ MEANT_SECTIONS: Mapping[str, str] = {
     **dict.fromkeys(("description",), "about"),
 }
 OF_LINES = ("through", "along", "angle", "solid", "x", "y")  # the fields of a line
+ROUGH = ("friction", "mu", "Reibung", "Reibungszahl", *AT_REST, *IN_MOTION, "restitution", "e")  # of what touches
 OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
 
+SAYS_KIND = ("type", "kind", "shape")  # in an entry
 CLOSES = "closes"  # beside the kind of a connection
 # beside the shape of a body
 _ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "copies")

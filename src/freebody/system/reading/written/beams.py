@@ -19,7 +19,8 @@ from freebody.language.document.tree import Place
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-from freebody.system.reading.written.form import SAYS_KIND, SAYS_NAME, Entry, Written
+from freebody.system.reading.sections import SAYS_KIND
+from freebody.system.reading.written.form import SAYS_NAME, Entry, Written
 
 _BEAMS = ("beam", "balken", "traeger", "girder")
 _SUPPORTS = ("supports", "lager", "auflager")
@@ -35,7 +36,7 @@ _POINTS = ("point", "force", "point_load", "point_force", "concentrated", "kraft
 _SPREAD = ("distributed", "distributed_load", "uniform", "udl", "uniform_load", "line_load", "streckenlast")
 _COUPLES = ("moment", "couple", "torque", "drehmoment")
 _SUPPORTED = re.compile(r"(?P<type>[\w ]+?) (?:at|bei) (?P<at>.+)")
-_AT = ("at", "x", "position", "distance")
+_AT = ("at", "x", "position", "distance", "pos", "location", "a")
 _SIZES = ("value", "magnitude", "force", "moment", "load", "intensity", "q", "F", "M", "P", "size")
 
 _FROM = {"from": ("from", "start", "x1"), "to": ("to", "end", "x2")}
@@ -46,11 +47,14 @@ def with_beam(w: Written) -> None:
     beams = [key for key in w.data if folded(key) in _BEAMS and not w.data.get("bodies")]
     if w.space or len(beams) != 1 or w.data.get("connections") or w.data.get("ground"):
         return
+    given = w.data[beams[0]]
+    if isinstance(given, dict) and not _lift(w, beams[0], cast("Entry", given)):
+        return
     at, on = (next((key for key in w.data if folded(key) in words), "") for words in (_SUPPORTS, _LOADS))
     given = w.data[beams[0]]
     fields = _in_english(cast("Entry", given)) if isinstance(given, dict) else {"length": given}
     length = next((fields[key] for key in ("length", "L", "l") if key in fields), None)
-    beam = _Beam(beams[0], str(length))
+    beam = _Beam(beams[0], str(length), w)
     able = length is not None and fields.keys() <= {"length", "L", "l", "mass", "m"}
     if not (able and beam.supports(w.data.get(at), at) and beam.loads(w.data.get(on), on)):
         return
@@ -71,11 +75,22 @@ def with_beam(w: Written) -> None:
     )
 
 
+def _lift(w: Written, name: str, given: Entry) -> bool:
+    """Puts supports and loads that stand inside the beam beside it; whether they stand in one place only."""
+    inside = [key for key in given if folded(key) in (*_SUPPORTS, *_LOADS)]
+    if any(folded(key) in map(folded, w.data) for key in inside):
+        return False
+    w.data = {**w.data, name: {key: value for key, value in given.items() if key not in inside}}
+    w.data |= {key: given[key] for key in inside}
+    w.moved |= {(key,): (name, key) for key in inside}
+    return True
+
+
 class _Beam:
     """What a beam comes to while its supports and loads are read."""
 
-    def __init__(self, name: str, length: str) -> None:
-        self.name, self.length = name, length
+    def __init__(self, name: str, length: str, w: Written) -> None:
+        self.name, self.length, self.w = name, length, w
         self.points: Entry = {}
         self.ground: Entry = {}
         self.connections: Entry = {}
@@ -100,22 +115,26 @@ class _Beam:
             else:
                 return False
             self.connections[name] = held
-            self.moved["connections", name] = (section, step)
+            self.moved["connections", name] = (*self.w.stood((section,)), step)
         return bool(items)
 
     def loads(self, given: Any, section: str) -> bool:
         """Whether all loads could be read."""
         for k, (step, said, fields) in enumerate(_items(given), 1):
-            word, size = _kind(fields), _one(fields, _SIZES)
-            name = said or (f"{word}_{k}" if word else "")
-            load = None if word is None or size is None else self._load(name, word, str(size), fields)
-            if load is None or name in self.pushed or name_problem(name) is not None:
+            word, size = _kind(fields), _one(fields, _SIZES) or _varying(fields)
+            name = said or (f"{word}_{k}" if word else f"load_{k}")
+            load = (
+                None
+                if word is None or size is None
+                else self._load(name, word, size if isinstance(size, list) else str(size), fields)
+            )
+            if name in self.pushed or name_problem(name) is not None:
                 return False
-            self.pushed[name] = load
-            self.moved["loads", name] = (section, step)
+            self.pushed[name] = given[step] if load is None else load  # what cannot be read is told where it stands
+            self.moved["loads", name] = (*self.w.stood((section,)), step)
         return True
 
-    def _load(self, name: str, word: str, size: str, fields: Entry) -> Entry | None:
+    def _load(self, name: str, word: str, size: Any, fields: Entry) -> Entry | None:
         way, at = fields.get("direction", fields.get("along")), _one(fields, _AT)
         if word in _SPREAD:
             ends = [_one(fields, words) for words in _FROM.values()]
@@ -123,7 +142,7 @@ class _Beam:
             if len(points) != len(ends):
                 points = [f"{self.name}.start", f"{self.name}.end"]
             return {"distributed": {"between": points, "along": way or "down", "intensity": size}}
-        if at is None:
+        if at is None or isinstance(size, list):
             return None
         if word in _POINTS:
             return {"force": {"at": self._point(name, at), "along": way or "down", "magnitude": size}}
@@ -144,6 +163,9 @@ def _items(given: Any) -> Iterator[tuple[str | int, str, Entry]]:
     pairs = [*cast("Entry", given).items()] if isinstance(given, dict) else [*enumerate(listed)]
     for step, item in pairs:
         fields = _in_english(cast("Entry", item)) if isinstance(item, dict) else {}
+        kinds = [key for key in fields if folded(key) in (*_POINTS, *_SPREAD, *_COUPLES)]
+        if len(kinds) == 1 < len(fields) and not fields.keys() & {*SAYS_KIND}:
+            fields = {"type": kinds[0], "value": fields.pop(kinds[0]), **fields}
         named = next((str(fields.pop(key)) for key in SAYS_NAME if key in fields), "")
         if isinstance(item, str) and (said := _SUPPORTED.fullmatch(item.strip())):
             fields = {"type": said["type"], "at": said["at"]}
@@ -159,6 +181,12 @@ def _in_english(fields: Entry) -> Entry:
 
 def _kind(fields: Entry) -> str | None:
     return next((folded(str(fields[key])) for key in SAYS_KIND if key in fields), None)
+
+
+def _varying(fields: Entry) -> list[Any] | None:
+    """`value: [0, q]` of a load that rises evenly."""
+    found = [fields[word] for word in _SIZES if isinstance(fields.get(word), list)]
+    return found[0] if len(found) == 1 else None
 
 
 def _one(fields: Entry, words: tuple[str, ...]) -> Any:

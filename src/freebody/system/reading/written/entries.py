@@ -13,13 +13,15 @@ from collections.abc import Iterator
 from typing import Any, cast
 
 from freebody.language.document.tree import Place
+from freebody.language.folded import folded
+from freebody.language.sentences import Message
+from freebody.loads.force import Force
 from freebody.model.friction import AT_REST, IN_MOTION
 from freebody.model.spec import Spec
 from freebody.model.written_kinds import put_inside
-from freebody.system.reading.sections import CLOSES
+from freebody.system.reading.sections import CLOSES, SAYS_KIND
 from freebody.system.reading.written.form import (
     JOINED,
-    SAYS_KIND,
     Entry,
     Written,
     as_option,
@@ -28,20 +30,26 @@ from freebody.system.reading.written.form import (
     kinds_of,
     takes_as,
 )
-from freebody.system.reading.written.vectors import by_axes, with_direction, with_velocity
+from freebody.system.reading.written.points import PLACES, is_joint, of_owner, with_points
+from freebody.system.reading.written.shapes import with_shape
+from freebody.system.reading.written.vectors import by_axes, with_axes, with_direction, with_velocity
+
+_SMOOTH = ("smooth", "frictionless", "glatt", "reibungsfrei")
 
 
 def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
     """One entry of bodies, connections or loads."""
     place: Place = (section, name)
     beside = keys_beside(section, space=w.space)
+    if section == "loads":
+        entry = _at_its_name(w, name, entry)
     if not isinstance(entry, dict):
         if section in JOINED:
             _without_kind(w, section, name, entry)
         return
     given = cast("Entry", entry)
     if section == "bodies":
-        given = with_velocity(w, place, given)
+        given = with_velocity(w, place, with_axes(w, place, with_shape(w, name, given)))
     elif section == "loads" and not w.space:
         given = with_direction(w, place, given)
     is_said = any(isinstance(given.get(key), str) for key in SAYS_KIND)
@@ -54,18 +62,65 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
         w.data[section][name] = given
         found = next(_kinds_in(w, section, given, beside), None)
     if found is None:
+        w.data[section][name] = given
         _without_kind(w, section, name, given)
         return
     word, at, kind = found
     if section == "connections":
         given = _closing(w, place, given, word)
+    if section in JOINED:
+        given = of_owner(w, _without_smooth(given, kind))
     given = _with_own_inside(w, place, given, word, kind, beside)
+    if section in JOINED:
+        given = {**given, word: with_points(w, name, kind, given[word])}
+        given = _with_what_the_word_says(w, name, given, word, kind)
     if section == "bodies":
         given = _with_options_beside(w, place, given, word, kind, beside)
         given = {key: by_axes(value) if key != word else value for key, value in given.items()}
     w.data[section][name] = given
     if at != section:
         w.move(section, name, at)
+
+
+def _with_what_the_word_says(w: Written, name: str, given: Entry, word: str, kind: type[Spec]) -> Entry:
+    """A roller without a direction is one on level ground."""
+    fields = kind.from_plain(given[word])
+    open_ = {key: value for key, value in kind.said_by_word.get(word, {}).items() if key not in fields}
+    for key, value in open_.items():
+        w.assumed.append(
+            Message("{name} is a {word} that says no {field}: {value}", name=name, word=word, field=key, value=value)
+        )
+    return {**given, word: {**fields, **open_}} if open_ else given
+
+
+def _at_its_name(w: Written, name: str, entry: Any) -> Any:
+    """`loads: {C: {Fx: 0, Fy: -F}}`, `{C: [0, -F]}`, `{C: F down}`: a force that is called by what it acts on."""
+    bodies = w.data.get("bodies")
+    if not isinstance(bodies, dict) or name not in bodies:
+        return entry
+    if isinstance(entry, str):
+        said = f"{entry} at {name}"
+        return entry if Force.in_words(entry) is not None or Force.in_words(said) is None else said
+    if isinstance(entry, list):
+        return {Force.kind: {"at": name, "components": entry}}
+    fields = cast("Entry", entry) if isinstance(entry, dict) else {}
+    inner = fields[Force.kind] if [*fields] == [Force.kind] and isinstance(fields[Force.kind], dict) else fields
+    said_at = cast("Entry", inner).keys() & {"at", "on", "point", "body", "node"}
+    is_force = any(folded(key) in ("force", "fx", "fy") for key in fields)
+    if not is_force or said_at:
+        return entry
+    return {Force.kind: {"at": name, **cast("Entry", inner)}} if inner is not fields else {"at": name, **fields}
+
+
+def _without_smooth(given: Entry, kind: type[Spec]) -> Entry:
+    """What is smooth has no friction, which nothing has that says none."""
+    if "friction" not in kind.model_fields:
+        return given
+    read = {key: value for key, value in given.items() if folded(key) not in _SMOOTH or value is not True}
+    return {
+        key: _without_smooth(cast("Entry", value), kind) if isinstance(value, dict) else value
+        for key, value in read.items()
+    }
 
 
 def _closing(w: Written, place: Place, given: Entry, word: str) -> Entry:
@@ -128,7 +183,7 @@ def _with_own_inside(
     fields = {f.alias or n for n, f in kind.model_fields.items()}
     options = {key for key in given if as_option(key, beside)}
     both = (*AT_REST, *IN_MOTION) if "friction" in fields else ()
-    known = {*fields, *kind.more_words, *both}
+    known = {*fields, *kind.more_words, *both, *(PLACES if is_joint(kind) else ())}
     own = [key for key in given if key != word and key not in options and (key in known or kind.meant(key))]
     meant = {key: found[0] if len(found := kind.meant(key)) == 1 and key not in known else key for key in own}
     inside = {*kind.from_plain(given[word])}

@@ -17,7 +17,6 @@ from freebody.system.reading.sections import CLOSES, PLANAR_OPTIONS, SPATIAL_OPT
 Kinds = Mapping[str, type[Spec]]
 Entry = dict[str, Any]
 
-SAYS_KIND = ("type", "kind", "shape")
 SAYS_NAME = ("name", "id")
 JOINED = ("connections", "loads")
 
@@ -78,6 +77,14 @@ def without_options(w: Written, section: str, value: Any) -> Any:
         return value
     options = keys_beside(section, space=w.space)
     return {key: each for key, each in cast("Entry", value).items() if not as_option(key, options)} or None
+
+
+def shape_of(entry: Any) -> type[Spec] | None:
+    """The one shape of a body of the plane."""
+    fields = cast("Entry", entry) if isinstance(entry, dict) else {}
+    found = [written_kind(word, value, Shape.kinds, space=False) for word, value in fields.items()]
+    kinds = [kind for kind in found if kind is not None]
+    return Shape.kinds[kinds[0]] if len(kinds) == 1 else None
 
 
 def section_of(w: Written, section: str, word: str, value: Any) -> bool:

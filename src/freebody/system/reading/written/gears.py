@@ -9,7 +9,7 @@ What drives what depends on the teeth alone; how large the wheels are stands in 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, cast
+from typing import cast
 
 from freebody.connections.base import Connection
 from freebody.language.sentences import Message
@@ -64,7 +64,7 @@ def _groups(w: Written, gears: dict[str, Entry]) -> list[list[str]]:
     return [sorted(group, key=order.index) for group in found]
 
 
-def _meshes(w: Written) -> Iterator[tuple[Any, Any]]:
+def _meshes(w: Written) -> Iterator[tuple[str, str]]:
     connections = w.data.get("connections")
     for entry in cast("Entry", connections).values() if isinstance(connections, dict) else ():
         for word, value in cast("Entry", entry).items() if isinstance(entry, dict) else ():
@@ -72,7 +72,9 @@ def _meshes(w: Written) -> Iterator[tuple[Any, Any]]:
             spec = None if kind is None else Connection.kinds[kind]
             if spec is not None and {"first", "second", "module", "teeth"} <= spec.model_fields.keys():
                 fields = spec.from_plain(value)
-                yield fields.get("first"), fields.get("second")
+                first, second = fields.get("first"), fields.get("second")
+                if isinstance(first, str) and isinstance(second, str):
+                    yield first, second
 
 
 def _symbol(w: Written, name: str) -> str:

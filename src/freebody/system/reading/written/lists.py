@@ -11,7 +11,8 @@ from typing import Any, cast
 from freebody.language.document.tree import Place
 from freebody.language.expression import name_problem
 from freebody.model.shapes.base import Shape
-from freebody.system.reading.written.form import JOINED, SAYS_KIND, SAYS_NAME, Entry, Written, section_of, takes_as
+from freebody.system.reading.sections import SAYS_KIND
+from freebody.system.reading.written.form import JOINED, SAYS_NAME, Entry, Written, section_of, takes_as
 from freebody.system.reading.written.spelling import spell_entry
 
 
@@ -26,9 +27,12 @@ def with_names(w: Written, section: str, place: Place, entries: list[Any]) -> En
     """Entries by names: those that they give, else the words for their kinds; None where one has neither."""
     items: list[tuple[str, Any]] = []
     for item in entries:
-        if not isinstance(item, dict) or (named := _named_item(w, section, cast("Entry", item))) is None:
+        if not isinstance(item, dict):
             return None
-        items.append(named)
+        named = _named_item(w, section, cast("Entry", item))
+        if named is None and section not in JOINED:
+            return None
+        items.append(named or (section.removesuffix("s"), item))  # what it is is asked where it stands
     words = [name for name, _entry in items]
     names = [f"{name}_{words[: k + 1].count(name)}" if words.count(name) > 1 else name for k, name in enumerate(words)]
     if len({*names}) < len(names) or any(name_problem(name) for name in names if section != "start"):

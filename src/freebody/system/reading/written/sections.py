@@ -10,11 +10,11 @@ from __future__ import annotations
 from typing import Any, cast
 
 from freebody.language.document.tree import Place
-from freebody.model.written_kinds import written_kind
-from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, SECTIONS
+from freebody.language.folded import folded
+from freebody.model.written_kinds import words_also
+from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, ROUGH, SAYS_KIND, SECTIONS
 from freebody.system.reading.written.form import (
     JOINED,
-    SAYS_KIND,
     SAYS_NAME,
     Entry,
     Written,
@@ -26,6 +26,8 @@ from freebody.system.reading.written.lists import name_items, with_names
 from freebody.system.reading.written.spelling import spell_entry
 
 _BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no connection
+_PLURALS = ("s", "e", "en", "n", "")
+_FLOOR, _LEVEL = "floor", "y"  # `ground: {y: 0}`
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 
 
@@ -37,9 +39,8 @@ def rename_sections(w: Written) -> None:
         if _joined_as(w, key, value) is not None:
             continue
         if (plural := _plural(w, key)) is not None:
-            _rename(
-                w, key, *(("bodies", value) if _are_bodies(w, value) else (plural[0], _of_kind(w, plural[1], value)))
-            )
+            are_bodies = plural[0] != "bodies" and _are_bodies(w, value)
+            _rename(w, key, *(("bodies", value) if are_bodies else (plural[0], _of_kind(w, plural[1], value))))
         elif (section := MEANT_SECTIONS.get(key)) is not None:
             _rename(w, key, section, value)
     if isinstance(w.data.get("questions"), str):
@@ -59,34 +60,61 @@ def take_in_sections(w: Written) -> None:
 
 
 def lines_of_ground(w: Written) -> None:
-    """`ground: {slope: {angle: 30 deg}}` among the lines of the ground."""
-    ground = w.data.get("ground")
+    """`ground: {slope: {angle: 30 deg}}`, and lines that are sections, among the lines of the ground."""
+    ground = w.data.get("ground") or {}
     if not isinstance(ground, dict) or w.space:
         return
-    entries = cast("Entry", ground)
-    if isinstance(entries.get("surfaces"), dict) and "lines" not in entries:
-        entries = {"lines" if key == "surfaces" else key: value for key, value in entries.items()}
-        w.data["ground"] = entries
-        w.moved["ground", "lines"] = w.stood(("ground", "surfaces"))
-    own = {
-        name: value
-        for name, value in entries.items()
-        if name not in OF_GROUND and isinstance(value, dict) and value and cast("Entry", value).keys() <= {*OF_LINES}
-    }
-    lines = entries.get("lines") or {}
-    if own and isinstance(lines, dict) and not own.keys() & cast("Entry", lines).keys():
-        rest = {name: value for name, value in entries.items() if name not in own}
-        w.data["ground"] = {**rest, "lines": {**cast("Entry", lines), **own}}
-        w.moved |= {("ground", "lines", name): ("ground", name) for name in own}
+    entries = dict(cast("Entry", ground))
+    lines: Any = entries.get("lines") or {}
+    if not isinstance(lines, dict):
+        return
+    own: dict[str, tuple[Place, Any]] = {}
+    for owner, given in (("ground", entries), ("", w.data)):
+        for name, value in given.items():
+            place: Place = (owner, name) if owner else (name,)
+            if name == "surfaces" and isinstance(value, dict):
+                own |= {line: ((*place, line), fields) for line, fields in cast("Entry", value).items()}
+            elif name not in (*OF_GROUND, *SECTIONS) and is_line(value):
+                own[name] = place, value
+            elif owner and name == _LEVEL and isinstance(value, str | int | float):
+                own[_FLOOR] = place, {"along": "right", "through": [0, value]}
+    if not own or own.keys() & cast("Entry", lines).keys():
+        return
+    gone = {place[0] if place[0] != "ground" else place[1] for place, _value in own.values()}
+    w.data = {key: value for key, value in w.data.items() if key not in gone}
+    rest = {key: value for key, value in entries.items() if key not in gone}
+    w.data["ground"] = {**rest, "lines": {**cast("Entry", lines), **{line: value for line, (_p, value) in own.items()}}}
+    w.moved |= {("ground", "lines", line): w.stood(place) for line, (place, _value) in own.items()}
+
+
+def is_line(value: Any) -> bool:
+    """Whether an entry says what lines say: how they lie, or how rough they are."""
+    fields = cast("Entry", value) if isinstance(value, dict) else {}
+    return bool(fields) and fields.keys() <= {*OF_LINES, *ROUGH}
 
 
 def _plural(w: Written, key: str) -> tuple[str, str] | None:
     """The section of things that are all of one kind, and the word for that: `springs`."""
-    word = key.removesuffix("s")
-    for section in JOINED if word != key else ():
-        if written_kind(word, None, kinds_of(section), space=w.space) is not None:
-            return section, word
+    form = folded(key)
+    for word in (form.removesuffix(ending) for ending in _PLURALS if form.endswith(ending)):
+        for section in (*JOINED, "bodies"):
+            kinds = kinds_of(section)
+            called = next((each for each in (*kinds, *words_also(kinds)) if folded(each) == word), None)
+            is_one = word == form and not _are_entries(w.data[key])
+            able = [
+                kind
+                for kind in kinds.values()
+                if called in (kind.kind, *kind.also) and (w.space or not kind.space_only)
+            ]
+            if able and called is not None and not is_one:
+                return section, called
     return None
+
+
+def _are_entries(value: Any) -> bool:
+    """Whether a section holds entries, each with fields, and not the fields of one."""
+    items = [*cast("Entry", value).values()] if isinstance(value, dict) else value
+    return isinstance(items, list) and all(isinstance(item, dict) for item in cast("list[Any]", items))
 
 
 def _are_bodies(w: Written, value: Any) -> bool:
@@ -106,7 +134,29 @@ def _of_kind(w: Written, word: str, value: Any) -> Any:
         return [_as_kind(w, word, each) for each in cast("list[Any]", value)]
     if not isinstance(value, dict):
         return value
-    return {name: _as_kind(w, word, each) for name, each in cast("Entry", value).items()}
+    return {name: _of_name(w, word, name, each) for name, each in cast("Entry", value).items()}
+
+
+def _of_name(w: Written, word: str, name: str, entry: Any) -> Any:
+    """`drives: {crank: n}`: what is driven gives the entry its name."""
+    kind = name.rstrip("_0123456789")
+    is_its_own = any(takes_as(word, entry, kinds_of(at), space=w.space) for at in JOINED)
+    if isinstance(entry, dict) and kind != word and kind in kinds_of("loads") and not is_its_own:
+        return {kind: entry}
+    bodies = w.data.get("bodies")
+    if isinstance(entry, str) and isinstance(bodies, dict) and entry in bodies and word not in kinds_of("loads"):
+        return {word: entry}
+    whole = {name: entry}
+    is_led = isinstance(bodies, dict | list) and name in bodies and not isinstance(entry, dict | list)
+    if is_led and any(takes_as(word, whole, kinds_of(at), space=w.space) for at in JOINED):
+        return {word: whole}
+    return _as_kind(w, word, entry)
+
+
+def _sections_of(word: str) -> tuple[str, ...]:
+    """Where a word for a kind may stand."""
+    kinds = kinds_of("bodies")
+    return ("bodies",) if word in (*kinds, *words_also(kinds)) and word not in kinds_of("loads") else JOINED
 
 
 def _as_kind(w: Written, word: str, entry: Any) -> Any:
@@ -114,7 +164,7 @@ def _as_kind(w: Written, word: str, entry: Any) -> Any:
     if not isinstance(entry, dict):
         return {word: entry} if any(takes_as(word, entry, kinds_of(at), space=w.space) for at in JOINED) else entry
     fields = cast("Entry", entry)
-    if any(key in SAYS_KIND or section_of(w, at, key, fields[key]) for key in fields for at in JOINED):
+    if any(key in SAYS_KIND or section_of(w, at, key, fields[key]) for key in fields for at in _sections_of(word)):
         return entry
     named = {key: value for key, value in fields.items() if key in SAYS_NAME}
     return {**named, word: {key: value for key, value in fields.items() if key not in named}}

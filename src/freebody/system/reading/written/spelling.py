@@ -14,8 +14,8 @@ from freebody.language.document.tree import Place
 from freebody.language.folded import folded
 from freebody.model.friction import AT_REST, IN_MOTION
 from freebody.model.spec import MEANT
-from freebody.system.reading.sections import CLOSES, MEANT_SECTIONS, OF_GROUND, SECTIONS
-from freebody.system.reading.written.form import JOINED, SAYS_KIND, Entry, Written, keys_beside, kinds_of
+from freebody.system.reading.sections import CLOSES, MEANT_SECTIONS, OF_GROUND, SAYS_KIND, SECTIONS
+from freebody.system.reading.written.form import JOINED, Entry, Written, keys_beside, kinds_of
 
 _NAMED_INSIDE = ("points", "lines", "planes", "at", "near", "measures")  # what holds names
 _FEWEST = 3  # letters of a word

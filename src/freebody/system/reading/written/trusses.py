@@ -15,26 +15,30 @@ from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.language.expression import name_problem
+from freebody.language.folded import folded
 from freebody.language.sentences import Message
 
 Entry = dict[str, Any]
 
-MEMBERS = ("members", "elements", "bars", "struts", "truss_members", "Stäbe")
-PLACES = ("nodes", "joints", "points", "Knoten")
-_PINNED = ("pin", "pinned", "hinge", "fixed", "Festlager", "A-Lager")
-_ROLLER = ("roller", "Loslager", "B-Lager", "slider")
+_MEMBERS = ("members", "elements", "bars", "struts", "rods", "truss_members", "staebe")
+_PLACES = ("nodes", "joints", "points", "knoten")
+_NUMBERED = "member_"  # before a number that is the name of one
+_PINNED = ("pin", "pinned", "hinge", "fixed", "festlager", "a_lager")
+_ROLLER = ("roller", "loslager", "b_lager", "slider")
+_SUPPORTS = ("supports", "lager", "auflager")
 
 
 def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], Message] | None:
     """The data with bodies and connections for a truss, where what stands in the file, and what is taken for granted;
     None where it has none, or not all of it can be read."""
-    members_key = next((key for key in MEMBERS if key in data), None)
-    places_key = next((key for key in PLACES if _places(data.get(key))), None)
+    members_key = next((key for key in data if folded(key) in _MEMBERS), None)
+    places_key = next((key for key in data if folded(key) in _PLACES and _places(data.get(key))), None)
     if members_key is None or places_key is None or data.get("bodies"):
         return None
     places = _places(data[places_key])
     members = _members(data[members_key], places)
-    supports: Any = data.get("supports") or {}
+    supports_key = next((key for key in data if folded(key) in _SUPPORTS), "supports")
+    supports: Any = _by_node(data.get(supports_key) or {})
     if members is None or not isinstance(supports, dict) or not cast("Entry", supports).keys() <= places.keys():
         return None
     connections: Entry = {name: {"link": [first, second]} for name, (_step, first, second) in members.items()}
@@ -46,14 +50,28 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
         if held is None or node in connections:
             return None
         connections[node] = held
-        moved["connections", node] = ("supports", node)
+        moved["connections", node] = (supports_key, node)
     there = data.get("connections") or {}
     if not isinstance(there, dict) or connections.keys() & cast("Entry", there).keys():
         return None
     bodies: Entry = {name: {"particle": None, "at": place} for name, place in places.items()}
-    new = {key: value for key, value in data.items() if key not in (members_key, places_key, "supports")}
+    new = {key: value for key, value in data.items() if key not in (members_key, places_key, supports_key)}
     told = Message("the members are hinged at the nodes, so that each carries a force along itself only")
     return {**new, "bodies": bodies, "connections": {**cast("Entry", there), **connections}}, moved, told
+
+
+def _by_node(supports: Any) -> Any:
+    """`[{at: A, type: pin}]` as `{A: {type: pin}}`."""
+    if not isinstance(supports, list):
+        return supports
+    found: Entry = {}
+    for item in cast("list[Any]", supports):
+        fields = dict(cast("Entry", item)) if isinstance(item, dict) else {}
+        node = next((fields.pop(key) for key in ("at", "node", "point", "joint") if key in fields), None)
+        if not isinstance(node, str) or node in found:
+            return supports
+        found[node] = fields
+    return found
 
 
 def _places(given: Any) -> Entry:
@@ -67,13 +85,16 @@ def _places(given: Any) -> Entry:
 
 def _members(given: Any, nodes: Entry) -> dict[str, tuple[str | int, str, str]] | None:
     """Members by name: where each is given, and its two nodes."""
-    entries = [*cast("Entry", given).items()] if isinstance(given, dict) else [*enumerate(given or ())]
+    named = [(str(key), value) for key, value in cast("Entry", given).items()] if isinstance(given, dict) else None
+    entries = [*enumerate(cast("list[Any]", given) if isinstance(given, list) else [])] if named is None else named
     found: dict[str, tuple[str | int, str, str]] = {}
     for step, entry in entries:
         ends = _ends(entry, nodes)
         if ends is None:
             return None
         name = step if isinstance(step, str) else entry if isinstance(entry, str) else "".join(ends)
+        if name_problem(name):
+            name = f"{_NUMBERED}{name}" if name.isdigit() else "".join(ends)
         if name in found or name in nodes or name_problem(name):
             return None
         found[name] = (step, *ends)
@@ -95,7 +116,7 @@ def _ends(entry: Any, nodes: Entry) -> tuple[str, str] | None:
 
 def _support(node: str, said: Any, *, space: bool) -> Entry | None:
     fields = cast("Entry", said) if isinstance(said, dict) else {"type": said}
-    word, along = str(fields.get("type")), fields.get("along", fields.get("direction"))
+    word, along = folded(str(fields.get("type"))), fields.get("along", fields.get("direction"))
     if word in _PINNED and fields.keys() <= {"type"}:
         return {"spherical" if space else "pin": [f"ground.{node}", node]}
     if word in _ROLLER and not space and fields.keys() <= {"type", "along", "direction"}:

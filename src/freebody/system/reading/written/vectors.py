@@ -13,15 +13,20 @@ import re
 from typing import Any, cast
 
 from freebody.language.document.tree import Place
-from freebody.model.written_kinds import takes
+from freebody.language.folded import folded
+from freebody.model.shapes.base import Shape
+from freebody.model.written_kinds import takes, written_kind
 from freebody.system.reading.written.form import Entry, Written, kinds_of
 
 _IN_BRACKETS = re.compile(r"\s*\((?P<inside>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*")
 _COMMA = re.compile(r",(?![^(]*\))")
-_SPEEDS = ("speed", "velocity", "initial_velocity", "v0", "Geschwindigkeit")
+SPEEDS = ("speed", "velocity", "initial_velocity", "v0", "Geschwindigkeit", "Anfangsgeschwindigkeit")
 _DIRECTIONS = ("direction", "Richtung", "launch_angle", "at_angle")
+_MIDDLE = ("center", "centre", "Mittelpunkt")
+_TURNS, _POINT = ("angle", "Winkel"), "particle"
 _WAYS = {"right": (1, 0), "left": (-1, 0), "up": (0, 1), "down": (0, -1)}
 _FORCE = "force"
+_AXES = ("fx", "fy")
 _ALONG = ("along", "direction", "angle", "Richtung")
 _FORCES = ("force", "vector", "components", "value", "magnitude", "F", "Kraft")
 
@@ -63,9 +68,39 @@ def by_axes(value: Any) -> Any:
     return [value[axis] for axis in "xyz" if axis in value]
 
 
+def with_axes(w: Written, place: Place, entry: Entry) -> Entry:
+    """`{x: 1 m, y: 2 m, vx: 3 m/s}` of a body as its place and velocity; an axis that is left out is zero there."""
+    axes = "xyz" if w.space else "xy"
+    read = entry
+    speeds = [key for key in ("v", *SPEEDS) if _is_scalar(entry.get(key))]
+    if _is_scalar(entry.get("x")) and not _is_scalar(entry.get("y")) and len(speeds) == 1:
+        w.moved[*place, "velocity"] = (*w.stood(place), speeds[0])  # it moves along x
+        read = {key: each for key, each in read.items() if key != speeds[0]}
+        read["velocity"] = [entry[speeds[0]], *(0 for _ in axes[1:])]
+    place_of = next((key for key in _MIDDLE if isinstance(entry.get(key), list) and "at" not in entry), None)
+    if place_of is not None and not any(_has_center(w, key, each) for key, each in entry.items()):
+        w.moved[*place, "at"] = (*w.stood(place), place_of)
+        read = {"at" if key == place_of else key: each for key, each in entry.items()}
+    for field, keys in (("at", [*axes]), ("velocity", [f"v{axis}" for axis in axes])):
+        given = [key for key in keys if _is_scalar(entry.get(key))]
+        if given and field not in read:
+            w.moved[*place, field] = (*w.stood(place), given[0])
+            read = {key: value for key, value in read.items() if key not in given}
+            read[field] = [entry.get(key, 0) for key in keys]
+    return read
+
+
+def _has_center(w: Written, word: str, value: Any) -> bool:
+    """Whether a shape has a centre of its own to give."""
+    kind = written_kind(word, value, Shape.kinds, space=w.space)
+    return kind is not None and "center_of_mass" in Shape.kinds[kind].model_fields
+
+
 def with_velocity(w: Written, place: Place, entry: Entry) -> Entry:
     """The speed and the direction of a body of the plane as the components of its velocity."""
-    speeds, ways = ([key for key in keys if _is_scalar(entry.get(key))] for keys in (_SPEEDS, _DIRECTIONS))
+    is_point = any(written_kind(key, each, Shape.kinds, space=w.space) == _POINT for key, each in entry.items())
+    turns = _TURNS if is_point else ()  # an angle of what does not turn is that of its velocity
+    speeds, ways = ([key for key in keys if _is_scalar(entry.get(key))] for keys in (SPEEDS, (*_DIRECTIONS, *turns)))
     if w.space or len(speeds) != 1 or len(ways) != 1:
         return entry
     v, way = entry[speeds[0]], entry[ways[0]]
@@ -78,15 +113,29 @@ def with_velocity(w: Written, place: Place, entry: Entry) -> Entry:
 
 
 def with_direction(w: Written, place: Place, entry: Entry) -> Entry:
-    """`{at: P, force: [Fx, Fy]}`, also behind `force`, as a force with its direction and magnitude."""
+    """`{at: P, force: [Fx, Fy]}`, also behind `force`, as a force with its direction and magnitude; `{at: P, Fx: 3 N}`
+    as well."""
+    entry = _with_components(entry)
     inner = entry.get(_FORCE)
     if isinstance(inner, dict) and len(entry) == 1:
-        return {_FORCE: _by_direction(cast("Entry", inner)) or inner}
+        inner = cast("Entry", inner)
+        parts = _with_components(inner)
+        whole = {"components" if key == _FORCE else key: each for key, each in parts.items()}
+        return {_FORCE: _by_direction(inner if parts is inner else whole) or inner}
     whole = _by_direction(entry)
     if whole is None:
         return entry
     w.moved[*place, _FORCE] = w.stood(place)
     return {_FORCE: whole}
+
+
+def _with_components(entry: Entry) -> Entry:
+    """`{Fx: 3 N, Fy: 4 N}` as the components of a force."""
+    parts = {key: _AXES.index(folded(key)) for key in entry if folded(key) in _AXES}
+    if not parts or {*parts.values()} > {0, 1} or len({*parts.values()}) < len(parts) or _FORCE in entry:
+        return entry
+    given = {k: entry[key] for key, k in parts.items()}
+    return {key: each for key, each in entry.items() if key not in parts} | {_FORCE: [given.get(k, 0) for k in (0, 1)]}
 
 
 def _by_direction(given: Entry) -> Entry | None:

@@ -1,0 +1,121 @@
+"""Bodies that say in themselves what they lie on or turn about, and lines that say how rough they are.
+
+crate: {block: {mass: m}, on: slope, mu: 0.2}      connections: {crate_on_slope: {contact: [crate, slope], mu: 0.2}}
+drum: {disk: {radius: R}, pivot: [0, 1 m]}         connections: {drum_pivot: {pin: [[0, 1 m], drum]}}
+lines: {slope: {angle: 30 deg, friction: mu}}      the friction of everything that touches the slope
+
+What is round may slide or roll where it lies, and what is not may be held at any of its points: such a file is told.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, cast
+
+from freebody.connections.base import Connection
+from freebody.measures.geometry import GROUND
+from freebody.model.spec import Spec
+from freebody.model.written_kinds import written_kind
+from freebody.system.reading.sections import ROUGH
+from freebody.system.reading.written.form import Entry, Written, as_option, keys_beside, shape_of
+
+_ON = ("on", "lies_on", "rests_on")
+_CONTACT, _PIN = "contact", "pin"
+_OF_TOUCHING = {"friction", "restitution"}
+
+
+def hold_bodies(w: Written) -> None:
+    """Takes what bodies say of how they are held among the connections."""
+    bodies, connections = w.data.get("bodies"), w.data.get("connections") or {}
+    if w.space or not isinstance(bodies, dict) or not isinstance(connections, dict):
+        return
+    for name, entry in [*cast("Entry", bodies).items()]:
+        shape = shape_of(entry)
+        held = {} if shape is None else _held(name, cast("Entry", entry), shape, cast("Entry", connections))
+        for key, (called, connection, own) in held.items():
+            if called in connections:
+                continue
+            if connection:
+                connections = {**cast("Entry", connections), called: connection}
+                w.data["connections"] = connections
+                w.moved["connections", called] = (*w.stood(("bodies", name)), key)
+            rest = cast("Entry", w.data["bodies"][name])
+            w.data["bodies"][name] = {k: v for k, v in rest.items() if k != key and k not in own}
+
+
+def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dict[str, tuple[str, Entry, Entry]]:
+    """By the keys of a body that say how it is held: the connection and its name, and what else says of it."""
+    found: dict[str, tuple[str, Entry, Entry]] = {}
+    is_round = "radius" in shape.model_fields
+    beside = keys_beside("bodies", space=False)
+    rough = {key: value for key, value in entry.items() if key in ROUGH}
+    for key, value in entry.items():
+        if as_option(key, beside) and key not in _ON:
+            continue
+        if key in _ON and isinstance(value, str) and not is_round:
+            on, called = value.rsplit(".", 1)[-1], f"{name}_on_{value.replace('.', '_')}"
+            is_told = any(_names(each, name) and _names(each, on) for each in connections.values())
+            found[key] = called, {} if is_told else {_CONTACT: {"between": [name, value], **rough}}, rough
+        elif written_kind(key, None, Connection.kinds, space=False) == _PIN and is_round and _is_place(value):
+            found[key] = f"{name}_{key}", {_PIN: [value, name]}, {}
+    return found
+
+
+def ground_as_line(w: Written) -> None:
+    """`contact: [ball, ground]`: the ground is its one line, where it has none the floor."""
+    ground, connections = w.data.get("ground") or {}, w.data.get("connections")
+    lines = cast("Entry", ground).get("lines") or {} if isinstance(ground, dict) else None
+    if w.space or not isinstance(lines, dict) or not isinstance(connections, dict) or len(cast("Entry", lines)) > 1:
+        return
+    (line,) = cast("Entry", lines) or ("floor",)
+    for name, entry in cast("Entry", connections).items():
+        if (found := _of_touching(entry, {"below"})) is not None:
+            word, fields, _kind = found
+            read = {key: _with_line(value, line) for key, value in fields.items()}
+            if read != fields:
+                connections[name] = {**entry, word: read}
+
+
+def _with_line(value: Any, line: str) -> Any:
+    if isinstance(value, list):
+        return [_with_line(each, line) for each in cast("list[Any]", value)]
+    return line if value == GROUND else value
+
+
+def roughen_lines(w: Written) -> None:
+    """`lines: {slope: {angle: 30 deg, friction: mu}}`: what touches a line has its friction where it says no other."""
+    ground, connections = w.data.get("ground"), w.data.get("connections")
+    lines = cast("Entry", ground).get("lines") if isinstance(ground, dict) else None
+    if w.space or not isinstance(lines, dict) or not isinstance(connections, dict):
+        return
+    for name, line in [*cast("Entry", lines).items()]:
+        said = cast("Entry", line) if isinstance(line, dict) else {}
+        rough = {key: value for key, value in said.items() if key in ROUGH}
+        touching = [called for called in connections if rough and _names(connections[called], name)]
+        for called in touching:
+            if (found := _of_touching(connections[called], _OF_TOUCHING)) is not None:
+                word, own, kind = found
+                added = {key: value for key, value in kind.from_plain(rough).items() if key not in own}
+                connections[called] = {**connections[called], word: {**own, **added}}
+        if touching:
+            left = {key: value for key, value in said.items() if key not in rough}
+            lines = {k: left if k == name else v for k, v in cast("Entry", lines).items() if k != name or left}
+            w.data["ground"] = {**cast("Entry", ground), "lines": lines}
+
+
+def _of_touching(entry: Any, fields: set[str]) -> tuple[str, Entry, type[Spec]] | None:
+    """The word for its kind, its fields and its kind, of a connection whose kind has some of these fields."""
+    for word, value in cast("Entry", entry).items() if isinstance(entry, dict) else ():
+        kind = written_kind(word, value, Connection.kinds, space=False)
+        if kind is not None and fields & Connection.kinds[kind].model_fields.keys():
+            return word, Connection.kinds[kind].from_plain(value), Connection.kinds[kind]
+    return None
+
+
+def _names(entry: Any, name: str) -> bool:
+    return re.search(rf"\b{re.escape(name)}\b", str(entry)) is not None
+
+
+def _is_place(value: Any) -> bool:
+    """Coordinates, or the name of a point."""
+    return isinstance(value, list) or (isinstance(value, str) and value.replace(".", "_").isidentifier())

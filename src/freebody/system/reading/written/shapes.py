@@ -1,0 +1,103 @@
+"""Bodies that say their fields and no shape: where only one shape can be meant it is that.
+
+load: {mass: m, at: [0, h]}                load: {particle: {mass: m}, at: [0, h]}
+bar: {mass: m, length: L}                  bar: {rod: {mass: m, length: L}}
+crate: {type: block, mass: m, on: slope}   crate: {block: {mass: m}, on: slope}
+
+A mass alone is a particle where nothing in the file names a point of the body, or says how it turns; that is told.
+"""
+
+from __future__ import annotations
+
+import re
+from difflib import get_close_matches
+from typing import Any
+
+from freebody.language.folded import folded
+from freebody.language.sentences import Message
+from freebody.model.shapes.base import Shape
+from freebody.model.spec import SAME, Spec
+from freebody.model.written_kinds import written_kind
+from freebody.system.reading.sections import SAYS_KIND
+from freebody.system.reading.written.form import JOINED, Entry, Written, as_option, keys_beside, takes_as
+from freebody.system.reading.written.vectors import SPEEDS
+
+_TURNS = ("angular_velocity", "angle", "turned", "points", "lines", "outline")
+_ALIKE = 0.7  # of a word to that of a field: a slip of the pen
+_FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of them
+
+
+def with_shape(w: Written, name: str, entry: Entry) -> Entry:
+    """The entry of a body with its shape, where it has none and can have one only, and beside it what no shape has."""
+    beside = keys_beside("bodies", space=w.space)
+    fields = {key: value for key, value in entry.items() if not as_option(key, beside)}
+    said = next((key for key in SAYS_KIND if isinstance(fields.get(key), str)), None)
+    if said is not None and fields[said] in fields:  # `type: mass, mass: m`
+        entry = {key: value for key, value in entry.items() if key != said}
+        fields = {key: value for key, value in fields.items() if key != said}
+    elif said is not None:
+        return _of_type(w, name, entry, fields, said)
+    word = name.rstrip("_0123456789") or name
+    if not fields or any(written_kind(key, value, Shape.kinds, space=w.space) for key, value in fields.items()):
+        return entry
+    if takes_as(word, fields, Shape.kinds, space=w.space):
+        return entry
+    kinds = [kind for kind in Shape.kinds.values() if w.space or not kind.space_only]
+    own = {key: value for key, value in fields.items() if any(_knows(kind, key) for kind in kinds)}
+    able = [kind for kind in kinds if kind.also and own and _takes_exactly(kind, own)]
+    whole = [kind for kind in able if len(kind.model_fields) == len(own)]
+    if len(own) < _FEWEST:
+        able = [kind for kind in whole if not _is_more_than_a_point(w, name, entry)]
+    if len(able) != 1 or _is_called_otherwise(name, able[0]):
+        return entry
+    shape = able[0].kind
+    w.assumed.append(
+        Message("{name} says {fields} and no shape: it is a {kind}", name=name, fields=", ".join(own), kind=shape)
+    )
+    return _with(w, name, entry, shape, own)
+
+
+def _of_type(w: Written, name: str, entry: Entry, fields: Entry, said: str) -> Entry:
+    """`{type: block, mass: m, on: slope}`: what no shape has stays beside it; a field that is misspelt is one of it."""
+    word = fields[said]
+    called = [kind for kind_name, kind in Shape.kinds.items() if word == kind_name or word in kind.also]
+    own = {key: value for key, value in fields.items() if key != said and any(_knows(kind, key) for kind in called)}
+    left = [key for key in fields if key != said and key not in own]
+    known = [field for kind in called for field in kind.model_fields]
+    is_misspelt = any(get_close_matches(key, known, n=1, cutoff=_ALIKE) for key in left)
+    if not left or is_misspelt or written_kind(word, own or None, Shape.kinds, space=w.space) is None:
+        return entry
+    return _with(w, name, {key: value for key, value in entry.items() if key != said}, word, own)
+
+
+def _with(w: Written, name: str, entry: Entry, word: str, own: Entry) -> Entry:
+    w.moved["bodies", name, word] = w.stood(("bodies", name))
+    return {word: own or None, **{key: value for key, value in entry.items() if key not in own}}
+
+
+def _knows(kind: type[Spec], key: str) -> bool:
+    return key in kind.model_fields or bool(kind.meant(key)) or key in kind.elsewhere
+
+
+def _takes_exactly(kind: type[Spec], fields: Entry) -> bool:
+    known = {info.alias or key: info for key, info in kind.model_fields.items()}
+    meant = {key if key in known else kind.meant(key)[0] if key in SAME and kind.meant(key) else "" for key in fields}
+    needed = {key for key, info in known.items() if info.is_required()}
+    return "" not in meant and len(meant) == len(fields) and needed <= meant
+
+
+def _is_more_than_a_point(w: Written, name: str, entry: Entry) -> bool:
+    """Whether the file says how it turns, or names one of its points."""
+    texts: Any = [w.data.get(section) for section in (*JOINED, "measures", "questions", "start")]
+    named = re.search(rf"\b{re.escape(name)}\.(?!mass_center|center)\w", str(texts))
+    turns = [key for key in _TURNS if key in entry]
+    is_thrown = turns == ["angle"] and any(key in entry for key in SPEEDS)  # the angle of its velocity
+    return (bool(turns) and not is_thrown) or named is not None
+
+
+def _is_called_otherwise(name: str, shape: type[Spec]) -> bool:
+    """Whether its name is a word for another shape."""
+    called = folded(name).strip("_0123456789")
+    kinds = [kind for kind in Shape.kinds.values() if kind is not shape]
+    others = (word for kind in kinds for word in (kind.kind, *kind.also, *kind.called))
+    return called not in map(folded, (*shape.also, *shape.called)) and called in map(folded, others)

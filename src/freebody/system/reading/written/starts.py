@@ -1,0 +1,57 @@
+"""How bodies start, said under `start`, where bodies say it.
+
+start: {position of ball: [0, h]}          bodies: {ball: {..., position: [0, h]}}
+start: {ball: {velocity: [v, 0]}}          bodies: {ball: {..., velocity: [v, 0]}}
+start: {ball.velocity: {speed: v, angle: alpha}}
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, cast
+
+from freebody.language.folded import folded
+from freebody.system.reading.written.form import Entry, Written
+
+_OF_BODY = re.compile(r"(?P<what>[^\W\d][\w ]*?) (?:of|von) (?P<body>\w+)|(?P<body_first>\w+)\.(?P<what_then>\w+)")
+_OPTIONS = ("position", "place", "at", "velocity", "initial_position", "initial_velocity", "ort", "geschwindigkeit")
+_VELOCITY = "velocity"
+
+
+def start_of_bodies(w: Written) -> None:
+    """Puts places and velocities of bodies among what these say."""
+    start, bodies = w.data.get("start"), w.data.get("bodies")
+    if not isinstance(start, dict) or not isinstance(bodies, dict):
+        return
+    for key, value in [*cast("Entry", start).items()]:
+        name, options = _options(key, value, cast("Entry", bodies))
+        body: Any = cast("Entry", bodies).get(name)
+        if options and isinstance(body, dict) and not options.keys() & cast("Entry", body).keys():
+            bodies = {**cast("Entry", bodies), name: {**cast("Entry", body), **options}}
+            w.moved |= {("bodies", name, option): ("start", key) for option in options}
+            w.data["bodies"] = bodies
+            start = {each: said for each, said in cast("Entry", start).items() if each != key}
+            w.data["start"] = start
+
+
+def _options(key: str, value: Any, bodies: Entry) -> tuple[str, Entry]:
+    """The body that an entry speaks of, and what it says of it."""
+    if key in bodies and isinstance(value, dict):
+        return key, _flat(cast("Entry", value))
+    said = _OF_BODY.fullmatch(key)
+    if said is None:
+        return "", {}
+    name, what = said["body"] or said["body_first"], folded(said["what"] or said["what_then"])
+    if what not in _OPTIONS or not isinstance(value, list | dict):
+        return "", {}
+    return name, _flat({what: value})
+
+
+def _flat(options: Entry) -> Entry:
+    """`velocity: {speed: v, angle: alpha}` as the speed and its direction."""
+    given = options.get(_VELOCITY)
+    fields = cast("Entry", given) if isinstance(given, dict) else {}
+    if len(fields) != 2 or fields.keys() <= {"x", "y"}:
+        return options
+    named = {"direction" if folded(key) in ("angle", "winkel") else key: value for key, value in fields.items()}
+    return {**{key: value for key, value in options.items() if key != _VELOCITY}, **named}
