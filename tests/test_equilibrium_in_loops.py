@@ -8,10 +8,10 @@ import pytest
 
 from freebody.api import System
 from freebody.language.expression import Expr
-from freebody.language.notation import to_python
+from freebody.language.notation import to_python, to_text
 from freebody.study.answering.frequency_in_names import frequency_in_names
 from freebody.study.setup import Setup
-from posed import is_formula
+from posed import is_formula, posed
 
 CORD = """
 parameters: {m: 2 kg, M: 1.2 kg, L: 1 m, g: 9.81 m/s^2}
@@ -174,3 +174,30 @@ measures: {phi: angle of left from down, beta: angle of deck}
     down = 0.8 * math.sqrt(1.2**2 - 0.3**2) / 0.3
     assert found.value == pytest.approx((0.8, -down))
     assert found.expression is not None, found.reason
+
+
+GATE_WITH_A_COUNTERWEIGHT = """
+parameters: {m: 60 kg, L: 2 m, h: 2 m, M: 50 kg, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], P: [0, h]}}
+bodies:
+  gate: {rod: {mass: m, length: L}, near: {at: [0.8 m, 0.5 m], angle: 30 deg}}
+  weight: {particle: {mass: M}, near: {at: [-0.1 m, 0.5 m]}}
+connections:
+  hinge: {pin: [ground.O, gate.start]}
+  rail: {slider: {body: weight, along: up, through: ground.O}}
+  rope: {string: {path: [gate.end, ground.P, weight]}}
+loads: {weight: {gravity: g}}
+measures: {th: angle of gate}
+start: {th: 20 deg}
+"""
+
+
+def test_a_gate_on_a_rope_to_a_counterweight_rests_where_the_rope_has_its_length_or_hangs() -> None:
+    """cos(th) (2 h M - m p) = 0, p^2 = L^2 + h^2 - 2 L h sin(th) of the rope; upright p is |h - L|, which
+    says nothing of where it hangs."""
+    found = posed(GATE_WITH_A_COUNTERWEIGHT, "equilibrium of th")
+    assert str(to_text(found.expression)) == "-π/2"
+    notes = " ".join(map(str, found.notes))
+    assert "asin((m²·L² - 4·h²·M² + m²·h²)/(2·m²·L·h))" in notes
+    assert found.conditions == ("for all positive parameters",)
+    is_formula(GATE_WITH_A_COUNTERWEIGHT, "tension of rope in equilibrium", "M*g")

@@ -110,8 +110,16 @@ def equilibria(
             return [first]
     zeros = _zeros(model, forces, list(model.coordinates)) or _zeros_through_loops(model, forces)
     zeros = zeros or _zeros_by_what_is_bound(model, forces)
-    zeros = [bound_at(model, values, start) | values for values in zeros]
-    others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
+    # what is assumed in looking at a place, as on which side of a pulley something hangs, is assumed of that alone
+    others: list[ClosedFormRest] = []
+    assumed: list[list[Ratio]] = []
+    for zero in zeros:
+        with model.samples.taking() as taken:
+            values = bound_at(model, zero, start) | zero
+            rest_there = _judged(model, values, _on_their_side(model, forces, values))
+        if rest_there is not None:
+            others.append(rest_there)
+            assumed.append(taken)
     if first is None and not others:
         others = [r for values in _at_zero(model, forces, start) if (r := _judged(model, values))]
     if first is None and not others:
@@ -122,6 +130,8 @@ def equilibria(
     good = [s for s in solutions if s.is_stable is not False]
     nearest = min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
     meant = first if first is not None and (first.is_stable is not False or not stable_first) else nearest
+    for one, taken in zip(others, assumed, strict=False):
+        model.samples.assumed += taken if one is meant else []
     return [meant, *(s for s in solutions if s is not meant)]
 
 
@@ -376,9 +386,15 @@ def _zeros_through_loops(model: SymbolicModel, forces: list[Ratio]) -> list[dict
         closure = Closure(model)
         bound = closure.at({c.index: f.variable(c.index)})
         alone = [f.lowest_terms(f.follow(F, bound)) for F in forces]
-        return [{**zero, **closure.at(zero)} for zero in _zeros(model, alone, [c])]
+        zeros = _zeros(model, alone, [c])
     except (CannotAnswer, ZeroDivisionError):
         return []
+    places: list[dict[int, Ratio]] = []
+    for zero in zeros:  # where a length vanishes that gives a direction there is no place
+        with suppress(CannotAnswer, ZeroDivisionError), model.samples.apart():
+            closure.at(zero)
+            places.append(zero)
+    return places
 
 
 def _zeros_by_what_is_bound(model: SymbolicModel, forces: list[Ratio]) -> list[dict[int, Ratio]]:
