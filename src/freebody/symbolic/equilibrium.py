@@ -23,6 +23,7 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.measures.geometry import Pose
 from freebody.model.elements import ConstraintRow
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
@@ -265,9 +266,10 @@ def _is_on_branch(model: SymbolicModel, state: SymbolicState) -> bool:
 
 
 def _has_full_inertia(linear: Linearised) -> bool:
-    """Whether the mass matrix has the rank at a place that it has elsewhere. Where it has not the coordinates are
-    singular, as an angle about a point is in that point, and F = 0 tells nothing of the forces there: the generalized
-    force r F_phi of an angle vanishes with r, whatever F_phi is."""
+    """Whether the mass matrix has the rank at a place that it has elsewhere. Where it has not, and not even bodies
+    without mass move with every rate, the coordinates are singular, as an angle about a point is in that point, and
+    F = 0 tells nothing of the forces there: the generalized force r F_phi of an angle vanishes with r, whatever F_phi
+    is."""
     model, f = linear.model, linear.model.field
     columns = [c.index for c in model.coordinates]
 
@@ -278,7 +280,18 @@ def _has_full_inertia(linear: Linearised) -> bool:
         here = n_without(linear.mass, linear.vanishes)
     except ZeroDivisionError:
         return False
-    return not here or here == n_without(model.dynamics.mass_matrix, model.samples.vanishes)
+    if not here or here == n_without(model.dynamics.mass_matrix, model.samples.vanishes):
+        return True
+    return not n_without(_velocities(linear), linear.vanishes)
+
+
+def _velocities(linear: Linearised) -> Matrix:
+    """Of all bodies in the plane, by the rates of the coordinates: of bars that fold, too, whose ends alone have mass
+    and do not move at first."""
+    model, f = linear.model, linear.model.field
+    places = [x for pose in model.poses.values() if isinstance(pose, Pose) for x in (pose.x, pose.y, pose.angle)]
+    rates = [model.in_independent_speeds(model.rate(x)) for x in places]
+    return [[linear.here(f.partial(v, c.speed)) for c in model.coordinates] for v in rates]
 
 
 def _has_forces(linear: Linearised) -> bool:
