@@ -456,3 +456,32 @@ def test_a_full_turn_before_a_ram_takes_what_each_loop_needs(link: str) -> None:
     assert isinstance(found.expression, tuple)
     assert {to_text(x) for x in found.expression} == {"r - d", "q - L"}
     assert found.verdict == f"with the given numbers {link} turns fully"
+
+
+CRATE_DRAWN_UP = """
+parameters: {m: 60 kg, h: 6 m, v: 2 m/s, g: 9.81 m/s^2, d: 4 m}
+ground: {points: {P: [0, h]}}
+bodies: {crate: {particle: {mass: m}, at: [0, 0]}, car: {particle: {mass: 1 kg}, at: [0, 0]}}
+connections:
+  shaft: {slider: {body: crate, along: up}}
+  road: {slider: {body: car, along: right}}
+  rope: {string: {path: [crate, ground.P, car]}}
+  drive: {driver: {measure: x, follows: v*t}}
+loads: {weight: {gravity: g}}
+measures: {x: x of car, y: y of crate}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        # h + y is the length of the rope behind the pulley, sqrt(h^2 + x^2)
+        ("velocity of y when x = d", "v*d/sqrt(d**2 + h**2)"),
+        ("tension of rope when x = d", "m*(g + v**2*h**2/(d**2 + h**2)**(3/2))"),
+        ("time when y = d", "sqrt(d**2 + 2*h*d)/v"),
+    ],
+)
+def test_a_length_and_its_direction_are_solved_for_where_a_rope_leads_to_what_drives_off(
+    question: str, formula: str
+) -> None:
+    is_formula(CRATE_DRAWN_UP, question, formula)

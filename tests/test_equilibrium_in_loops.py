@@ -8,10 +8,10 @@ import pytest
 
 from freebody.api import System
 from freebody.language.expression import Expr
-from freebody.language.notation import to_python
+from freebody.language.notation import to_python, to_text
 from freebody.study.answering.frequency_in_names import frequency_in_names
 from freebody.study.setup import Setup
-from posed import is_formula
+from posed import is_derived, is_formula, posed
 
 CORD = """
 parameters: {m: 2 kg, M: 1.2 kg, L: 1 m, g: 9.81 m/s^2}
@@ -174,3 +174,76 @@ measures: {phi: angle of left from down, beta: angle of deck}
     down = 0.8 * math.sqrt(1.2**2 - 0.3**2) / 0.3
     assert found.value == pytest.approx((0.8, -down))
     assert found.expression is not None, found.reason
+
+
+GATE_WITH_A_COUNTERWEIGHT = """
+parameters: {m: 60 kg, L: 2 m, h: 2 m, M: 50 kg, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], P: [0, h]}}
+bodies:
+  gate: {rod: {mass: m, length: L}, near: {at: [0.8 m, 0.5 m], angle: 30 deg}}
+  weight: {particle: {mass: M}, near: {at: [-0.1 m, 0.5 m]}}
+connections:
+  hinge: {pin: [ground.O, gate.start]}
+  rail: {slider: {body: weight, along: up, through: ground.O}}
+  rope: {string: {path: [gate.end, ground.P, weight]}}
+loads: {weight: {gravity: g}}
+measures: {th: angle of gate}
+start: {th: 20 deg}
+"""
+
+
+def test_a_gate_on_a_rope_to_a_counterweight_rests_where_the_rope_has_its_length_or_hangs() -> None:
+    """cos(th) (2 h M - m p) = 0, p^2 = L^2 + h^2 - 2 L h sin(th) of the rope; upright p is |h - L|, which
+    says nothing of where it hangs."""
+    found = posed(GATE_WITH_A_COUNTERWEIGHT, "equilibrium of th")
+    assert str(to_text(found.expression)) == "-π/2"
+    notes = " ".join(map(str, found.notes))
+    assert "asin((m²·L² - 4·h²·M² + m²·h²)/(2·m²·L·h))" in notes
+    assert found.conditions == ("for all positive parameters",)
+    is_formula(GATE_WITH_A_COUNTERWEIGHT, "tension of rope in equilibrium", "M*g")
+
+
+BARS_THAT_FOLD = """
+parameters: {L: 0.5 m, k: 30 N m/rad, m: 2 kg, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}, lines: {axis: {along: up}}}
+bodies:
+  low: {rod: {mass: 0, length: L}, near: {angle: 90 deg}}
+  high: {rod: {mass: 0, length: L}, near: {angle: 90 deg}}
+  top: {particle: {mass: m}}
+connections:
+  A: {pin: [ground.A, low.start]}
+  B: {pin: [low.end, high.start]}
+  C: {pin: [high.end, top]}
+  D: {slot: {point: top, on: ground.axis}}
+loads: {weight: {gravity: g}, s: {torsional_spring: {body: high, on: low, stiffness: k}}}
+measures: {th: angle of low from up}
+start: {th: 0}
+"""
+
+
+def test_equal_bars_that_fold_are_stable_by_their_stiffness_since_the_weight_does_not_move_at_first() -> None:
+    """U = 2 m g L cos(th) + k (2 th)^2/2 has the slope of slopes 4 k - 2 m g L."""
+    is_formula(BARS_THAT_FOLD, "range of k for which the equilibrium is stable", "m*g*L/2")
+    is_formula(BARS_THAT_FOLD, "stability of equilibrium", "4*k - 2*m*g*L")
+    told = is_derived(BARS_THAT_FOLD, "stability of equilibrium")
+    assert "No mass moves to first order" in told["en"]
+    assert "keine Masse" in told["de"]
+
+
+def test_a_strut_without_mass_buckles_where_its_spring_is_too_soft() -> None:
+    """U = k (L sin(th))^2/2 + 2 P L cos(th)."""
+    strut = """
+parameters: {L: 0.5 m, k: 3000 N/m, P: 200 N}
+ground: {points: {A: [0, 0]}, lines: {axis: {along: right}}}
+bodies:
+  left: {rod: {mass: 0, length: L}, near: {at: [0.25 m, 0.05 m], angle: 5 deg}}
+  right: {rod: {mass: 0, length: L}, near: {at: [0.75 m, 0.05 m], angle: -5 deg}}
+connections:
+  A: {pin: [ground.A, left.start]}
+  B: {pin: [left.end, right.start]}
+  C: {slot: {point: right.end, on: ground.axis}}
+loads: {push: {force: {at: right.end, along: left, magnitude: P}}, spring: {law: {measure: y, force: -k*y}}}
+measures: {y: y of left.end, th: angle of left}
+start: {th: 0}
+"""
+    is_formula(strut, "largest P so that the equilibrium is stable", "k*L/2")

@@ -20,6 +20,7 @@ from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.routh import hurwitz, oscillating, without_implied
 from freebody.symbolic.signed_field import SignedField
+from posed import is_formula
 from thinned import thinned
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
@@ -744,3 +745,38 @@ def test_a_place_that_a_drive_does_not_make_steady_is_told_with_what_it_takes() 
     """Beside a drive with the rate W the angle is no free choice: W^2 (a + l sin th) = g tan th."""
     answer = the(ask(CAROUSEL, "size of reaction of seat in steady motion when theta = th"))
     assert "the given place is steady only where 0 = a·W²·cos(th) + l·W²·cos(th)·sin(th) - g·sin(th)" in answer.reason
+
+
+HINGED_TO_A_SHAFT = """
+space: {up: y}
+parameters: {m: 2 kg, L: 0.5 m, W: 8 rad/s, g: 9.81 m/s^2}
+bodies:
+  shaft: {body: {}}
+  rod: {rod: {mass: m, length: L}}
+connections:
+  axis: {revolute: {first: ground.O, second: shaft, about: y}}
+  hinge: {revolute: {first: shaft.origin, second: rod.start, about: z}}
+  motor: {driver: {measure: psi, follows: W*t}}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of shaft about y, th: angle of rod about z relative to shaft}
+"""
+
+
+def test_all_places_are_told_where_one_of_them_has_no_opposite_value() -> None:
+    """0 = cos(th) (2 L W^2 sin(th) + 3 g): of the upright ones the opposite is steady, too."""
+    answer = the(ask(HINGED_TO_A_SHAFT, "th in steady motion"))
+    inclined = math.asin(3 * 9.81 / (2 * 0.5 * 64))
+    assert sorted(answer.value) == pytest.approx([-math.pi / 2, -inclined, math.pi / 2, math.pi + inclined])
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("frequency of small oscillations about steady motion", "sqrt(W**2 - 9*g**2/(4*L**2*W**2))"),
+        ("range of W for which the steady motion is stable", "sqrt(3*g/(2*L))"),
+        # the weight, and m W^2 L/2 cos(th) of the mass centre
+        ("size of reaction of hinge in steady motion", "m*sqrt(g**2 + (L*W**2/2)**2 - (3*g/4)**2)"),
+    ],
+)
+def test_what_a_drive_turns_swings_out_to_its_steady_place(question: str, formula: str) -> None:
+    is_formula(HINGED_TO_A_SHAFT, question, formula)

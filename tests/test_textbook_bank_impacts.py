@@ -105,3 +105,46 @@ start: {y: h}
 )
 def test_an_impact_of_a_textbook_has_the_formula_by_hand(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula)
+
+
+BOB_HITS_A_BLOCK = """
+parameters: {m: 1.5 kg, M: 3 kg, L: 1.2 m, e: 0.8, beta: 70 deg, r: 0.05 m, mu: 0.3, g: 9.81 m/s^2}
+ground: {points: {O: [-r, L]}}
+bodies:
+  bob: {disk: {mass: m, radius: r}, at: [-r - L*sin(beta), L - L*cos(beta)]}
+  block: {rectangle: {mass: M, width: 4*r, height: 2*r}, at: [2*r, 0], angle: 0}
+connections:
+  cord: {string: {from: ground.O, to: bob.center}}
+  floor: {slider: {body: block, along: right, friction: mu}}
+  hit: {contact: {between: [bob, block], restitution: e}}
+loads: {weight: {gravity: g}}
+"""
+WEIGHT_ON_A_PAN = """
+parameters: {m: 30 kg, M: 10 kg, k: 20 kN/m, h: 2 m, l: 1 m, g: 9.81 m/s^2}
+ground: {points: {foot: [0, -l]}}
+bodies: {weight: {particle: {mass: m}, at: [0, h]}, pan: {particle: {mass: M}, at: [0, 0]}}
+connections:
+  g1: {slider: {body: weight, along: up}}
+  g2: {slider: {body: pan, along: up}}
+  hit: {weld: [weight, pan], closes: when y = 0}
+loads: {load: {gravity: g}, spring: {spring: {first: ground.foot, second: pan, stiffness: k, length: l + M*g/k}}}
+measures: {y: y of weight, z: y of pan}
+start: {y: h, z: 0, rate(y): 0, rate(z): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        # energy down to the block, then the impact of two masses
+        (BOB_HITS_A_BLOCK, "speed of block after the impact", "m*(1 + e)/(m + M)*sqrt(2*g*L*(1 - cos(beta)))"),
+        # it is pressed all the time: its greatest force is no tension
+        (
+            WEIGHT_ON_A_PAN,
+            "greatest force in spring",
+            "(m + M)*g + m*sqrt(g**2 + 2*k*g*h/(m + M))",
+        ),
+    ],
+)
+def test_what_follows_an_impact_has_its_formula(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula)

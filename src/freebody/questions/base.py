@@ -306,6 +306,11 @@ class Quantity:
         return self
 
     @property
+    def with_sign(self) -> Quantity:
+        """Of the size of a force the force; else itself."""
+        return self
+
+    @property
     def inner(self) -> tuple[Quantity, ...]:
         """Quantities that this one is about."""
         return ()

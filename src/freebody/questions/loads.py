@@ -33,12 +33,15 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class LoadForce(Quantity, kind="load"):
     """Force or torque of a load; a spring's or damper's is positive when it pulls. is_thrust: the opposite, a
-    compressive force. only_pushes: whether it never pulls, as a buffer; its greatest force is the greatest thrust."""
+    compressive force. only_pushes: whether it never pulls, as a buffer; its greatest force is the greatest thrust.
+    either_way: what pulls and pushes by its own law, as a spring; its greatest force is that of its size."""
 
     load: str
     pushes_with: Dimension
     is_thrust: bool = False
     only_pushes: bool = False
+    either_way: bool = False
+    is_size: bool = False
 
     example = """
 bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
@@ -55,9 +58,21 @@ questions: {it: force in spring}
         force = system.loads[self.load].pulls_with([state.law(p) for p in applied_loads], state.sqrt)
         if force is None:
             raise CannotAnswer(Message("{load} acts on several bodies; ask for one body's part", load=self.load))
+        if self.is_size:
+            return state.absolute(force)
         return -force if self.is_thrust else force
 
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        return (Message("of its size: {load} pulls and pushes", load=self.load),) if self.is_size else ()
+
+    @property
+    def with_sign(self) -> Quantity:
+        return replace(self, is_size=False)
+
     def sized(self, *, space: bool, most: bool = False) -> Quantity:
+        if most and self.either_way and not self.is_thrust:
+            return replace(self, is_size=True)
         return replace(self, is_thrust=True) if self.only_pushes else self
 
     def place_of(self, names: Names, value: Expr) -> tuple[Measure, Expr] | None:
@@ -223,7 +238,8 @@ def load_force(names: Names, load: str) -> LoadForce:
     """The force of a load that is known."""
     sides = [p.one_sided for p in names.applied_loads if p.load == load]
     only_pushes = bool(sides) and all(side is not None and not side.pulls for side in sides)
-    return LoadForce(load, names.loads[load], only_pushes=only_pushes)
+    either_way = _spring(names, load) is not None
+    return LoadForce(load, names.loads[load], only_pushes=only_pushes, either_way=either_way)
 
 
 @asked(

@@ -96,6 +96,10 @@ questions: {it: tension of rod}
     def may_jump(self) -> bool:
         return True
 
+    @property
+    def with_sign(self) -> Quantity:
+        return replace(self, is_size=False)
+
     def sized(self, *, space: bool, most: bool = False) -> Quantity:
         return replace(self, is_size=True) if most and self.pushes_either_way else self
 

@@ -96,8 +96,8 @@ class Closure:
                 yield [d], found, room
             elif (length := self._length(x, d)) is not None:
                 yield [d], {d.index: length}, self.field.one
-            elif (square := self._square(x, d)) is not None:
-                yield [d], {d.index: self.side(self.field.variable(d.index)) * self.field.sqrt(square)}, square
+            elif (root := self._root(x, d)) is not None:
+                yield [d], {d.index: root[0]}, root[1]
         for both, inside in pairs:
             for d, gone in (inside, inside[::-1]):
                 equation = self.without(both, gone.index, d.index)
@@ -105,6 +105,12 @@ class Closure:
                 if parts is not None:
                     found, room = self._angle(d, *parts)
                     yield [d, gone], found | self._other(both, gone, d, found), room
+            for d, gone in (inside, inside[::-1]):
+                equation = self.without(both, gone.index, d.index, anywhere=True)
+                root = None if equation is None else self._root(equation, d)
+                if root is not None:
+                    found = {d.index: root[0]}
+                    yield [d, gone], found | self._other(both, gone, d, found), root[1]
 
     def linear_in(self, x: Ratio, index: int) -> tuple[Ratio, Ratio, Ratio] | None:
         """a, b, d of a cos q + b sin q + d."""
@@ -126,12 +132,19 @@ class Closure:
         parts = self._in_length(x, d)
         return self.field.lowest_terms(-parts[0] / parts[1]) if parts is not None and len(parts) == 2 else None
 
-    def _square(self, x: Ratio, d: Coordinate) -> Ratio | None:
-        """l^2 of a length by a l^2 + b = 0, as that of what goes round an axis on a sphere."""
+    def _root(self, x: Ratio, d: Coordinate) -> tuple[Ratio, Ratio] | None:
+        """l by a l^2 + b l + c = 0 on its branch, and the square of a l + b/2: what goes round an axis on a sphere, or
+        a rope between what drives off and what it draws."""
         parts = self._in_length(x, d)
-        if parts is None or len(parts) != 3 or not parts[1].is_zero():
+        if parts is None or len(parts) != 3:
             return None
-        return self.field.lowest_terms(-parts[0] / parts[2])
+        f, (c, half, a) = self.field, (parts[0], parts[1] / 2, parts[2])
+        if half.is_zero():
+            square = f.lowest_terms(-c / a)
+            return self.side(f.variable(d.index)) * f.sqrt(square), square
+        square = f.lowest_terms(half * half - a * c)
+        root = self.side(a * f.variable(d.index) + half) * f.sqrt(square)
+        return f.lowest_terms((root - half) / a), square
 
     def _in_length(self, x: Ratio, d: Coordinate) -> list[Ratio] | None:
         """The coefficients of a polynomial in a length, from the constant one up."""

@@ -23,6 +23,7 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.measures.geometry import Pose
 from freebody.model.elements import ConstraintRow
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
@@ -110,8 +111,16 @@ def equilibria(
             return [first]
     zeros = _zeros(model, forces, list(model.coordinates)) or _zeros_through_loops(model, forces)
     zeros = zeros or _zeros_by_what_is_bound(model, forces)
-    zeros = [bound_at(model, values, start) | values for values in zeros]
-    others = [r for values in zeros if (r := _judged(model, values, _on_their_side(model, forces, values)))]
+    # what is assumed in looking at a place, as on which side of a pulley something hangs, is assumed of that alone
+    others: list[ClosedFormRest] = []
+    assumed: list[list[Ratio]] = []
+    for zero in zeros:
+        with model.samples.taking() as taken:
+            values = bound_at(model, zero, start) | zero
+            rest_there = _judged(model, values, _on_their_side(model, forces, values))
+        if rest_there is not None:
+            others.append(rest_there)
+            assumed.append(taken)
     if first is None and not others:
         others = [r for values in _at_zero(model, forces, start) if (r := _judged(model, values))]
     if first is None and not others:
@@ -122,6 +131,8 @@ def equilibria(
     good = [s for s in solutions if s.is_stable is not False]
     nearest = min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
     meant = first if first is not None and (first.is_stable is not False or not stable_first) else nearest
+    for one, taken in zip(others, assumed, strict=False):
+        model.samples.assumed += taken if one is meant else []
     return [meant, *(s for s in solutions if s is not meant)]
 
 
@@ -255,9 +266,10 @@ def _is_on_branch(model: SymbolicModel, state: SymbolicState) -> bool:
 
 
 def _has_full_inertia(linear: Linearised) -> bool:
-    """Whether the mass matrix has the rank at a place that it has elsewhere. Where it has not the coordinates are
-    singular, as an angle about a point is in that point, and F = 0 tells nothing of the forces there: the generalized
-    force r F_phi of an angle vanishes with r, whatever F_phi is."""
+    """Whether the mass matrix has the rank at a place that it has elsewhere. Where it has not, and not even bodies
+    without mass move with every rate, the coordinates are singular, as an angle about a point is in that point, and
+    F = 0 tells nothing of the forces there: the generalized force r F_phi of an angle vanishes with r, whatever F_phi
+    is."""
     model, f = linear.model, linear.model.field
     columns = [c.index for c in model.coordinates]
 
@@ -268,7 +280,18 @@ def _has_full_inertia(linear: Linearised) -> bool:
         here = n_without(linear.mass, linear.vanishes)
     except ZeroDivisionError:
         return False
-    return not here or here == n_without(model.dynamics.mass_matrix, model.samples.vanishes)
+    if not here or here == n_without(model.dynamics.mass_matrix, model.samples.vanishes):
+        return True
+    return not n_without(_velocities(linear), linear.vanishes)
+
+
+def _velocities(linear: Linearised) -> Matrix:
+    """Of all bodies in the plane, by the rates of the coordinates: of bars that fold, too, whose ends alone have mass
+    and do not move at first."""
+    model, f = linear.model, linear.model.field
+    places = [x for pose in model.poses.values() if isinstance(pose, Pose) for x in (pose.x, pose.y, pose.angle)]
+    rates = [model.in_independent_speeds(model.rate(x)) for x in places]
+    return [[linear.here(f.partial(v, c.speed)) for c in model.coordinates] for v in rates]
 
 
 def _has_forces(linear: Linearised) -> bool:
@@ -376,9 +399,15 @@ def _zeros_through_loops(model: SymbolicModel, forces: list[Ratio]) -> list[dict
         closure = Closure(model)
         bound = closure.at({c.index: f.variable(c.index)})
         alone = [f.lowest_terms(f.follow(F, bound)) for F in forces]
-        return [{**zero, **closure.at(zero)} for zero in _zeros(model, alone, [c])]
+        zeros = _zeros(model, alone, [c])
     except (CannotAnswer, ZeroDivisionError):
         return []
+    places: list[dict[int, Ratio]] = []
+    for zero in zeros:  # where a length vanishes that gives a direction there is no place
+        with suppress(CannotAnswer, ZeroDivisionError), model.samples.apart():
+            closure.at(zero)
+            places.append(zero)
+    return places
 
 
 def _zeros_by_what_is_bound(model: SymbolicModel, forces: list[Ratio]) -> list[dict[int, Ratio]]:

@@ -12,7 +12,7 @@ from typing import Any
 
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing, Distance
-from freebody.measures.geometry import Vector
+from freebody.measures.geometry import Point, Vector
 from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import Elimination, RowEquation, TangentPair
 from freebody.symbolic.field import Ratio
@@ -96,11 +96,16 @@ class Lines:
                 RowEquation(name, v.y - length * s - offset * c),
             ],
         )
-        if isinstance(self._of, Distance):
-            self.unknowns.measures[f.index(angle)] = Bearing(self._of.start, self._of.end)
-            self.unknowns.measures[f.index(length)] = self._of
+        ends = self.ends() if offset.is_zero() else []
+        if len(ends) == 1:  # of a link, or of a string without pulleys
+            self.unknowns.measures[f.index(angle)] = Bearing(*ends[0])
+            self.unknowns.measures[f.index(length)] = Distance(*ends[0])
         self.unknowns.lines.append(TangentPair(name, v.x, v.y, offset, f.index(length), f.index(angle)))
         return length, angle
+
+    def ends(self) -> list[tuple[Point, Point]]:
+        """Of the lines of the measure that a line is made for."""
+        return [] if self._of is None else list(self._of.lines())
 
     def _new_label(self, wanted: str) -> str:
         """What a line is called: by its connection, with a number where that has several."""

@@ -34,10 +34,11 @@ def tell_swing(
     refuse(method, ("newton", "lagrange"), Message("what is greatest over a motion"))
     setup, model = context.setup, context.setup.model
     f, script = model.field, context.script()
-    parts, unknowns = parts_of(context, q.of)
+    of = q.of.with_sign if swing.is_size else q.of  # the size of what swings is told by what swings
+    parts, unknowns = parts_of(context, of)
     moved = [c for c in model.coordinates if {c.index, c.speed} & f.ingredients(f.element(_value(context, q)))]
     coupled = setup.motion.coupled(moved[0])
-    if coupled is None or swing.is_size:
+    if coupled is None or (swing.is_size and (of is q.of or q.side < 0)):
         raise CannotAnswer(
             Message("the greatest speed of what swings with others is not derived; ask for the greatest velocity")
         )
@@ -46,7 +47,7 @@ def tell_swing(
     with script.stage("steady.motion", "steady.mode_hint"):
         symbol = Symbol(fresh(context, "y", "y_motion"))
         what = Sentence("steady.followed_all", {"name": Symbol(moved[0].name)})
-        named(context, script, Meaning(symbol, what, q.of))
+        named(context, script, Meaning(symbol, what, of))
         general = f.lowest_terms(f.follow(parts[0], {u: found[u][0] for u in unknowns}))
         uses = tuple(found[u][1] for u in unknowns)
         first = script.line(symbol, tidy(general), why="steady.quantity", args={"lines": uses}, uses=uses)
@@ -65,6 +66,7 @@ def tell_swing(
         script.add(asked_entry(name, question))
         args: dict[str, Argument] = {"line": law}
         why = "steady.mean_and_amplitude" if q.side > 0 else "steady.mean_less_amplitude"
+        why = "steady.size_and_amplitude" if swing.is_size else why
         script.line(name, tidy(value), why=why, args=args, uses=(law,), when="never")
     return script.stages
 

@@ -246,6 +246,9 @@ def _stability(q: EquilibriumStability, telling: SmallTelling) -> None:
     squares = [s for s in telling.squares[::-1] if not s.is_zero()]
     expression = _expression(telling)
     asked = expression if isinstance(expression, tuple) else (expression,)
+    if not squares and len(telling.model.coordinates) == 1:
+        _stiffness_alone(telling)
+        return
     if len(asked) != len(squares):
         raise CannotAnswer(Message("the solver shows another number of frequencies"))
     lines, script = telling.matrices(), telling.script
@@ -315,3 +318,13 @@ def _forced(q: Forced, telling: SmallTelling) -> None:
         assert not isinstance(expression, tuple)
         why = f"small.forced_{q.kind.replace(' ', '_')}"
         script.line(*sides, expression, why=why, args=args, uses=lines, when="never")
+
+
+def _stiffness_alone(telling: SmallTelling) -> None:
+    """Of one coordinate whose rate moves no mass at first."""
+    lines, script = telling.matrices(), telling.script
+    with script.stage("small.stability", "small.stability_hint"):
+        symbol = asked_as(telling.context, telling.question, telling.readers.stiffness(0, 0))
+        script.add(asked_entry(symbol, telling.question, ""))
+        left = telling.entries("K")[0][0]
+        script.line(symbol, left, _expression(telling), why="small.stiffness_alone", uses=lines, when="never")

@@ -66,6 +66,8 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
     ]
     unstable = CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
     swings = insisted((Condition(x, ">", Message("oscillates")) for x in dict.fromkeys(wanted)), unstable)
+    if not found.squares:
+        raise CannotAnswer(further(*found.notes, at_equilibrium.NOTHING_DRIVES_BACK))
     if q.what == "frequencies":
         squares = list(found.squares)
     elif q.number is not None:

@@ -27,6 +27,7 @@ from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised
 from freebody.symbolic.small_motion import FreeOscillations
 
@@ -34,6 +35,7 @@ SQUARES = Message(
     "the squares of the exponents λ of small disturbances e^(λ t): stable where all are real and negative"
 )
 WITHOUT_DAMPING = Message("without damping; dissipative damping leaves the verdict as it is")
+_STIFFNESS = Message("the stiffness, which has to be positive: no mass moves to first order, so there is no period")
 _SIGNS = Message("what has to be positive so that small disturbances stay small (Descartes' rule of signs)")
 
 
@@ -52,6 +54,8 @@ def equilibrium_stability(setup: Setup, question: Question, at_rest: AtRest) -> 
         return steady_stability(setup, question)
     free = FreeOscillations(model, rest)
     signs = [x for factor in free.factors for x in free.signs(factor)]
+    if not signs and all(linear.vanishes(x) for row in linear.mass for x in row):
+        return _without_mass(setup, question, linear, free, at_rest(rest, ">="))
     if not signs:
         raise CannotAnswer(NOTHING_DRIVES_BACK)
     conditions = at_rest(rest, ">=")
@@ -66,6 +70,18 @@ def equilibrium_stability(setup: Setup, question: Question, at_rest: AtRest) -> 
     if linear.is_damped:
         notes.append(WITHOUT_DAMPING)
     return _finding(ordered, evidence, conditions, [SQUARES, *notes], stable_if(signs), verdict)
+
+
+def _without_mass(
+    setup: Setup, question: Question, linear: Linearised, free: FreeOscillations, conditions: list[Condition]
+) -> Finding:
+    """By the leading minors of the stiffness (Lagrange and Dirichlet), where no mass moves at first."""
+    K = linear.stiffness
+    minors = [linear.model.field.lowest_terms(determinant([row[:n] for row in K[:n]])) for n in range(1, len(K) + 1)]
+    if any(linear.vanishes(x) for x in minors):
+        raise CannotAnswer(NOTHING_DRIVES_BACK)
+    evidence = compared(setup, question, minors, free.equilibrium, conditions, _verdict_without_mass)
+    return _finding(minors, evidence, conditions, [_STIFFNESS], stable_if(minors), _verdict_on(setup, minors), unit="")
 
 
 def _finding(
@@ -108,6 +124,11 @@ def _roots(small: SmallMotion, exact: tuple[float, ...]) -> Compared:
 
 def _verdict(small: SmallMotion, exact: tuple[float, ...]) -> Compared:
     return (float(all(x > 0 for x in exact)),), (float(all(x > 0 for x in _eigenvalues(small))),)
+
+
+def _verdict_without_mass(small: SmallMotion, exact: tuple[float, ...]) -> Compared:
+    stiff = all(x > 0 for x in np.linalg.eigvals(small.stiffness).real)
+    return (float(all(x > 0 for x in exact)),), (float(stiff),)
 
 
 def exponents(small: SmallMotion) -> list[float]:

@@ -40,7 +40,9 @@ def stability(setup: Setup, *, is_so: bool) -> list[Formula]:
         if unrest(setup, draw, places) > AT_REST:
             raise CannotAnswer(Message("this is no equilibrium"))
         small = small_motions_at(setup, draw, places)
-        squares = np.linalg.eigvals(np.linalg.solve(small.M, small.K)).real
+        has_mass = np.linalg.matrix_rank(small.M) == len(small.M)
+        # without mass only the stiffness decides
+        squares = np.linalg.eigvals(np.linalg.solve(small.M, small.K) if has_mass else small.K).real
         least = float(squares.min())
         if abs(least) <= ROUNDED * float(np.abs(squares).max()):
             raise CannotAnswer(Message("to first order nothing drives it back"))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -10,12 +9,11 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.study.setup import Setup
-from freebody.study.steady.motion import SteadyMotion
+from freebody.study.steady.motion import SteadyMotion, is_quarter
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, determinant, solve
 from freebody.symbolic.tidy import tidy
-from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import reals, zeros_of
+from freebody.symbolic.zeros import reals
 
 _SMALL = 1e-6  # [SI] a rate at the start that is none
 
@@ -127,7 +125,7 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
         )
     _check_rest(setup, steady)
     pose = {c.index: given.get(c.index, start.of(c.index)) for c in steady.others}
-    places = [{index: x for index, x in pose.items() if _is_quarter(x) or index in given}, pose]
+    places = [{index: x for index, x in pose.items() if is_quarter(x) or index in given}, pose]
     rates = {c.speed: x for c in steady.cyclic if (x := given.get(c.speed, start.of(c.speed))).is_zero()}
     rates |= {c.speed: given[c.speed] for c in steady.cyclic if c.speed in given}
     put = frozenset(c.index for c in steady.others if c.index in given)
@@ -150,6 +148,10 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
     settled = _solved_together(Linear(steady, fixed, {c: x for c, x in rates.items() if c in given}, put))
     if settled is not None:
         return settled
+    # a quarter of a turn that is no rest was only where the start happens to be
+    swung_out = _moved(Linear(steady, fixed, rates, put))
+    if swung_out is not None:
+        return swung_out
     exact = Linear(steady, pose, {c.speed: start.of(c.speed) for c in steady.cyclic} | rates, put)
     left = _unbalanced(exact)
     if not left:
@@ -167,12 +169,6 @@ def linear_at_start(setup: Setup, steady: SteadyMotion) -> Linear:
             x=to_text(tidy(left[0])),
         )
     )
-
-
-def _is_quarter(x: Ratio) -> bool:
-    """Whether an element is zero, or a multiple of a quarter turn."""
-    quarters = (2 * x / x.field.pi).fraction()
-    return quarters is not None and quarters.denominator == 1
 
 
 def _check_rest(setup: Setup, steady: SteadyMotion) -> None:
@@ -253,28 +249,9 @@ def _moved(linear: Linear) -> Linear | None:
         open_ = [c for c in linear.steady.others if c.index in inside and c.index not in linear.steady.given]
         if len(open_) != 1 or open_[0].index in found.moved:
             return None
-        place = _nearest_place(linear.steady, condition, open_[0])
+        place = linear.steady.nearest_place(condition, open_[0])
         if place is None:
             return None
         index = open_[0].index
         found = replace(found, place=found.place | {index: place}, moved=found.moved | {index})
     return None if found is linear or _unbalanced(found) else found
-
-
-def _nearest_place(steady: SteadyMotion, condition: Ratio, c: Coordinate) -> Ratio | None:
-    """Where a condition holds, by its one open coordinate."""
-    model, f = steady.model, steady.model.field
-    near = [v for v in model.samples.start_numbers(c.index)[:1] if v == v]
-    with model.samples.apart():
-        places = zeros_of(model, condition.numerator(), c)
-    # an angle that is there whatever the parameters are is meant only where the start is at it
-    measure = model.measure_of(c)
-    if measure is not None and measure.is_angle:
-        places = [x for x in places if not _is_quarter(x)]
-    if not places or not near:
-        return None
-
-    def away(place: Ratio) -> float:
-        return min((abs(v - near[0]) for v in model.samples.at_starts(place)[:1] if v == v), default=math.inf)
-
-    return f.lowest_terms(min(places, key=away))

@@ -332,7 +332,10 @@ class SteadyMotion:
         return self._on_one_side(Solutions(c.index, roots), c)
 
     def _on_one_side(self, solutions: Solutions, c: Coordinate) -> Solutions:
-        """Of two opposite values, the one with the sign that the coordinate has at the start."""
+        """Of two opposite values, the one with the sign that the coordinate has at the start. Where a value has no
+        opposite among the others all are kept, since what is said of the opposite ones is said of every value."""
+        if any(not x.is_zero() and -x not in solutions.roots for x in solutions.roots):
+            return solutions
         numbers = self.model.samples.start_numbers(c.index)
         is_negative = bool(numbers) and numbers[0] < 0
         kept: list[Ratio] = []
@@ -376,13 +379,16 @@ class SteadyMotion:
         )
 
     def eliminated(self, *, even_if_open: bool = False) -> Solutions | None:
-        """What follows where something is given: the one rate, or the one place, that the conditions leave to be found.
-        None where nothing is given (unless even_if_open), or where they leave more."""
-        if not (self.given or even_if_open) or not self.equations:
+        """What follows where something is given: the one rate, or the one place, that the conditions leave to be found;
+        where nothing is given and nothing runs, the place nearest to the start, unless it may stay open (even_if_open:
+        all of them). None where they leave more."""
+        if not self.equations:
             return None
         free = frozenset[int]().union(*(self.model.field.ingredients(x) for x in self.equations))
         speeds = [c for c in self.cyclic if c.speed in free]
         places = [c for c in self.others if c.index in free]
+        if not (self.given or even_if_open):
+            return self._nearest_to_start(places) if not self.cyclic and len(self.equations) == 1 else None
         try:
             if len(speeds) == 1 and not places:
                 return self.solved_for(speeds[0].speed)
@@ -392,11 +398,38 @@ class SteadyMotion:
             return None
         return None
 
+    def _nearest_to_start(self, places: Sequence[Coordinate]) -> Solutions | None:
+        place = self.nearest_place(self.equations[0], places[0]) if len(places) == 1 else None
+        if place is None:
+            return None
+        shown = compared(self.model.field.generators[places[0].index].display, "=", tidy(place))
+        told = Message("about the steady motion with {place}", place=shown)
+        return Solutions(places[0].index, [place], [reworded(told, shown)])
+
+    def nearest_place(self, condition: Ratio, c: Coordinate) -> Ratio | None:
+        """Where a condition holds, by its one open coordinate, nearest to the start. An angle that is so whatever the
+        parameters are is meant only where the start is at it."""
+        with self.model.samples.apart():
+            places = zeros_of(self.model, condition.numerator(), c)
+        measure = self.model.measure_of(c)
+        if measure is not None and measure.is_angle:
+            places = [x for x in places if not is_quarter(x)]
+        start = self.model.samples.start_numbers(c.index)
+        if not places or not [v for v in start[:1] if v == v]:
+            return None
+        return self.model.field.lowest_terms(nearest(self.model, c.index, places))
+
     # -- the instant --------------------------------------------------------------------------
     @cached_property
     def state(self) -> SymbolicState:
         """A general instant of a steady motion: without accelerations."""
         return SymbolicState(self.model.without_accelerations(), self.still)
+
+
+def is_quarter(x: Ratio) -> bool:
+    """Whether an element is zero, or a multiple of a quarter turn."""
+    quarters = (2 * x / x.field.pi).fraction()
+    return quarters is not None and quarters.denominator == 1
 
 
 def without_strict_factors(x: Ratio) -> Ratio:

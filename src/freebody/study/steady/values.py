@@ -112,7 +112,8 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: SteadyMoti
     texts = [] if solutions is not None else steady.texts()
     motion = solutions or (steady.any_solution() if steady.equations else None)
     evidence = during_steady_motion(setup, question.text, steady, motion, q.of, by_root)
-    notes: list[str] = [] if texts or solutions is not None else [Message("every such motion is steady")]
+    notes = [] if solutions is None else solutions.notes if not steady.given else []
+    notes = notes if texts or solutions is not None else [Message("every such motion is steady")]
     says: list[str] = [Message("steady while {conditions}", conditions=further(*texts))] if texts else []
     needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
     ranges = _ranges(roots) if solutions is not None else []

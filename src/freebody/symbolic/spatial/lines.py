@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from freebody.measures.geometry import Vector
+from freebody.measures.geometry import Point, Vector
 from freebody.symbolic.atoms import angle_with
 from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import Elimination, RowEquation
@@ -38,6 +38,10 @@ class SpatialLines(Lines):
 
     def _positions(self) -> set[int]:
         return {index for index, u in self.unknowns.found.items() if u.rank[0] == POSITION}
+
+    def ends(self) -> list[tuple[Point, Point]]:
+        """None: there a line is the picture of one in some plane."""
+        return []
 
     # -- roots --------------------------------------------------------------------------------
     def unknown_root(self) -> ElementMap | None:
