@@ -50,6 +50,7 @@ class StagedMotion:
         self.speeds: list[NamedElement] = []
         self.accelerations: list[NamedElement] = []
         self.inertias: list[NamedElement] = []
+        self._dependent_rates: dict[int, Ratio] = {}
         self._name_speeds()
         if is_still:
             self.model = model.in_names(self._velocities, self._by_ratio)
