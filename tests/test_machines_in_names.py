@@ -131,6 +131,17 @@ def test_a_landing_gear_is_held_by_its_ram_in_a_pose_that_loops_give(question: s
     assert "s_ram" in [to_text(step.name) for step in found.chain.named]  # and no root of all that it depends on
 
 
+def test_a_rod_that_the_load_alone_presses_is_checked_with_the_ram_that_holds_it() -> None:
+    """Moments about the hinge of the body give the strut, whatever the ram does."""
+    text = GEAR.replace("ground.S to lower.center", "ground.S to lower.end").replace("leg.end, along", "leg.C, along")
+    found = posed(text, "tension of lower in equilibrium")
+    B, theta = (0.9, 0.05), math.radians(-70)
+    C = 0.8 * math.cos(theta), 0.8 * math.sin(theta)
+    E = meeting(C, 0.55, B, 0.5, -1)
+    arm = (C[0] * (E[1] - C[1]) - C[1] * (E[0] - C[0])) / 0.55
+    assert found.value == pytest.approx(2000 * C[0] / arm, rel=1e-9)
+
+
 BOOM = """
 parameters: {a: m, b: m, L: m, W: N, v: m/s, s0: m}
 ground: {points: {O: [0, 0], C: [a, 0]}}

@@ -23,7 +23,7 @@ from freebody.study.answering import loops
 from freebody.study.answering.about_rest import balancing, is_given_pose, open_loads
 from freebody.study.answering.answer import Answer, made
 from freebody.study.answering.at_equilibrium import AT_REST, seen_at_rest
-from freebody.study.answering.chain import ChainBuilder, InNamesState, inputs
+from freebody.study.answering.chain import ChainBuilder, InNamesState
 from freebody.study.answering.crosscheck import CrossCheck, as_parts
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NO_FORM
@@ -59,8 +59,8 @@ def _answer(setup: Setup, question: Question, name: str, q: Quantity | None) -> 
     if not setup.model.loops or not is_given_pose(setup):
         return None
     with suppress(*NO_FORM, KeyError, ValueError, ArithmeticError):
-        found = _chain(setup, name, q)
-        return None if found is None else _told(setup, question, name, q, found)
+        found, load = _chain(setup, name, q), _chain(setup, name, None)
+        return None if found is None or load is None else _told(setup, question, name, q, found, load)
     return None
 
 
@@ -122,14 +122,15 @@ def _chain(setup: Setup, name: str, q: Quantity | None) -> InNames | None:
     return builder.told(q.value(setup.system, state))
 
 
-def _told(setup: Setup, question: Question, name: str, q: Quantity | None, found: InNames) -> Answer:
-    """Raises CannotAnswer where it could not be checked."""
+def _told(setup: Setup, question: Question, name: str, q: Quantity | None, found: InNames, load: InNames) -> Answer:
+    """load: the chain of the load, which not everything depends on. Raises CannotAnswer where it could not be
+    checked."""
     route = Message("floating-point solve of all bodies and constraints at rest there")
     check = CrossCheck(question.text, route, AT_REST)
 
     def compare(draw: Draw) -> None:
         exact = in_numbers(setup, found, draw, draw.start())
-        size = exact[0] if q is None else found.chain.values(_known(setup, draw))[name]
+        (size,) = in_numbers(setup, load, draw, draw.start())
         held = draw.with_values({**draw.values, name: size})
         seen = seen_at_rest(held, held.q, 0.0 * held.q)
         numeric = exact if q is None else as_parts(q.value(setup.system, moving_for(q, seen)))
@@ -151,7 +152,3 @@ def _told(setup: Setup, question: Question, name: str, q: Quantity | None, found
         evidence=evidence,
         chain=found.chain,
     )
-
-
-def _known(setup: Setup, draw: Draw) -> dict[str, float]:
-    return inputs(setup, setup.model.samples.numbers(draw.sample(draw.start()), draw.sample()))
