@@ -11,6 +11,7 @@ import math
 import pytest
 
 from conftest import assert_same_function
+from freebody.api import System
 from freebody.language.expression import Expr
 from freebody.language.notation import to_python, to_text
 from posed import posed
@@ -129,6 +130,13 @@ def test_a_landing_gear_is_held_by_its_ram_in_a_pose_that_loops_give(question: s
     assert found.chain is not None
     assert found.value == pytest.approx(ram_and_strut()[k], rel=1e-6)
     assert "s_ram" in [to_text(step.name) for step in found.chain.named]  # and no root of all that it depends on
+
+
+@pytest.mark.parametrize("question", ["value of F for which nothing moves", "size of reaction of A in equilibrium"])
+def test_the_derivation_of_a_pose_says_by_which_principles_its_names_follow(question: str) -> None:
+    system = System.from_text(GEAR)
+    for language, word in (("en", "virtual power"), ("de", "virtuellen Leistungen")):
+        assert word in str(system.explain(question, language=language))
 
 
 def test_a_rod_that_the_load_alone_presses_is_checked_with_the_ram_that_holds_it() -> None:
