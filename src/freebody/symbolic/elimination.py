@@ -100,7 +100,7 @@ class Elimination:
             open_equations = [self._insert(e, values, cancels=any(u.defines for u in used)) for e in rest]
             self.solved += list(values.items())
             open_equations = self._unsettled(open_equations)
-        self.loops = open_equations
+        self.loops = self._through_fewest(open_equations)
         gone = {index for index, _value in self.solved}
         self.kept = sorted(
             (u for u in self.unknowns.values() if u.index not in gone), key=lambda u: u.rank, reverse=True
@@ -118,6 +118,31 @@ class Elimination:
         for index, value in self.solved:
             x = self.field.follow(x, {index: value})
         return x
+
+    # -- loops --------------------------------------------------------------------------------
+    def _through_fewest(self, loops: list[RowEquation]) -> list[RowEquation]:
+        """Each loop through as few coordinates as it can: where two share links, their difference is a loop round
+        both, as that of crank, pitman and back plate of a crusher, which has no part of the jaw."""
+        found = list(loops)
+        for k, one in enumerate(found):
+            shorter = (x for other in found if other is not one for x in self._round_both(one.value, other.value))
+            best = min(shorter, key=self._n_coordinates, default=one.value)
+            if self._n_coordinates(best) < self._n_coordinates(one.value):
+                found[k] = replace(one, value=best)
+                return self._through_fewest(found)
+        return found
+
+    def _n_coordinates(self, x: Ratio) -> int:
+        return len(self.field.ingredients(x) & self.unknowns.keys())
+
+    def _round_both(self, x: Ratio, y: Ratio) -> Iterator[Ratio]:
+        """Sums of multiples of two equations in which a cosine, a sine or a length that both are linear in is gone."""
+        for g in sorted(x.generators() & y.generators()):
+            if not (self.field.ingredients(self.field.variable(g)) & self.unknowns.keys()):
+                continue
+            first, second = (e.numerator().coefficients(g) for e in (x, y))
+            if len(first) == len(second) == 2 and self._is_still(first[1]) and self._is_still(second[1]):
+                yield self.field.lowest_terms(x - y * first[1] / second[1]).numerator()
 
     # -- steps --------------------------------------------------------------------------------
     def _next_step(self, open_equations: list[RowEquation]) -> EliminationStep | None:

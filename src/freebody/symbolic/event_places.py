@@ -134,9 +134,9 @@ class EventPlaces:
     def _nothing_before(
         self, chosen: EventPlace, places: Sequence[EventPlace], start: Ratio, begins: Sequence[float], way: int
     ) -> Iterator[Need]:
-        """start < chosen < all other places but those behind the start, as that is at the first sample; what is known
-        of the nearest ones is known of all, for they repeat in the same order."""
-        s = next(k for k, x in enumerate(chosen.numbers) if not math.isnan(x))
+        """start < chosen < all other places but those behind the start, as that is at the first sample at which it is
+        ahead; what is known of the nearest ones is known of all, for they repeat in the same order."""
+        s = next(k for k, x in enumerate(chosen.numbers) if way * (x - begins[k]) > _NEAR)
         ahead = [p for p in places if p is not chosen and way * (p.numbers[s] - chosen.numbers[s]) > _NEAR]
         behind = [p for p in places if way * (p.numbers[s] - begins[s]) < -_NEAR]
         pairs = [(chosen.at, start)]

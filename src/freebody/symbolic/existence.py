@@ -43,7 +43,8 @@ def _needs(x: Ratio, seen: set[int]) -> Iterator[tuple[Ratio, str, str]]:
         kind = f.generators[g].kind
         if kind == "root":
             yield from _needs(f.radicand(g), seen)
-            yield f.radicand(g), ">=", ROOT
+            if g not in f.real_roots:
+                yield f.radicand(g), ">=", ROOT
         elif kind in ("cos", "sin"):
             angle = f.angles.get(g if kind == "cos" else g - 1)
             if angle is not None:

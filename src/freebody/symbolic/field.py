@@ -244,6 +244,7 @@ class Field(PolynomialRing):
         self.doubled_pairs: dict[Any, tuple[Ratio, Ratio]] = {}  # cosine and sine of twice an angle, by its key
         self.positive_roots: dict[int, bool] = {}  # what `signs` found out about roots
         self.known_signs: dict[str, Any] = {}  # the same about polynomials, by their texts
+        self.real_roots: set[int] = set()  # of what cannot be negative, as sums of squares
         self.shown_roots: dict[int, Any] = {}  # as `tidy` writes them
         self.decided: dict[Any, Any] = {}  # what `decide` found out about signs under premises
         super().__init__(capacity)

@@ -106,8 +106,9 @@ class PolynomialRing:
 
     @contextmanager
     def within(self, pairs: int | None) -> Generator[None]:
-        """Quotients inside compare no more pairs of terms, of numerator and denominator, than so many: beyond that, as
-        where a product is too long, FormulaTooDear is raised. None: as many as it takes."""
+        """Quotients inside compare no more pairs of terms, of numerator and denominator, and squares that are put in
+        multiply no more, than so many: beyond that, as where a product is too long, FormulaTooDear is raised. None: as
+        many as it takes."""
         before, self._left = self._left, pairs
         try:
             yield
@@ -116,11 +117,14 @@ class PolynomialRing:
 
     def common_divisor(self, a: Poly, b: Poly) -> Poly:
         """The greatest one."""
+        self._spend(len(a) * len(b))
+        return a.gcd(b)
+
+    def _spend(self, pairs: int) -> None:
         if self._left is not None:
-            self._left -= len(a) * len(b)
+            self._left -= pairs
             if self._left < 0:
                 raise _too_long(FormulaTooDear)
-        return a.gcd(b)
 
     def reduce(self, poly: Poly) -> Poly:
         """Normal form modulo the relations g^2 = r."""
@@ -135,6 +139,7 @@ class PolynomialRing:
         for index in sorted(self._relations, reverse=True):
             if poly.degrees()[last - index] >= 2:
                 self._check_work(poly, index)
+                self._spend(len(poly) * len(self._relations[index]))
                 poly = divmod(poly, self._relations[index])[1]
         return poly
 

@@ -34,9 +34,12 @@ class NamedElement:
 class StagedMotion:
     """The names of a model's motion in their order; `model` is the same model, and tells what is asked in them."""
 
-    def __init__(self, model: SymbolicModel, taken: set[str], short: Callable[[Coordinate], str]) -> None:
+    def __init__(
+        self, model: SymbolicModel, taken: set[str], short: Callable[[Coordinate], str], *, is_still: bool = False
+    ) -> None:
         """taken: names that mean something else, to which those of the motion are added; short: a coordinate as a
-        subscript. Raises CannotAnswer where the accelerations are not determined."""
+        subscript; is_still: nothing accelerates, whatever has mass. Raises CannotAnswer where the accelerations are not
+        determined."""
         self._of, self.field = model, model.field
         self._taken, self._short = taken, short
         loops = [self.field.rate(e.value.numerator()) for e in model.loops]
@@ -46,7 +49,12 @@ class StagedMotion:
         self.ratios: list[NamedElement] = []
         self.speeds: list[NamedElement] = []
         self.accelerations: list[NamedElement] = []
+        self.inertias: list[NamedElement] = []
+        self._dependent_rates: dict[int, Ratio] = {}
         self._name_speeds()
+        if is_still:
+            self.model = model.in_names(self._velocities, self._by_ratio)
+            return
         self._dependent_rates = self._name_rates()
         self._name_accelerations()
         self.model = model.in_names(self._velocities, {}, {a: self.field.variable(a) for a in model.accelerations})
@@ -133,7 +141,6 @@ class StagedMotion:
     def _name_accelerations(self) -> None:
         """M du/dt = Q, then dv/dt"""
         f = self.field
-        self.inertias: list[NamedElement] = []
         self.forces: list[NamedElement] = []
         with f.other_rates(self._dependent_rates):
             moved = self._of.in_names(self._velocities, self._by_ratio)

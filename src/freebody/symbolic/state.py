@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -35,6 +35,7 @@ from freebody.symbolic.signs import Sign, sign_of
 
 _POLYNOMIAL_LIMIT = 12
 _MOST_TERMS_OF_VECTOR = 200  # whose size is formed in one piece
+_MOST_THROUGH_LOOPS = 8  # the same where a chain of names has the components
 
 
 class SymbolicState:
@@ -159,9 +160,18 @@ class SymbolicState:
     def size(self, vector: tuple[Any, ...]) -> Ratio:
         """Raises FormulaTooLong where the components are so long that nobody reads a root of their squares."""
         parts = list(map(self.model.field.element, vector))
-        if sum(x.n_terms for x in parts) > _MOST_TERMS_OF_VECTOR:
+        most = _MOST_THROUGH_LOOPS if self.model.loops else _MOST_TERMS_OF_VECTOR
+        if sum(x.n_terms for x in parts) > most:
             raise FormulaTooLong(Message("the size of a vector with such long components is a chain of formulas"))
-        return self.sqrt(sum((x * x for x in parts), start=self.model.field.zero))
+        return self.root_of_squares(parts)
+
+    def root_of_squares(self, parts: Sequence[Ratio]) -> Ratio:
+        """The root of a sum of squares, which is real whatever they are."""
+        f = self.model.field
+        found = self.sqrt(sum((x * x for x in parts), start=f.zero))
+        within = set[int]().union(*(x.generators() for x in parts))
+        f.real_roots |= {g for g in found.generators() - within if f.generators[g].kind == "root"}
+        return found
 
     def absolute(self, x: Any) -> Ratio:
         """As a root, out of which only factors come whose sign is known: |m1 - m2| g."""

@@ -5,25 +5,42 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.narrative.context import Context, Derive, Method
 from freebody.narrative.lines.script import DerivationStage, Script, ready
-from freebody.narrative.principles.loops import all_bound
+from freebody.narrative.principles.loops import all_bound, closed_loops, however_long
 from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.questions.reading import Question
+from freebody.study.answering.about_rest import is_given_pose
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 
 
 def or_in_numbers(derive: Derive) -> Derive:
-    """The same derivation; where it cannot be done since the solver has no formula either, the equations of motion."""
+    """The same derivation; where it cannot be done since the solver has no formula either, the equations of motion, and
+    of a pose that a chain tells those of the loops."""
 
     def derived(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
+        if answer.chain is not None and question.quantity.scope == "rest":
+            return of_pose(context)
         try:
             return derive(context, question, answer, method)
         except CannotAnswer:
+            if answer.chain is not None and answer.expression is not None and is_given_pose(context.setup):
+                return of_pose(context)
             if answer.expression is not None or not answer.reason or not _is_plain(context):
                 raise
             return in_numbers(context, answer)
 
     return derived
+
+
+def of_pose(context: Context) -> list[DerivationStage]:
+    """Of a machine that a load holds in a pose: the loops, and by which principles the names of the chain follow."""
+    script = context.script()
+    with script.stage("stage.solved_loops"):
+        closed_loops(context.setup, script, limit=however_long)
+        script.say("unclosed.pose")
+    with script.stage("stage.value"):
+        script.say("unclosed.balance")
+    return script.stages
 
 
 def _is_plain(context: Context) -> bool:

@@ -257,26 +257,46 @@ def balanced_by_a_load(setup: Setup) -> tuple[System, str] | None:
     """The system with the load of which the size is open as it balances the others in the pose of the start, and what
     is to be said of it; None where no load is open, or none can. Of several the one that is named last: a machine is
     given what goes in, and asked for what comes out."""
-    system, model = setup.system, setup.model
-    if len(model.coordinates) != 1 or (at := _still_start(setup)) is None:
+    model = setup.model
+    if not is_given_pose(setup) or (at := _still_start(setup)) is None:
         return None
-    if not model.dynamics.moves_no_mass and model.coordinates[0].name not in system.start:
-        return None  # nobody said that this is the pose of rest
     f = model.field
     still = at | {c.speed: f.zero for c in (*model.coordinates, *model.dependent)}
     force = f.lowest_terms(f.follow(model.dynamics.generalized_force(model.coordinates[0]), still))
-    in_loads = {name for push in system.applied_loads for name in free_symbols(push.law)}
-    open_ones = [p for p in system.parameters.values() if p.value is None and p.form is None and p.name in in_loads]
-    for p in reversed([p for p in open_ones if p.dimension in (FORCE, TORQUE)]):
-        own = f.index(model.parameters[p.name])
-        parts = force.numerator().coefficients(own)
-        if len(parts) == 2 and own not in f.ingredients(parts[0]) | f.ingredients(parts[1]):
-            size = tidy(f.lowest_terms(-parts[0] / parts[1]))
-            told = Message("in the pose of the start, where {name} balances the other loads", name=p.name)
+    for name in open_loads(setup):
+        if (x := balancing(setup, force, name)) is not None:
+            size = tidy(x)
+            told = Message("in the pose of the start, where {name} balances the other loads", name=name)
             if n_operations(size) <= _MOST_SHOWN:
-                told = Message("in the pose of the start, with the balance {x}", x=compared(Symbol(p.name), "=", size))
-            return with_loads(system, {p.name: size}), told
+                told = Message("in the pose of the start, with the balance {x}", x=compared(Symbol(name), "=", size))
+            return with_loads(setup.system, {name: size}), told
     return None
+
+
+def is_given_pose(setup: Setup) -> bool:
+    """Whether the start of one freedom is the pose of a machine at rest: no mass moves, or somebody said so."""
+    system, model = setup.system, setup.model
+    if len(model.coordinates) != 1 or depends_on_time(system) or any(system.all_start_rates.values()):
+        return False
+    return model.dynamics.moves_no_mass or model.coordinates[0].name in system.start
+
+
+def open_loads(setup: Setup) -> list[str]:
+    """The parameters that are forces or torques of loads and have no value, the last one first."""
+    in_loads = {name for push in setup.system.applied_loads for name in free_symbols(push.law)}
+    given = setup.system.parameters.values()
+    found = [p for p in given if p.value is None and p.form is None and p.name in in_loads]
+    return [p.name for p in reversed(found) if p.dimension in (FORCE, TORQUE)]
+
+
+def balancing(setup: Setup, force: Ratio, name: str) -> Ratio | None:
+    """The size of a load with which a generalized force vanishes that is linear in it; None where it is not."""
+    f = setup.model.field
+    own = f.index(setup.model.parameters[name])
+    parts = force.numerator().coefficients(own)
+    if len(parts) != 2 or own in f.ingredients(parts[0]) | f.ingredients(parts[1]):
+        return None
+    return f.lowest_terms(-parts[0] / parts[1])
 
 
 def _other_rests(setup: Setup, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:

@@ -28,6 +28,7 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.written import HasNoValue
 
 _MOST_PAIRS = 10_000_000  # of terms that quotients compare: a formula that takes more is read as a chain only
+_MOST_PAIRS_AT_REST = 100_000  # of a machine in one pose, whose chain is short
 
 
 class FindingByKind:
@@ -160,11 +161,16 @@ class FindingByKind:
             return found
 
     def _balanced(self, q: Quantity) -> Finding | None:
-        """In the pose of the start, where a load of which the size is open balances the others."""
-        if (balanced := about_rest.balanced_by_a_load(self.setup)) is None:
+        """In the pose of the start, where a load of which the size is open balances the others. Raises FormulaTooLong
+        where a chain of names has it."""
+        pairs = allowed(_MOST_PAIRS_AT_REST)
+        with self.model.field.within(pairs):
+            balanced = about_rest.balanced_by_a_load(self.setup)
+        if balanced is None:
             return None
         setup = Setup(balanced[0])
-        found = about_rest.value_where_it_starts(setup, self.question, q)
+        with setup.model.field.within(pairs):
+            found = about_rest.value_where_it_starts(setup, self.question, q)
         if found is None:
             return None
         self._look(setup)

@@ -172,8 +172,12 @@ class ChainBuilder:
         self.name_motion(staged.speeds, staged.biases, staged.forces, staged.accelerations)
         with f.other_rates(staged.rates()):
             value = quantity.value(self.setup.system, InNamesState(self, staged, quantity.letter))
+        return self.told(value)
+
+    def told(self, value: Any) -> InNames | None:
+        """A quantity, or the parts of a vector, in the names that there are."""
         elements: tuple[Any, ...] = value if isinstance(value, tuple) else (value,)
-        result = [self.here(f.element(x)) for x in elements]
+        result = [self.here(self.field.element(x)) for x in elements]
         chain = self._ordered(list(map(tidy, result)))
         return None if chain is None else self._found(chain, self._needs(chain, result))
 
@@ -200,9 +204,9 @@ class ChainBuilder:
         closing = tuple(text for name, text in self._closing.items() if name in told)
         return InNames(chain, needs, tuple(self.closure.sides), closing)
 
-    def staged(self) -> StagedMotion:
-        """The motion in names of this chain."""
-        staged = StagedMotion(self.model, self.taken, partial(_short, self.setup))
+    def staged(self, *, is_still: bool = False) -> StagedMotion:
+        """The motion in names of this chain; is_still: a pose at rest."""
+        staged = StagedMotion(self.model, self.taken, partial(_short, self.setup), is_still=is_still)
         self._mass = staged.inertias[0].index if len(staged.inertias) == 1 else None
         return staged
 

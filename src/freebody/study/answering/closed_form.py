@@ -29,6 +29,7 @@ from freebody.study.answering.finding import Elements, Finding, answered
 from freebody.study.answering.frequency_in_names import frequency_about_a_found_rest, frequency_in_names
 from freebody.study.answering.in_names import answer_in_names
 from freebody.study.answering.numbers import number_instead
+from freebody.study.answering.rest_in_names import answer_at_rest
 from freebody.study.answering.staying import check_stays
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
@@ -91,10 +92,11 @@ class QuestionSolver(FindingAtEvents):
         return isinstance(q, SmallOscillations) and isinstance(x, Ratio) and n_operations(tidy(x)) > _MOST_READ
 
     def _otherwise(self) -> Answer | None:
-        """Where no closed form is found: by a chain at a place in numbers, else as whoever asks tells."""
+        """Where no closed form is found: by a chain, in the pose of the start or at a place in numbers, else as whoever
+        asks tells."""
         from freebody.study.steady.extremes_in_names import extreme_in_names
 
-        found = extreme_in_names(self.setup, self.question)
+        found = answer_at_rest(self.setup, self.question) or extreme_in_names(self.setup, self.question)
         found = found or frequency_about_a_found_rest(self.setup, self.question)
         return found if found is not None or self.otherwise is None else self.otherwise()
 

@@ -6,6 +6,7 @@ Otherwise the answer keeps them, beside the equations of the loop.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
 
 from freebody.errors import CannotAnswer
@@ -69,7 +70,7 @@ def solved(setup: Setup, element: Elements, state: SymbolicState) -> tuple[Eleme
                 and n_terms(found) <= _MOST_TERMS
             ):
                 rates = [] if form is whole else _rates(setup, found, state, values)
-                return None if rates is None else (found, [*branch(closure), *rates], closure.sides)
+                return None if rates is None else (found, [*branch(closure.sides), *rates], closure.sides)
     except (CannotAnswer, ZeroDivisionError):
         pass
     return None
@@ -114,12 +115,11 @@ def _followed(element: Elements, values: dict[int, Ratio]) -> Elements:
     return element.field.lowest_terms(element.field.follow(element, values))
 
 
-def branch(closure: Closure) -> list[str]:
-    """How the loops are assembled, as a note."""
-    sides = [_positive(x) for x in closure.sides]
+def branch(sides: Sequence[Ratio]) -> list[str]:
+    """How the loops are assembled, as a note. sides: what is positive then."""
     if not sides:
         return []
-    told = joined(sides)
+    told = joined(map(_positive, sides))
     return [reworded(Message("as it is assembled: {condition}", condition=told), told)]
 
 
@@ -144,13 +144,13 @@ def loops_in(setup: Setup, element: Elements, state: SymbolicState | None, chain
         numbers = ", ".join(f"{symbol_text(name)} = {number_text(math.degrees(x))}°" for name, x in told)
         values = joined(compared(Symbol(name), "=", number(Fraction(f"{x:.6g}"))) for name, x in told)
         numeric = reworded(Message("with the given numbers: {case}", case=numbers), values)
-        return [*_equations(setup), *branch(closure), numeric]
+        return [*_equations(setup), *branch(closure.sides), numeric]
     found = None if state is None else angles(setup, element, state, closure)
     if found is None:
         return _equations(setup)
     formulas = [compared(tidy(model.field.variable(d)), "=", tidy(value)) for d, value in found.items()]
     rates = [] if state is None else _rates(setup, element, state, {}) or []
-    return [*(reworded(Message("with {zero}", zero=x), x) for x in formulas), *rates, *branch(closure)]
+    return [*(reworded(Message("with {zero}", zero=x), x) for x in formulas), *rates, *branch(closure.sides)]
 
 
 def _equations(setup: Setup) -> list[str]:

@@ -21,12 +21,14 @@ from freebody.questions.happening import FailsFirst, Happening, Lasting
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.questions.turned_round import SO, RangeFor, RangeForAtRest
+from freebody.study.answering.about_rest import open_loads
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, made
 from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.answering.crosscheck import CrossCheck
 from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.formula import Formula
 from freebody.study.answering.of_parameter import solved_for
+from freebody.study.answering.rest_in_names import load_at_rest
 from freebody.study.answering.scope import for_all
 from freebody.study.friction.balance import in_balance
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
@@ -116,10 +118,21 @@ class _Answerer:
         ends = self.rest.parameter(q.parameter)
         if q.is_of_slip:
             self._insist_on_slip(ends, q)
+        if (named := self._by_names(q)) is not None:
+            return named
         balance = None if ends.is_linear else in_balance(self.touching, self.setup, self.question, q)
         return (
             self._ends(ends, q.parameter, q.ends) if balance is None else QuestionSolver(self.setup, balance).answer()
         )
+
+    def _by_names(self, q: RestLimit) -> Answer | None:
+        """Of a load of a machine without friction in a pose that loops give it, which no short formula tells."""
+        touching, model, start = self.touching, self.setup.model, self.setup.start
+        if q.which != "range" or touching.dry_friction or touching.bounds:
+            return None
+        if all(d.index in start.values for d in model.dependent) or q.parameter not in open_loads(self.setup):
+            return None
+        return load_at_rest(self.setup, self.question, q.parameter)
 
     def _insist_on_slip(self, ends: Ends, q: RestLimit) -> None:
         """Of what leaves rest without any slip, words of slipping mean the motion. Raises CannotAnswer there."""

@@ -68,10 +68,16 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
         evidence = over_a_turn(setup, question.text, q.of, turning.angle, least, largest, conditions)
     ends = ((Message("least"), least), (Message("largest"), largest))
     notes = [where(end, e, turning) for end, e in ends] + turning.notes
+    notes += search.by_sign(setup, q, least, largest)
     element = told(search, q, least, largest)
     way = {"least": 1, "greatest": -1}.get(q.what)
     each = [] if way is None else [(e.value, search.beside(e, every, way)) for e in every]
-    return Finding(element, evidence, conditions, notes, cases=Cases(search.settled + kept, each) if each else None)
+    needed = search.needed([e for e in (least, largest) if way is None or e is (least if way > 0 else largest)]) + kept
+    return Finding(element, evidence, needed, notes, cases=Cases(search.settled + kept, each) if each else None)
+
+
+def more_in_size(size: str) -> str:
+    return Message("greatest by its sign; where it is negative its size is more, up to {x}", x=size)
 
 
 def waves_of(setup: Setup, question: Question, q: Extremes, x: Ratio) -> Superposed | None:
@@ -226,6 +232,7 @@ class ExtremaSearch:
         self.field = turning.model.field
         self.conditions: list[Condition] = []
         self.settled: list[Condition] = []  # without which there is no such turn, whichever extreme is which
+        self._of_places: list[tuple[TurnPose, list[Condition]]] = []  # what makes each of them real
 
     def extremes(self, setup: Setup, x: Ratio) -> tuple[list[Extremum], Extremum, Extremum]:
         """All stationary values, the least and the largest of them; of a size by its square, which has a slope where it
@@ -248,7 +255,12 @@ class ExtremaSearch:
     def stationary(self, x: Ratio) -> list[Extremum]:
         """All stationary values, each once."""
         candidates = self.turning.zeros(self._slope(x).numerator())
-        places = [p for p in candidates if self._exists(p, candidates)]
+        places: list[TurnPose] = []
+        for place in candidates:
+            known = len(self.conditions)
+            if self._exists(place, candidates):
+                places.append(place)
+                self._of_places.append((place, self.conditions[known:]))
         values: list[Extremum] = []
         for place in places:
             value = self.turning.at(x, place)
@@ -260,6 +272,23 @@ class ExtremaSearch:
         if not values:
             raise CannotAnswer(Message("no pose is stationary: the quantity has no extremes over a turn"))
         return values
+
+    def by_sign(self, setup: Setup, q: Extremes, least: Extremum, largest: Extremum) -> list[str]:
+        """That the greatest value is not that of the greatest size, where that is so."""
+        beyond = self.field.lowest_terms(-least.value - largest.value)
+        if q.what != "greatest" or beyond.is_zero():
+            return []
+        is_more = decide(beyond, ">", self.conditions)
+        if is_more is None and setup.has_values:
+            is_more = self._at_first(beyond) > 0
+        return [more_in_size(to_text(tidy(-least.value)))] if is_more else []
+
+    def needed(self, meant: Sequence[Extremum]) -> list[Condition]:
+        """Without the conditions that make other extremes real: where these are not, there is only less to compare
+        with."""
+        own = [c for place, each in self._of_places for c in each if any(place in e.places for e in meant)]
+        others = [c for _place, each in self._of_places for c in each if c not in own]
+        return [c for c in self.conditions if c not in others]
 
     def _exists(self, place: TurnPose, candidates: Sequence[TurnPose]) -> bool:
         """Whether a place is real: for all admissible values, or as at the first sample, which is a condition then.

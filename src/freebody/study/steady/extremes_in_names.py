@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -34,6 +34,7 @@ from freebody.study.answering.named_formulas import Chain, NamedFormula
 from freebody.study.setup import Setup
 from freebody.study.steady.chain_in_balls import ChainInBalls
 from freebody.study.steady.drive import FreeToTurn, turned_by_drive
+from freebody.study.steady.extremes import more_in_size
 from freebody.study.steady.round_turn import N_POSES, DrawnTurn
 
 _N_LOOKS = 720  # poses in which the chain is looked at
@@ -170,10 +171,18 @@ def _told(setup: FreeToTurn, question: Question, turn: ChainOverTurn) -> Answer 
         None,
         value,
         reason=Message("the place at which its slope vanishes has no closed form"),
-        notes=_notes(turn, place, value),
+        notes=[*_notes(turn, place, value), *_by_sign(turn, value, q.of.unit)],
         evidence=Evidence(1, gap, route),
         chain=chain,
     )
+
+
+def _by_sign(turn: ChainOverTurn, value: float, unit: str) -> list[str]:
+    """That the greatest value is not that of the greatest size, where that is so."""
+    if turn.side < 0 or min(x for _angle, x in turn.looks) >= -abs(value) * (1 + _SAME):
+        return []
+    least = replace(turn, side=-1).best()[1]
+    return [more_in_size(f"{number_text(-least)} {unit}".rstrip())]
 
 
 def _notes(turn: ChainOverTurn, place: float, value: float) -> list[str]:
