@@ -190,8 +190,9 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "change": r"change|kinetic energy| - |lost|sensitivity|derivative",
         "instant centre": r"instant centre",
         "degrees of freedom": r"degrees of freedom",
-        "terminal velocity": r"grows|terminal|steady|rolling|when ",
-        "terminal angular velocity": r"(?:angular|theta|phi|rate|velocity of \w+) .*(?:grows|terminal|steady|when )",
+        "terminal velocity": r"grows|terminal|steady|rolling|when |final",
+        "terminal angular velocity": r"(?:angular|theta|phi|rate|velocity of \w+) .*(?:grows|terminal|steady|when )|"
+        r"final",
         "steady amplitude": r"amplitude|greatest",
         "free amplitude": r"amplitude|greatest|=",
         "resonance frequency": rf"resonance|frequency|{_CHOICE}",
