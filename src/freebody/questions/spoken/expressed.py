@@ -239,7 +239,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         rf"normal|stop|held",
         "tip": rf"tip|turn over|lift|topple|{_CHOICE}|angular|=|open",
         "conserved": r"conserved|constant|is ",
-        "stable": r"stable|stability|equilib|steady",
+        "stable": r"stable|stability|equilib|steady|does it hold",
         "unstable": r"stable|stability|equilib|steady",
         "turn_fully": rf"fully|crank|grashof|degrees|turn|round|taut|reach|{_CHOICE}|can|is ",
         "assemble": r"assembl|close|built|degrees|range",

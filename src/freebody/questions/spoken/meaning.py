@@ -438,6 +438,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         spins = names.space and not lookup.rests(names) and not asked
         if not asked and (lookup.is_controlled(names) or spins) and is_all:
             yield ["stability of steady motion"]
+        stands = joining.is_rough(names) and lookup.rests(names) and verbs == {"stable"} and not main.has("ask")
+        if stands and not asked and everything and not main.all("instant"):  # of what friction holds
+            yield ["does it hold"]
         if asked == ["equilibrium"] or (not asked and is_all and not spins):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
