@@ -13,7 +13,7 @@ from itertools import pairwise, takewhile
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
-from freebody.language.units import LENGTH, MASS
+from freebody.language.units import FORCE, LENGTH, MASS
 from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.in_the_impact import is_of_impact
@@ -252,6 +252,9 @@ def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
         return False
     if parameter not in names.parameters or any(word.kind == "name" and word.what == parameter for word in words):
         return True
+    main = [*takewhile(lambda word: word != Word("mark", "so_that"), words)]
+    if Word("ask", "heavy") in main:  # how heavy may it be, so that the force in the hitch is at most 3 kN
+        return names.parameters[parameter].dimension in (MASS, FORCE)
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]
     if not kinds or any(kind.written for kind in kinds):
         return True

@@ -10,17 +10,26 @@ import re
 _EN = ("two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 _DE = ("zwei", "drei", "vier", "fünf", "sechs", "sieben", "acht", "neun", "zehn", "elf", "zwölf")
 _NUMBERS = {word: n for words in (_EN, _DE) for n, word in enumerate(words, 2)}
+_NUMBERS |= {"twice": 2, "zweimal": 2, "dreimal": 3, "viermal": 4, "fünfmal": 5, "zehnmal": 10}
 _ORDINALS = ("sixth", "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth")
 _NUMBERS |= {word: n for n, word in enumerate(_ORDINALS, 6)}
 _NUMBERS |= {f"{word}ten": n for n, word in enumerate(_DE, 2) if n > 5} | {"siebten": 7, "achten": 8}
 _IMPACTS = r"(?:impacts|bounces|collisions|hits|rebounds)"
 _AUFPRALLE = r"(?:aufprallen|aufschlägen|stößen|stössen|sprüngen|aufprallern|mal aufprallen)"
 _AUFPRALL = r"(?:aufprall|aufschlag|stoß|stoss|sprung)"
+_BOUNCED = r"(?:bounced|rebounded|bounces|(?:hit|touched|struck|hits) the (?:ground|floor|table))"
+_AUFGEPRALLT = (
+    r"(?:(?:auf dem|auf den) \w+ )?(?:aufgeprallt|aufgeschlagen|aufgesprungen|aufgekommen|abgeprallt)(?: ist)?\b"
+)
 _ALL = "|".join(sorted(_NUMBERS, key=len, reverse=True))
 _SAID = (
     (rf"\bafter (?:the )?(?P<n>{_ALL}|\d+) {_IMPACTS}\b", "after the third impact"),
     (rf"\bafter (?:the |its )?(?P<n>{_ALL}|\d+(?=th|st|nd|rd))(?:th|st|nd|rd)? (?:bounce|impact|hit|rebound)\b",
      "after the third impact"),
+    (rf"\bafter (?:it|they|(?:the )?\w+) (?:has |have |had )?{_BOUNCED} "
+     rf"(?P<n>twice|(?:{_ALL}|\d+)(?= times))(?: times)?\b", "after the third impact"),
+    (rf"\b(?:nachdem|wenn|sobald) (?:er|sie|es|(?:der|die|das) \w+) (?P<n>\w+mal|(?:{_ALL}|\d+)(?= Mal))(?: Mal)? "
+     rf"{_AUFGEPRALLT}", "nach dem dritten Aufprall"),
     (rf"\bnach (?P<n>{_ALL}|\d+) {_AUFPRALLE}\b", "nach dem dritten Aufprall"),
     (rf"\bnach (?:dem|seinem) (?P<n>{_ALL}|\d+(?=\.))\.? {_AUFPRALL}\b", "nach dem dritten Aufprall"),
 )  # fmt: skip
@@ -33,7 +42,7 @@ def as_third(text: str) -> tuple[str, int] | None:
     for pattern, third in _SAID:
         if (found := re.search(pattern, text, re.IGNORECASE)) is not None:
             said = found["n"].lower()
-            n = int(said) if said.isdigit() else _NUMBERS[said]
+            n = int(said) if said.isdigit() else _NUMBERS.get(said, 0)
             return (f"{text[: found.start()]}{third}{text[found.end() :]}", n) if n > 0 else None
     return None
 

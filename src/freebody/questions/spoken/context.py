@@ -53,12 +53,16 @@ def without_context(names: Names, elements: Elements, text: str) -> str:
 def _without_statements(names: Names, elements: Elements, text: str, language: str) -> str:
     """The text without the sentences before its last one that only describe the system."""
     sentences = re.split(r"(?<=[.;]) ", text)
+    begins = False
     while len(sentences) > 1:
         parted = re.match(contexts(language)["statement"], f"{sentences[0]} {sentences[-1]}", re.IGNORECASE)
         if parted is None or not _only_describes(names, elements, parted["said"], language):
             break
+        begins |= any(_is_start(names, one["name"], one["value"]) for one in _EQUAL.finditer(sentences[0]))
         sentences = sentences[1:]
-    return " ".join(sentences)
+    asked = " ".join(sentences)
+    is_timed = not begins or re.search(contexts(language)["timed"], asked, re.IGNORECASE) is not None
+    return asked if is_timed else f"{asked.rstrip(' .?!')} {contexts(language)['at_start']}"
 
 
 def _starts_so(names: Names, pose: str | None) -> bool:
@@ -87,6 +91,14 @@ def _is_given(names: Names, name: str, value: str) -> bool:
     return False
 
 
+def _is_start(names: Names, name: str, value: str) -> bool:
+    """Whether the file lets a measure start at a value."""
+    start = names.placed_at_start.get(name)
+    with suppress(UnitError, ValueError):
+        return start is not None and parse_quantity(value.replace("°", "deg")).value == names.numeric(start)
+    return False
+
+
 def _is_of_file(names: Names, value: str) -> bool:
     """Whether some parameter has a value in the file."""
     with suppress(UnitError, ValueError):
@@ -98,13 +110,17 @@ def _is_of_file(names: Names, value: str) -> bool:
 
 def _only_describes(names: Names, elements: Elements, said: str, language: str) -> bool:
     """Whether a sentence has nothing but known words, and says no more than how things hang together, or move."""
+    if lookup.rests(names):
+        said = re.sub(contexts(language)["let_go"], "", said)
+    known_values = (_is_given, _is_start)
+    said = _EQUAL.sub(lambda one: "" if any(is_so(names, one[1], one[2]) for is_so in known_values) else one[0], said)
     said = _VALUE.sub(lambda value: "" if _is_of_file(names, value["value"]) else value[0], said)
     plain = re.findall(r"[^\W\d_]+", said.lower())
     if re.search(r"[\d=<>]", said) or any(changes_value(word, language) for word in plain):
         return False
     if any(word in ("only", "nur", "not", "nicht", "no", "kein", "keine", "without", "ohne") for word in plain):
         return False
-    for way in linked(elements, in_english_nouns(said, language, elements.taken))[:1]:
+    for way in linked(elements, in_english_nouns(said, language, elements.taken)):
         with suppress(Unknown):
             words = words_of(way.text, language)
             verbs = {word.what for word in words if word.kind == "verb"}
@@ -112,6 +128,7 @@ def _only_describes(names: Names, elements: Elements, said: str, language: str) 
                 "contact" in names.called.get(joint, ()) for joint in joining.rough(names, "")
             )
             known = (*_KNOWN, "instant") if lookup.rests(names) else _KNOWN  # it rolls from rest
+            verbs -= {"become", *(("from_rest",) if lookup.rests(names) else ())}
             starts = {word.what for word in words if word.kind == "instant"} <= {"at start"}
             return all(word.kind in known for word in words) and starts and verbs <= _DESCRIBES and not slips
     return False

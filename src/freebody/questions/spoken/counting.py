@@ -66,6 +66,8 @@ def time(names: Names, sentence: Sentence) -> Groups:
             flying = next(iter(of), "")
             landing = lookup.falling(names, flying) if len(of) <= 1 and lookup.flies(names, flying) else []
             yield [f"time when {height} = 0" for height in landing]
+        if head.only("verb", "name", *SILENT) and set(head.all("verb")) == {"fly"} and joining.comes_to_strike(names):
+            yield ["time when it lands"] if all(lookup.is_all_that_moves(names, name) for name in of) else []
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
         joint = joining.slipping_on(names, head.names)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -26,6 +27,8 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
+_FINAL = ("terminal velocity", "terminal angular velocity")
+_SHARE = re.compile(r"\d+(?:\.\d+)?/\d+")
 _LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn", "fall", "rise"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
 
@@ -124,6 +127,9 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         if clause.only("quantity", "verb", "name", *SILENT) and set(verbs) <= {"reach", "move", "turn"}:
             yield losing.in_balance(names, next((name for _, name in clause.names), ""))
         return
+    if clause.has("quantity", *_FINAL):
+        yield _share_of_final(names, clause, values) if set(verbs) <= {"reach", "move", "turn", "fall"} else []
+        return
     left = clause.without("value").without("verb", "vanish", "reach")
     if "halve" in verbs and not values:
         yield from _halved(names, clause)
@@ -136,6 +142,18 @@ def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         value = clause.names[-1][1]
         kept = [word for word in left.words if word.what != value]
         yield from _quantity_is(names, Clause(kept), value)
+
+
+def _share_of_final(names: Names, clause: Clause, values: list[str]) -> list[str]:
+    """It has half of its final speed, 90 % of it: a share that stands before the speed itself."""
+    of = [name for _, name in clause.names]
+    if len(values) != 1 or _SHARE.fullmatch(values[0]) is None or len(clause.all("quantity")) > 1 or len(of) > 1:
+        return []
+    who = lookup.acted_on(names, of[0]) if of else ""
+    angles = lookup.angles(names, who)
+    is_turning = clause.has("quantity", _FINAL[1]) or (who and joining.axle_of(names, who) == "center")
+    found = angles if is_turning else lookup.places(names, who) or angles
+    return [f"velocity of {name} = {values[0]} of its final value" for name in found]
 
 
 def _halved(names: Names, clause: Clause) -> Groups:

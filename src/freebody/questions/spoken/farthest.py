@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import along_lines, joining, lookup, poses
 from freebody.questions.spoken.composing import SILENT, Groups
+from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -96,7 +97,12 @@ def how_far(names: Names, main: Clause) -> Groups:
             ways = [f"change of {angle} until rate({angle}) = 0" for angle in lookup.angles(names, who)]
             yield ways or [f"(greatest angle of {who}) - (angle of {who} at start)"]
             return
-        led = {name for name in names.measures if names.start_rates and name not in names.start_rates}
+        placed = {*names.placed_at_start, *names.started_at_zero} if n_freedoms(names) == 1 else set[str]()
+        led = {  # by what is placed, or set in motion
+            name
+            for name in names.measures
+            if (names.start_rates and name not in names.start_rates) or (placed and name not in placed)
+        }
         is_led = lookup.is_forced(names) or (names.lets_go_from_rest and not names.applied_loads)
         yield [
             f"stroke of {angle}" if angle in led or is_led else f"{angle} when rate({angle}) = 0"

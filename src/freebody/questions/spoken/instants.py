@@ -12,6 +12,7 @@ from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups, ended
 from freebody.questions.spoken.counting import COUNTED
 from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
+from freebody.questions.spoken.frames import MOTION
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
 from freebody.questions.spoken.words import Clause
@@ -493,9 +494,10 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
         main = Clause([w for w in main.words if w != Word("name", at_angle[0])])
     if main.has("ask", "high"):  # above the ground, which is not what it leaves
         main = Clause(_without_reference(main.words))
-    event = Clause(
-        [w for w in main.words if w.kind in ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")]
-    )
+    points = [name for _, name in main.names if name.partition(".")[0] in lookup.moving(names) and "." in name]
+    owner = points if len(points) == 1 and main.has("quantity", *MOTION) else []  # of whose velocity it is asked
+    told = ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")
+    event = Clause([w for w in main.words if w.kind in told and w.what not in owner])
     goes = [w for w in main.words if w.kind == "verb" and w.what in GOES_ON and set(verbs) & set(HAPPENS)]
     found = list(conditions(names, event.without("degree")))
     if not found and goes:  # how fast does it turn as it leaves: turning is of the question
@@ -505,6 +507,7 @@ def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] 
     if not found:
         return None
     who = next((name for _, name in event.names if name in lookup.moving(names) or name in names.measures), None)
+    who = owner[0] if owner else who
     head = [w for w in main.words if w.kind in ("ask", "quantity", "part") or w in goes]
     if who is None:
         who = next((name for _, name in main.names if name in lookup.moving(names)), None)

@@ -32,7 +32,8 @@ _OF_ALL = re.compile(
     r"does it tip or slide)\b"
 )
 _SLIPS = re.compile(r"\b(?:slips?|slipping|rolls?|rolling)\b")
-_TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?\w+ (?:for|so) ")
+_TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
+_OF_THING = ("quantity", "name", "preposition")  # kinds of words behind a thing that say of what it is
 _STATES = ("move", "slide", "slip", "rest", "stay", "hold", "tip", "stand", "stick", "start")  # of the whole, too
 _OF_ONE = re.compile(r"^(?:velocity|speed|acceleration) of (?P<body>\w+)(?= |$)(?!.* relative )")
 _OF_BOTH = re.compile(  # but not what both have in common
@@ -57,6 +58,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         load.load == found[1] and free_symbols(load.law) <= names.parameters.keys() for load in names.applied_loads
     ):  # what is given stays as it is: another one is asked for
         return False
+    if not chooses_of_what_is_asked(names, words, text):
+        return False
     things = {thing for thing in _THING.findall(text) if _is_thing(names, thing)}
     if _counts_from(names, words, text, things):
         return False
@@ -75,6 +78,19 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
+
+
+def chooses_of_what_is_asked(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether a parameter that is to be chosen is one of the thing that is asked for: which load can be held asks for
+    no force."""
+    chosen = _TURNED_ROUND.match(text)
+    said = [word for word in words if word.kind != "filler"]
+    asks, thing, behind = [*said, *[Word("", "")] * 3][:3]
+    is_thing = asks == Word("ask", "what") and thing.kind == "name" and behind.kind not in _OF_THING
+    if chosen is None or not is_thing or thing.what not in {*names.bodies, *names.loads}:
+        return True
+    parameter = chosen["parameter"]
+    return parameter not in names.parameters or parameter == thing.what or _is_of(names, thing.what, parameter)
 
 
 def loses_other(names: Names, said: str, text: str) -> bool:

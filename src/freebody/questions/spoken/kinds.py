@@ -80,6 +80,8 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
         allowed |= {ACCELERATION, _RATE_2}
     if any(_turns_about_centre(names, word) for word in main):
         allowed |= {_OF_ANGLE[of] for of in allowed & {VELOCITY, ACCELERATION}}
+    if allowed and Word("ask", "when") in main:  # when has it half its final speed
+        allowed.add(TIME)
     if not allowed or any(word.kind == "quantity" and not measured_in(word) for word in said):
         return True
     if _is_about_angles(names, words):

@@ -86,6 +86,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if not all(_pushes_along(names, parameter, way) for way in ways):
         return
     end = _end(names, head, state, modal)
+    if end == "largest" and _hinders(names, state, parameter):
+        return
     if end in ("least", "largest"):
         yield [f"{end} {parameter} so that {lasts}"]
     elif end == "range" and lasts not in (_REST, _NO_SLIP):
@@ -301,6 +303,18 @@ def _end(names: Names, head: Clause, state: Clause, modal: set[str]) -> str:
     ):  # needed to lower the load
         return "least"
     return "range"
+
+
+def _hinders(names: Names, state: Clause, parameter: str) -> bool:
+    """Whether more of a parameter keeps something from the motion that is to begin: friction, and the mass of what is
+    to go up. Where rest ends by it, another motion begins."""
+    ends = {*state.all("verb")} & _ENDS_REST
+    if not ends or _is_denied(state):
+        return False
+    goes_up = "rise" in ends or state.has("updown", "up") or state.has("part", "upward")
+    masses = [names.bodies[name].mass for _, name in state.names if name in names.bodies]
+    is_own = goes_up and any(parameter in free_symbols(mass) for mass in masses)
+    return is_own or parameter in given.parameters(names, "friction coefficient", "")
 
 
 def _is_subject(state: Clause) -> bool:

@@ -9,14 +9,15 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import beginning, given, joining, lookup, rewording, turning_round
+from freebody.questions.spoken import beginning, given, joining, lookup, poses, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
 from freebody.questions.spoken.between_events import time_between
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
+from freebody.questions.spoken.decaying import decaying
 from freebody.questions.spoken.events import GOES_ON
-from freebody.questions.spoken.frames import FORCES
+from freebody.questions.spoken.frames import FORCES, MOTION
 from freebody.questions.spoken.geared import efficiency_of_planets, geared, per_turn
 from freebody.questions.spoken.instants import is_throughout, timed
 from freebody.questions.spoken.lexicon import Word
@@ -78,7 +79,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
     said = rewording.on_the_way_back(names, rewording.placed(said, modal))
-    said = rewording.so_far_that(names, said, modal)
+    said = rewording.so_far_that(names, rewording.hauled(names, said, modal), modal)
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
     said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said))))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
@@ -116,6 +117,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _structure,
             _which_way,
             _conserved,
+            decaying,
             lost,
             time,
             stopping,
@@ -185,9 +187,12 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
                 continue
             bodies = [body] if body else lookup.moving(names)
             joints = [joint for own in bodies for joint in joining.leaning(names, own, level=end == "foot")]
+            free = joining.free_end(names, body) if not joints else None  # of a rod that hangs, the lower one
+            if free is not None and poses.begins_upright(names, body) == (end == "head"):
+                joints = [free]
             if len(joints) != 1:
                 return []
-            word = Word("name", joints[0])
+            word = Word("name", _moved_at(names, joints[0], bodies) if _is_moved(words) else joints[0])
         if word.kind == "name" and end == _FREE_END:
             points = [joining.free_end(names, own) for own in ([body] if body else lookup.moving(names))]
             free = [point for point in points if point is not None]
@@ -196,6 +201,18 @@ def _at_free_ends(names: Names, words: list[Word]) -> list[Word]:
             word = Word("name", free[0])
         found.append(word)
     return found
+
+
+def _is_moved(words: list[Word]) -> bool:
+    """Whether a motion is asked for, or how fast something is."""
+    return any((w.kind == "quantity" and w.what in MOTION) or w == Word("ask", "fast") for w in words)
+
+
+def _moved_at(names: Names, joint: str, bodies: list[str]) -> str:
+    """The point of some bodies at which a connection holds them; the connection itself where none has a name."""
+    ends = joining.ends_of(names, joint) if joint in names.connections else []
+    points = [end for end in ends if "." in end and end.partition(".")[0] in bodies]
+    return points[0] if len(points) == 1 else joint
 
 
 def _at_mass_center(names: Names, words: list[Word]) -> list[Word]:
@@ -412,7 +429,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["does it hold"]
     begins = verbs - {"start"}
     is_other = "slide" in begins and (joining.rolls(names) or not joining.is_rough(names))
-    is_begun = begins and begins <= {"move", "slide"} and main.only("verb", "name", *SILENT)
+    is_begun = begins and begins <= {"move", "slide", "turn"} and main.only("verb", "name", *SILENT)
     if is_begun and everything and not is_other:
         yield ["does it hold"] if lookup.rests(names) else []
     if verbs & {"stable", "unstable"} and main.only("verb", "quantity", "pronoun", "preposition", "name", "instant"):
@@ -421,11 +438,17 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         spins = names.space and not lookup.rests(names) and not asked
         if not asked and (lookup.is_controlled(names) or spins) and is_all:
             yield ["stability of steady motion"]
+        stands = joining.is_rough(names) and lookup.rests(names) and verbs == {"stable"} and not main.has("ask")
+        if stands and not asked and everything and not main.all("instant"):  # of what friction holds
+            yield ["does it hold"]
         if asked == ["equilibrium"] or (not asked and is_all and not spins):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
         yield [f"does {of[0]} turn fully"]
-    if verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT):  # whether rest needs no torque
+    is_chosen = any(name in names.parameters for name in of)  # for which b it locks itself
+    if (
+        verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT) and not is_chosen
+    ):  # rest needs no torque
         yield [f"is {name} self-locking" for name in joining.threads(names, of)]
         pushes = [
             name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])

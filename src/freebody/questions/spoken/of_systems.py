@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import free_symbols
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import given, joining, lookup, losing
+from freebody.questions.spoken import given, joining, lookup, losing, transmitting
 from freebody.questions.spoken.composing import ALONG, JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import Word
@@ -194,7 +194,8 @@ def _dead_points(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("transmissibility")
 def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
-    """To what is named; or from the only measure that is driven to the only other one."""
+    """To what is named; or from the only measure that is driven to the only other one; from the force that shakes to
+    that of all springs and dampers on the ground."""
     of = [name for _, name in rest.names]
     driven = joining.driven(names)
     others = [name for name in names.measures if name not in driven]
@@ -202,6 +203,9 @@ def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"transmissibility to {of[0]}"]
     elif not of and rest.only(*SILENT) and len(driven) == len(others) == 1:
         yield [f"transmissibility from {driven[0]} to {others[0]}"]
+    elif not of and rest.only(*SILENT) and not driven and (pressing := transmitting.through_springs(names)):
+        whole = " + ".join(f"force in {name}" for name in pressing)
+        yield [f"transmissibility to ({whole})"] if lookup.is_forced(names) else []
 
 
 @said_of("terminal velocity", "terminal angular velocity")

@@ -224,6 +224,11 @@ def begins_hanging(names: Names, body: str) -> bool:
     return _starts(names, body, -90.0) and lookup.rests(names)
 
 
+def begins_upright(names: Names, body: str) -> bool:
+    """Whether the motion starts where something stands straight above what it goes round."""
+    return _starts(names, body, 90.0)
+
+
 def begins_lying(names: Names, body: str = "") -> bool:
     """Whether something that goes round starts level."""
     return any(_starts(names, body, pointing) for pointing in (0.0, 180.0))

@@ -68,11 +68,23 @@ def balanced_at(names: Names, words: list[Word]) -> list[Word]:
     return [Word("quantity", "equilibrium"), _FOR, Word("name", measures[0])]
 
 
+def hauled(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
+    """How far one must pull on the rope is how far that end of it must move on which a force acts."""
+    ropes = [w for w in words if w.kind == "name" and w.what in names.connections and w.what not in names.bodies]
+    if words[:1] != [Word("ask", "far")] or "must" not in modal or len(ropes) != 1 or Word("verb", "move") not in words:
+        return words
+    acted = {body for load in lookup.driving(names) if (body := lookup.acted_on(names, load)) in names.bodies}
+    ends = [body for body in sorted(acted) if joining.touches(names, ropes[0].what, body)]
+    return [Word("name", ends[0]) if word == ropes[0] and len(ends) == 1 else word for word in words]
+
+
 def so_far_that(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     """How far the hand must move so that the load rises by 1 m is how far until it has risen so far; how long it needs
     to reach a speed, from rest where it starts so, how long until it has reached that."""
     until = Word("mark", "until")
     if "must" in modal and Word("ask", "far") in words and _SO_THAT not in words:  # how far to raise it by 5 cm
+        if _TO in words and words[-2:-1] == [_INFINITIVE]:  # whose verb stands at the end: um sie um 5 cm zu heben
+            words = [_SO_THAT if word == _TO else word for word in (*words[:-2], words[-1])]
         goes = (k for k in range(len(words) - 1) if words[k] == _INFINITIVE and words[k + 1].what in GOES_ON)
         k = next(goes, None)
         words = words if k is None else [*words[:k], _SO_THAT, *words[k + 1 :]]

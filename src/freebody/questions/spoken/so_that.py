@@ -114,6 +114,12 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     elif is_one and not joining.is_rough(names):  # one of several bodies stays where it is
         moved = "steady amplitude" if lookup.is_forced(names) else "acceleration"
         yield [f"{moved} of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
+    goes_up = verbs - {"start"} in ({"rise"}, {"fall"}) and not negated and len(of) == 1
+    rubs = any(row.reaction.startswith("friction") for row in names.constraint_rows)
+    if goes_up and lookup.rests(names) and not (rubs or joining.is_held_by_friction(names)):  # let go from rest
+        sense = 1 if "rise" in verbs else -1
+        ways = lookup.sloping(names, lookup.places(names, who))
+        yield [f"acceleration of {way} {'>=' if up == sense else '<='} 0" for way, up in ways]
     if verbs == {"leave"} and not negated and who:  # what cannot lift off by itself
         held = joining.joints(names, who, next(iter(of[1:]), ""), "normal force")
         bound = {row.connection for row in names.constraint_rows if row.unilateral}

@@ -12,7 +12,8 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import lookup
-from freebody.questions.spoken.joining import given_of, joined_by
+from freebody.questions.spoken.joining import given_of, joined_by, touches
+from freebody.questions.spoken.lexicon import Word
 
 if TYPE_CHECKING:
     from freebody.model.elements import ConstraintRow
@@ -141,3 +142,18 @@ def greatest_torques(names: Names, belts: list[str], of: list[str]) -> list[str]
             for size in sizes
         ]
     return found
+
+
+def running_over(names: Names, words: list[Word]) -> list[Word]:
+    """The words without what only says where a string runs, the one that passes over the pulley: that is no instant at
+    which it gets there. Nothing where it runs elsewhere."""
+    that, passes = Word("pronoun", "that"), Word("verb", "reach")
+    for k in range(1, len(words) - 2):
+        string = words[k - 1]
+        if words[k : k + 2] != [that, passes] or string.kind != "name" or string.what not in names.connections:
+            continue
+        behind = (j for j in range(k + 2, len(words)) if words[j].kind not in ("preposition", "filler"))
+        j = next(behind, k)
+        if words[j].kind == "name" and words[j].what in names.bodies:
+            return [*words[:k], *words[j + 1 :]] if touches(names, string.what, words[j].what) else []
+    return words

@@ -17,6 +17,7 @@ from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.numerals import in_digits
 from freebody.questions.spoken.own_axles import about_own_axles
 from freebody.questions.spoken.several import paired
+from freebody.questions.spoken.strings import running_over
 from freebody.questions.spoken.suggesting import MOST
 from freebody.questions.spoken.symbols import spelt_out
 from freebody.questions.spoken.wanted_unit import without_units
@@ -61,7 +62,7 @@ def ways_to_mean(names: Names, text: str, *, guess: bool = False) -> list[Meanin
                 words = words_of(way.text, language, guess=guess, parameters=names.parameters.keys())
             except Unknown:
                 continue
-            words = without_course(names, words)
+            words = running_over(names, without_course(names, words))
             if not _hangs_on_another(text, words, language):
                 told_by = (*_passed_over(names, way.text, words, language), *words)
                 found.append(Meaning(meanings(names, words), way.distance, told_by))
