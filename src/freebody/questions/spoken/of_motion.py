@@ -208,7 +208,8 @@ def _common(names: Names, quantity: str, rest: Clause) -> Groups:
     bodies = [body for joint in struck for body in lookup.massive(names) if joining.touches(names, joint, body)]
     led = [body for body in bodies if any(body in own for own, _ in joining.led_round(names))]
     measured = [*motion(names, "velocity", rest)]
-    yield from (group[:1] for group in measured if len(group) == 1 or len(bodies) == len(group))
+    named = [[text for text in group if text.rpartition(" ")[2] in names.measures] for group in measured]
+    yield from (group[:1] for group in named if len(group) == 1 or len(bodies) == len(group))
     yield [f"speed of {body}" for body in (led or bodies)[:1]]
     yield from measured
 
