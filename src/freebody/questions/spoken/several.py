@@ -39,6 +39,8 @@ if TYPE_CHECKING:
 MOST = 6  # questions in one
 _BORROWED = 6  # words that a part may take from another
 _GOES_ON = re.compile(r"\s*[+*/^=)]")  # what calculates with the part before it is no question of its own
+_OF_IMPACT = tuple(Word("quantity", what) for what in ("energy lost", "kinetic energy lost", "impulse"))
+_IN_IMPACT = (Word("instant", "in the impact"), Word("instant", "at the impact"))
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
 
 
@@ -197,8 +199,10 @@ def _tail(text: str, language: str) -> str:
         meant = [word for word, _ in phrases_at(line, start, language)]
         is_time = any(w == Word("mark", what) for w in meant for what in ("when", "after"))
         if is_time or any(w.kind == "instant" for w in meant) or several(language, "place").match(line, start):
-            asks_time = any(w == Word("quantity", "time") for j in range(k) for w, _ in _first_at(words, j, language))
-            return "" if asks_time else " ".join(text.split()[k:])
+            asked = [w for j in range(k) for w, _ in _first_at(words, j, language) if w.kind == "quantity"]
+            is_own = Word("quantity", "time") in asked  # what is lost in an impact has no other instant
+            is_own |= any(w in _OF_IMPACT for w in asked) and any(w in _IN_IMPACT for w in meant)
+            return "" if is_own else " ".join(text.split()[k:])
     return ""
 
 
