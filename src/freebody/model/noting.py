@@ -23,7 +23,7 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     options = sorted(set(known))
     if len(begun := [option for option in options if option.startswith(f"{name}_")]) > 1:
         return Message(" Did you mean one of {names}?", names=", ".join(begun))
-    close = difflib.get_close_matches(name, options, n=1, cutoff=0.7)
+    close = difflib.get_close_matches(name, options, n=1, cutoff=0.6)
     if close:
         return Message(" Did you mean {x}?", x=close[0])
     if not options:

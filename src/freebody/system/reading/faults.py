@@ -41,9 +41,9 @@ def kind_meant(
         flat = [spec.in_plane_take for spec in kinds.values() if words in spec.called and spec.in_plane_take in fits]
         if flat:
             return Message(" Did you mean {x}?", x=flat[0])
-        near = difflib.get_close_matches(key, known, n=1, cutoff=0.7)
+        near = difflib.get_close_matches(key, known, n=1, cutoff=0.67)
         near = near or difflib.get_close_matches(key, words_also(fits), n=1, cutoff=0.8)
-        return did_you_mean(key, near or known)
+        return did_you_mean(key, near) if near else did_you_mean("", known)
     if len(called) == 1:
         return Message(" Did you mean {x}{example}?", x=called[0], example=example_of(fits[called[0]]))
     if able and isinstance(fields, dict) and fields:
