@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -20,8 +21,24 @@ _WORD = re.compile(r"[A-Za-z_]\w*")
 def assumed_at_start(setup: Setup, answers: Sequence[Answer]) -> tuple[str, ...]:
     """Rates that the start does not give and that are not zero, and symbols of start values that stand in answers."""
     with suppress(CannotAnswer, ZeroDivisionError):
-        return (*setup.start.assumed, *_start_symbols(setup, answers))
+        return (*setup.start.assumed, *_open_places(setup, answers), *_start_symbols(setup, answers))
     return ()
+
+
+def _open_places(setup: Setup, answers: Sequence[Answer]) -> Iterator[str]:
+    """For which place the values of formulas are told that hold at every pose, where the file says of none that it
+    starts there."""
+    model, started = setup.model, setup.model.samples.start_symbols
+    used = set[str]().union(*(_in_formulas(answer) for answer in answers if answer.value is not None))
+    for c in model.coordinates:
+        if c.index not in started or c.name not in used:
+            continue
+        with suppress(CannotAnswer, ArithmeticError, KeyError):
+            x = _number(setup, started[c.index])
+            at = f"{round(math.degrees(x), 2):g} deg" if c.is_angle else f"{x:.4g} m"
+            yield Message(
+                "nothing says what {name} is at the start: values are those at {name} = {at}", name=c.name, at=at
+            )
 
 
 def _start_symbols(setup: Setup, answers: Sequence[Answer]) -> Iterator[str]:
@@ -48,11 +65,16 @@ def _start_symbols(setup: Setup, answers: Sequence[Answer]) -> Iterator[str]:
 
 def _symbols(answer: Answer) -> set[str]:
     """The words in the formulas of an answer and in its conditions and notes."""
+    said = [*answer.conditions, *answer.notes, *(text for case in answer.cases for text in case.conditions)]
+    texts = [text.expression for text in said if isinstance(text, Stated)]
+    return _in_formulas(answer) | set(_WORD.findall(" ".join(texts)))
+
+
+def _in_formulas(answer: Answer) -> set[str]:
+    """The words in the formulas of an answer."""
     forms = [answer.expression, *(case.expression for case in answer.cases)]
     parts = [part for e in forms if e is not None for part in (e if isinstance(e, tuple) else (e,))]
-    said = [*answer.conditions, *answer.notes, *(text for case in answer.cases for text in case.conditions)]
-    texts = [*map(to_python, parts), *(text.expression for text in said if isinstance(text, Stated))]
-    return set(_WORD.findall(" ".join(texts)))
+    return set(_WORD.findall(" ".join(map(to_python, parts))))
 
 
 def _number(setup: Setup, symbol: Ratio) -> float:
