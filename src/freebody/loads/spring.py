@@ -82,11 +82,15 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
 
     def _assume_relaxed(self, names: Names, bodies: set[str]) -> None:
-        """Without a length it is relaxed at the start; where the start moves its ends nobody knows what is meant."""
+        """Without a length it is relaxed at the start; where the start only moves its ends away nobody knows what is
+        meant: relaxed there, nothing would begin to move."""
         moved = [
             name
             for name, value in names.placed_at_start.items()
-            if value != ZERO and bodies & set(names.measures[name].bodies())
+            if value != ZERO
+            and names.start_rates.get(name, ZERO) == ZERO
+            and names.measures[name].dimension == LENGTH
+            and bodies & set(names.measures[name].bodies())
         ]
         if moved:
             told = Message(

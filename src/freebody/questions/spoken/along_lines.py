@@ -92,7 +92,9 @@ def side_by_side(names: Names, who: str, other: str) -> list[str]:
         return []
     bodies = [body for own in owners for body in own]
     joined = [*(joint.mentions(names) for joint in names.connections.values())]
-    joined += [{*load.measure.bodies()} for load in names.applied_loads]
+    # what springs join comes back; a rope that is hauled in draws them together
+    springs = [load for load in names.applied_loads if not free_symbols(load.law) <= names.parameters.keys()]
+    joined += [{*load.measure.bodies()} for load in springs]
     if any({*bodies} <= own for own in joined):
         return []
     found = [
