@@ -92,8 +92,9 @@ def begins_uppermost(names: Names, body: str) -> bool:
 
 def lowermost(names: Names, body: str) -> list[str]:
     """The condition that what goes round a point of the ground is straight below it, or at the bottom of a curve."""
-    is_led = body in names.bodies and body not in lookup.turning(names) and joining.keeps_height(names, body)
-    if is_led:  # of a cart: that is where the bob hangs
+    is_led = body in names.bodies and joining.keeps_height(names, body)
+    goes_round = body in lookup.turning(names) and bool(_conditions(names, body, -90.0))
+    if is_led and not goes_round:  # of a cart: that is where the bob hangs
         if joining.is_driven(names):  # of a piston there is none
             return []
         body = ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial, singledispatchmethod
@@ -44,6 +45,11 @@ class FindingByKind:
         self._reached: Reached | None = None  # the event that the motion is followed to
         self._pairs: int | None = allowed(_MOST_PAIRS)
         self._holds_once = False  # whether that is there at the start alone
+
+    @property
+    def has_loops(self) -> bool:
+        """Whether bodies close a loop, of which there is a chain: what one body alone touches is none."""
+        return bool(self.model.loops) and len(self.system.moving) > 1
 
     # -- one instant --------------------------------------------------------------------------
     @singledispatchmethod
@@ -163,8 +169,8 @@ class FindingByKind:
     def _balanced(self, q: Quantity) -> Finding | None:
         """In the pose of the start, where a load of which the size is open balances the others. Raises FormulaTooLong
         where a chain of names has it."""
-        pairs = allowed(_MOST_PAIRS_AT_REST)
-        with self.model.field.within(pairs):
+        pairs = allowed(_MOST_PAIRS_AT_REST) if self.has_loops else None
+        with self.model.field.within(pairs) if pairs else nullcontext():
             balanced = about_rest.balanced_by_a_load(self.setup)
         if balanced is None:
             return None

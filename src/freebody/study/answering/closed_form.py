@@ -81,7 +81,7 @@ class QuestionSolver(FindingAtEvents):
             named = named or answer_by_energy(self.setup, self.question)
             if named is not None:
                 return named
-            if self.model.loops or not isinstance(error, FormulaTooDear):
+            if self.has_loops or not isinstance(error, FormulaTooDear):
                 raise
             self._pairs = None  # without loops it has no chain: then in one piece, whatever that takes
             return self.finish(self._find())

@@ -334,7 +334,8 @@ class SteadyMotion:
     def _on_one_side(self, solutions: Solutions, c: Coordinate) -> Solutions:
         """Of two opposite values, the one with the sign that the coordinate has at the start. Where a value has no
         opposite among the others all are kept, since what is said of the opposite ones is said of every value."""
-        if any(not x.is_zero() and -x not in solutions.roots for x in solutions.roots):
+        halves = [x for x in solutions.roots if is_half(x)]  # upright: its own opposite
+        if any(-x not in solutions.roots for x in solutions.roots if x not in halves):
             return solutions
         numbers = self.model.samples.start_numbers(c.index)
         is_negative = bool(numbers) and numbers[0] < 0
@@ -424,6 +425,12 @@ class SteadyMotion:
     def state(self) -> SymbolicState:
         """A general instant of a steady motion: without accelerations."""
         return SymbolicState(self.model.without_accelerations(), self.still)
+
+
+def is_half(x: Ratio) -> bool:
+    """Whether an element is zero, or a multiple of half a turn."""
+    halves = (x / x.field.pi).fraction()
+    return halves is not None and halves.denominator == 1
 
 
 def is_quarter(x: Ratio) -> bool:
