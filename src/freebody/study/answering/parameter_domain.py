@@ -72,13 +72,15 @@ def after(a: Ratio, b: Ratio) -> Ratio:
     return above(f.lowest_terms(b - a))
 
 
-def for_every(system: System, parameter: Parameter) -> str:
-    """That something is so wherever a parameter may be, or that the model has no such parameter but by name."""
+def for_every(system: System, parameter: Parameter, asked: str) -> str:
+    """That something is so wherever a parameter may be, or that the model has no such parameter but by name, nor what
+    is asked (when theta = beta)."""
     name = parameter.name
     model = {
         key: value for key, value in system.document.data.items() if key not in ("parameters", "questions", "title")
     }
-    if not re.search(rf"\b{re.escape(name)}\b", str(model)):
+    said = re.compile(rf"\b{re.escape(name)}\b")
+    if not said.search(str(model)) and len(said.findall(asked)) <= 1:
         return Message(
             "nothing in the model depends on {name}: write it where it belongs, as a coefficient of friction in a "
             "contact",

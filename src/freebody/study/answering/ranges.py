@@ -301,7 +301,7 @@ class RangeSearch(TruthInNumbers):
 
     def _for_every(self) -> str:
         """That no value of the parameter is excepted: of all numbers only where no end is left that others may move."""
-        told = for_every(self.setup.system, self.parameter)
+        told = for_every(self.setup.system, self.parameter, self.question.text)
         if not self.ends:
             return told
         where = Message("with the given numbers")

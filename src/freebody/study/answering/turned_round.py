@@ -203,7 +203,7 @@ def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula
                 "that is so in a whole range of {name}; ask with <= or >= in place of = for its end", name=name
             )
             raise SoInRange(told)
-        raise CannotAnswer(for_every(setup.system, setup.system.parameters[name]))
+        raise CannotAnswer(for_every(setup.system, setup.system.parameters[name], question.text))
     if index not in model.field.ingredients(element):
         raise CannotAnswer(Message("that does not depend on {name}", name=name))
     return _Turned(setup, question, quantity, setup.system.parameters[name], index, element, formula)
