@@ -241,7 +241,6 @@ class Names(Formulas):
         self.strikes: tuple[AppliedLoad, ...] = ()  # what they push, and by which impulse
         self.struck_at_start: frozenset[str] = frozenset()  # what closes and strikes at the start
         self.struck_when: Mapping[str, str] = {}  # what closes and strikes in mid-motion: the words of its event
-        self.closing_later: frozenset[str] = frozenset()  # connections that close in mid-motion
         self.applied_loads: list[
             AppliedLoad
         ] = []  # what the loads push, known before the connections say what they hold
@@ -268,6 +267,11 @@ class Names(Formulas):
         ground = self.bodies[GROUND]
         names.bodies = {**self.bodies, GROUND: replace(ground, points=dict(ground.points))}
         return names
+
+    @property
+    def closing_later(self) -> frozenset[str]:
+        """The connections that close in mid-motion."""
+        return frozenset(self.struck_when.keys() & self.connections.keys())
 
     @property
     def lets_go_from_rest(self) -> bool:

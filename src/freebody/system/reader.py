@@ -112,7 +112,6 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     mode = read_mode(source)
     names.constraint_rows = [*held, *later, *rows_to_ask_for(contacts, limits, brakes)]
     names.impulses, names.strikes = frozenset(push.load for push in impulses), impulses
-    names.closing_later = frozenset(closing)
     closed = {row.connection for row in held if row.closes}
     names.struck_when = {name: event.text for name, event in (*closing.items(), *striking.items())}
     names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})

@@ -13,7 +13,7 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_PAIR = ("one", "other")
+_PAIR = 2
 
 
 def is_all_that_rubs(names: Names, connection: str) -> bool:
@@ -93,7 +93,7 @@ def taking_along(names: Names) -> list[str]:
     """The one rough contact in which one of two bodies that move takes the other along, where nothing drives them."""
     rough = joining.rough(names, "")
     driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
-    is_alone = len(rough) == 1 and joining.is_between(names, rough[0]) and len(lookup.massive(names)) == len(_PAIR)
+    is_alone = len(rough) == 1 and joining.is_between(names, rough[0]) and len(lookup.massive(names)) == _PAIR
     return rough if is_alone and not driven and not joining.is_driven(names) and not lookup.rests(names) else []
 
 
