@@ -13,6 +13,8 @@ import pytest
 import freebody as fb
 from freebody.api import System
 from freebody.errors import ModelError
+from freebody.language.expression import Expr
+from freebody.language.notation import to_text
 from freebody.narrative.sheets.asking import asking
 from freebody.narrative.telling.catalogue import Catalogue
 from posed import is_derived, is_formula, posed
@@ -260,3 +262,30 @@ def test_a_speed_is_reached_where_the_rate_is_so_whatever_the_place() -> None:
     is_formula(BOAT, "time when speed of boat = (v0 + F/c)/2", "m*log(2)/c")
     is_formula(BOAT, "x when speed of boat = (v0 + F/c)/2", "(m*(v0 - F/c)/2 + F*m*log(2)/c)/c")
     is_derived(BOAT, "time when speed of boat = (v0 + F/c)/2")
+
+
+BELT = """
+parameters: {J1: 0.2 kg m^2, J2: 1.5 kg m^2, r1: 0.1 m, r2: 0.3 m, M: 20 N m, ML: 30 N m, w: 100 rad/s}
+bodies:
+  motor: {disk: {inertia: J1, radius: r1}, at: [0, 0]}
+  fan: {disk: {inertia: J2, radius: r2}, at: [1 m, 0]}
+connections:
+  bearing: {pin: [ground.A, motor.center]}
+  axle: {pin: [ground.B, fan.center]}
+  belt: {belt: [motor, fan]}
+loads: {drive: {torque: {on: motor, magnitude: M}}, load: {torque: {on: fan, magnitude: -ML}}}
+"""
+
+
+def test_a_speed_is_reached_in_a_machine_whose_angles_nobody_named() -> None:
+    """(J1 + J2 i^2) phi'' = M - i ML with i = r1/r2; the drive runs with w after w/phi''."""
+    run_up = "(J1 + J2*r1^2/r2^2)*w/(M - r1/r2*ML)"
+    is_formula(BELT, "time when angular velocity of motor = w", run_up)
+    is_formula(BELT, "turns of motor until angular velocity of motor = w", f"w*{run_up}/(4*pi)")
+    is_derived(BELT, "time when angular velocity of motor = w")
+
+
+def test_revolutions_in_a_minute_stay_a_multiple_of_pi() -> None:
+    found = posed(BELT, "time when angular velocity of motor = 300 rpm")
+    assert isinstance(found.expression, Expr)
+    assert to_text(found.expression).startswith("10·π·")

@@ -347,6 +347,40 @@ def test_an_extreme_up_to_an_event_is_derived_and_has_a_number_where_nothing_rep
     assert found.value < 1.5 * 9.81 * (3 - 2 * math.cos(math.pi / 3))
 
 
+FALLING_ROD = """
+parameters: {m: 2 kg, L: 1 m, a: 1 deg, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {th: {angle of rod from up clockwise}}
+start: {th: a}
+"""
+
+
+def test_what_nearly_vanishes_at_its_least_is_compared_by_the_size_that_it_has_beside() -> None:
+    """V = m g ((1 - 3 cos th)^2 + 6 cos th (1 - cos a))/4, which is least at cos th = cos(a)/3."""
+    is_formula(FALLING_ROD, "least vertical reaction of hinge until th = 90 deg", "m*g*sin(a)^2/4", (1.0,))
+
+
+ONTO_A_SPRING = """
+parameters: {m: 5 kg, b: 30 deg, mu: 0.2, d: 4 m, l: 0.5 m, k: 800 N/m, g: 9.81 m/s^2}
+ground: {points: {end: [(d + l)*cos(b), -(d + l)*sin(b)]}, lines: {slope: {along: -b}}}
+bodies: {block: {particle: {mass: m}, at: [0, 0]}}
+connections: {plane: {contact: {body: block, on: slope, friction: mu}}}
+loads:
+  weight: {gravity: g}
+  spring: {spring: {first: ground.end, second: block, stiffness: k, length: l, only: compressed}}
+measures: {s: {travel of block along slope}}
+start: {s: 0}
+"""
+
+
+def test_down_a_rough_slope_onto_a_spring_the_speed_is_greatest_where_the_spring_holds_the_block() -> None:
+    """With a = g (sin b - mu cos b): v^2 = 2 a s - k (s - d)^2/m, which grows up to k (s - d) = m a."""
+    a = "(g*(sin(b) - mu*cos(b)))"
+    is_formula(ONTO_A_SPRING, "greatest speed of block", f"sqrt(2*{a}*d + m*{a}^2/k)", (1.0, 1.02))
+
+
 def test_what_a_place_beside_the_way_takes_is_no_condition_of_the_extreme() -> None:
     """A cart at rest whose pendulum is struck has its greatest speed, 2 m v/(M + m), where the pendulum hangs again."""
     cart = """

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import freebody as fb
+from posed import is_derived, is_formula
 
 BRAKE = """
 parameters: {m: 30 kg, R: 0.25 m, a: 0.3 m, b: 0.9 m, mu: 0.35, F: 200 N, w: 40 rad/s}
@@ -38,3 +39,23 @@ def test_of_two_wheels_that_rub_on_each_other_none_stops_where_they_no_longer_sl
     text = text.replace("between: [lever.shoe, drum]", "between: [wheel, drum]")
     (found,) = fb.System.from_text(text).solve("time until drum stops").answers
     assert "never happens" in found.reason  # it drives the wheel on, and both go round
+
+
+SPOOL = """
+parameters: {m: 3 kg, J: 0.02 kg m^2, R: 0.2 m, r: 0.1 m, F: 10 N, b: 40 deg, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {spool: {body: {mass: m, inertia: J}, at: [0, R]}}
+connections: {roll: {rolling: {body: spool, on: floor, radius: R}}}
+loads:
+  weight: {gravity: g}
+  pull: {force: {at: spool, along: b, magnitude: F}}
+  moment: {torque: {on: spool, magnitude: F*r}}
+"""
+
+
+def test_what_cannot_slip_rolls_until_it_is_lifted_off() -> None:
+    """N = m g - F sin b."""
+    for who in ("spool", "it"):
+        is_formula(SPOOL, f"largest F so that {who} rolls without slipping", "m*g/sin(b)", (1.0, 1.1))
+    told = is_derived(SPOOL, "largest F so that spool rolls without slipping")
+    assert "What touches at the start comes apart at once" in told["en"]

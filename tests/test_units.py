@@ -88,6 +88,8 @@ def test_values_stay_exact_where_they_can():
     assert parse_quantity("0.5 rev").degrees == 180
     assert parse_quantity("2 rad").exact == 2
     assert not parse_quantity("10 deg/s").is_angle
+    speed = parse_quantity("300 rpm")
+    assert (speed.exact, speed.of_pi, speed.degrees) == (None, 10, None)
 
 
 @pytest.mark.parametrize("name", sorted(_UNITS))

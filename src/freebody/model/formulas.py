@@ -6,7 +6,6 @@ import math
 import re
 from collections.abc import Mapping
 from contextlib import suppress
-from fractions import Fraction
 from itertools import pairwise
 from typing import Any, cast
 
@@ -493,9 +492,9 @@ def _by_components(value: Any) -> str:
 
 
 def quantity_expression(quantity: Any) -> Expr:
-    """A quantity in SI as an exact expression; degrees as fractions of pi."""
-    if quantity.degrees is not None:
-        return PI * Fraction(quantity.degrees, 180)
+    """A quantity in SI as an exact expression; degrees and revolutions as fractions of pi."""
+    if quantity.of_pi is not None:
+        return PI * quantity.of_pi
     if quantity.exact is not None:
         return number(quantity.exact)
     return number(quantity.value)

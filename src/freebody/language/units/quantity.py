@@ -22,8 +22,8 @@ from freebody.language.units.table import Unit
 class Quantity:
     """A number with its unit, in SI; angles in radians.
 
-    `exact` is the value as a fraction, None where pi or an inexact unit is in it; `degrees` is an angle
-    given in degrees or turns, exactly, so that 30 deg can stay pi/6.
+    `exact` is the value as a fraction, None where pi or an inexact unit is in it; `of_pi` is the value over pi where
+    the unit has pi in it, exactly, so that 30 deg can stay pi/6 and 300 rpm 10 pi/s.
     """
 
     value: float
@@ -31,7 +31,12 @@ class Quantity:
     dimension: Dimension
     is_angle: bool
     text: str
-    degrees: Fraction | None = None
+    of_pi: Fraction | None = None
+
+    @property
+    def degrees(self) -> Fraction | None:
+        """Of an angle that is given in degrees or turns."""
+        return 180 * self.of_pi if self.of_pi is not None and self.is_angle else None
 
 
 LARGEST = 1e60  # whose fifth power is a number still
@@ -115,12 +120,11 @@ def _quantity(number: Fraction, unit: Unit, text: str) -> Quantity:
             )
         )
     is_exact = unit.is_exact and unit.pi_power == 0
-    is_in_degrees = unit.is_exact and unit.is_angle and unit.pi_power == 1
     return Quantity(
         value=value,
         exact=exact if is_exact else None,
         dimension=unit.dimension,
         is_angle=unit.is_angle,
         text=text,
-        degrees=180 * exact if is_in_degrees else None,
+        of_pi=exact if unit.is_exact and unit.pi_power == 1 else None,
     )

@@ -275,7 +275,9 @@ def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: An
     with script.stage("stage.value", "hint.value") if drawn_back is None else script.stage("stage.counted"):
         left = asked_side(context, way, leg, script, question)
         if not parts:
-            script.line(left, answer.expression, why="answer.at_once", when="start")
+            kind = "" if question.transition is None else question.transition.kind
+            why = f"answer.{kind}_at_once" if kind in ("slips", "opens") else "answer.at_once"
+            script.line(left, answer.expression, why=why, when="start")
             return script.stages
         shown = written(general)
         key, when = ("answer.at_start", "start") if question.at_start else ("answer.at_instant", "always")

@@ -107,7 +107,9 @@ def _decided(context: Context, question: Question, of: Happening, name: str, met
     if isinstance(of, StableSteadyMotion):
         return _disturbances(context, question, name, method)
     if isinstance(of.what, Lasting) and of.what.kind == "rolls" and of.before is None:
-        return _sticking(context, question, of)
+        if context.system.dry_friction:
+            return _sticking(context, question, of)
+        of = replace(of, what=replace(of.what, kind="touches"))  # what cannot slip rolls while it touches
     return _event(context, question, of, name, method)
 
 
@@ -148,7 +150,7 @@ def _at(system: System, question: Question, event: Transition | AskedEvent | Las
     its_own = event.measure if isinstance(event, QuestionEvent) else None
     others = [(name, measure) for name, measure in system.measures.items() if measure != its_own]
     places = [(name, OfMeasure(measure, 0, name)) for name, measure in others]
-    for id, name, quantity in (("Q", "time", When()), *((f"{name}_event", name, place) for name, place in places)):
+    for id, name, quantity in (("t_1", "time", When()), *((f"{name}_event", name, place) for name, place in places)):
         asked = replace(question, id=id, quantity=quantity, text=f"{name} when {event.text}", options={}, key=None)
         if isinstance(event, Transition):
             yield replace(asked, transition=event, event=None)

@@ -30,7 +30,14 @@ def find(
     conditions = [*needs, *seen.conditions, *kept_on_the_way(setup, reached)]
     value = seen.value_of(chosen)
     check = CrossCheck(question, Message("numerical integration from the start to the event"), MOTION_TOLERANCE)
-    evidence = checked(setup, check, value, conditions, lambda draw: extreme_in_numbers(setup, draw, q, event))
+
+    def number(draw: Draw) -> float:
+        return extreme_in_numbers(setup, draw, q, event)
+
+    def parts(draw: Draw) -> float:  # what is nearly zero at its least has the errors of what it is beside
+        return max(map(abs, _extremes_in_numbers(setup, draw, q, event)))
+
+    evidence = checked(setup, check, value, conditions, number, parts)
     if evidence is None:
         missed = ", ".join(broken(setup, conditions))
         raise NotHere(Message("it is not largest or least there at the model's own values: that needs {x}", x=missed))
@@ -40,7 +47,11 @@ def find(
 
 def extreme_in_numbers(setup: Setup, draw: Draw, q: ExtremeOfMotion, event: AskedEvent) -> float:
     """The same by the numeric route. Raises CannotAnswer where the event does not come."""
+    low, high = _extremes_in_numbers(setup, draw, q, event)
+    return high if q.side > 0 else low
+
+
+def _extremes_in_numbers(setup: Setup, draw: Draw, q: ExtremeOfMotion, event: AskedEvent) -> tuple[float, float]:
     start = draw.start()
     end = motion_to(draw.reference, start, patience(start, LONGEST), event).time
-    low, high = extremes_between(setup, draw, q.of, start.t, end)
-    return high if q.side > 0 else low
+    return extremes_between(setup, draw, q.of, start.t, end)

@@ -194,7 +194,7 @@ def _place(system: System, part: System, event: QuantityEvent, solve: Solver) ->
     if part.bounds or part.dry_friction or part.blows:
         raise CannotAnswer(Message("events of forces and speeds are told where no contact or friction changes the law"))
     setup = Setup(part)
-    name, measure = _coordinate(setup)
+    system, name, measure = _coordinate(system, setup)
     own = _first_place(setup.draws[0], setup.system, event, measure)
     asked = _asked_for_place(system, event, name, measure, own, solve)
     expressions = asked.expression
@@ -233,19 +233,36 @@ def _by_its_rate(
     return None
 
 
-def _coordinate(setup: Setup) -> tuple[str, Measure]:
+def _coordinate(system: System, setup: Setup) -> tuple[System, str, Measure]:
     """The named measure that tells the place of the one coordinate, or of the one whose speed energy and conserved
-    momenta tell."""
+    momenta tell; and the system that knows it by that name."""
     coordinates = setup.model.coordinates
     if len(coordinates) == 1:
         if (found := _named(setup, coordinates[0])) is not None:
-            return found
+            return (system, *found)
+        if (own := _with_own_name(system, setup, coordinates[0])) is not None:
+            return own
         told = Message("give {x} a name among the measures, so that the event has a place", x=coordinates[0].name)
         raise CannotAnswer(told)
     alone = [named for c in coordinates if (named := _named(setup, c)) is not None and _is_told(setup, c)]
     if len(alone) != 1:
         raise CannotAnswer(Message("an event of a force or a speed is found where one coordinate tells the motion"))
-    return alone[0]
+    return (system, *alone[0])
+
+
+def _with_own_name(system: System, setup: Setup, c: Coordinate) -> tuple[System, str, Measure] | None:
+    """A system in which a coordinate that nobody named, a place or an angle of a body, is a measure by its own name."""
+    for body in () if system.space else system.bodies:
+        of_body = {"theta": f"angle of {body} from right", "x": f"x of {body}", "y": f"y of {body}"}
+        for letter, phrase in of_body.items():
+            if c.name != f"{letter}_{body}" or c.name in (*system.parameters, *system.measures):
+                continue
+            document = system.document.with_value(("measures", c.name), phrase)
+            named = System.from_text(document.dumps(), system.file)
+            measure = named.measures[c.name]
+            if setup.model.value_of(measure) == setup.model.field.variable(c.index):
+                return named, c.name, measure
+    return None
 
 
 def _named(setup: Setup, c: Coordinate) -> tuple[str, Measure] | None:

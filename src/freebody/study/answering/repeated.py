@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -97,14 +98,16 @@ def checked(
     x: Ratio | tuple[Ratio, ...],
     conditions: Sequence[Condition],
     number: Callable[[Draw], float | tuple[float, ...]],
+    parts: Callable[[Draw], float] = lambda _draw: 0.0,
 ) -> Evidence | None:
-    """One or several elements against what a motion in numbers shows, at draws that satisfy conditions. None where too
-    little was compared because the model's own values break them."""
+    """One or several elements against what a motion in numbers shows, at draws that satisfy conditions. parts: the size
+    of what was added up on the way, asked for where the sum is small. None where too little was compared because the
+    model's own values break them."""
 
     def compare(draw: Draw) -> None:
         exact = element_at(setup, x, draw, draw.start())
         if all(holds(setup, condition, draw, draw.start()) for condition in conditions):
-            check.compare(draw, exact, number(draw))
+            check.compare(draw, exact, number(draw), partial(parts, draw))
 
     check.gather(setup.draw_stream(), compare)
     if len(check.pairs) < MIN_DRAWS and setup.has_values and broken(setup, conditions):

@@ -26,7 +26,7 @@ from freebody.study.phases.nodes import PhaseEnd, PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.pieces import watches_of
-from freebody.study.phases.standing import feet_of
+from freebody.study.phases.standing import cannot_slip, feet_of
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.state import SymbolicState
@@ -164,6 +164,8 @@ class _Walk:
             begun = self.tree.closed | self.tree.moving
             feet = feet_of(self.tree.system, begun, lasting.of)
             return not any(each.is_tipped(mode.closed.__contains__) for each in feet)
+        if not {*cannot_slip(self.tree.system, self.tree.closed | self.tree.moving, lasting.of)} <= {*mode.closed}:
+            return False
         rubs = [
             rub
             for rub in node.phase.base.dry_friction

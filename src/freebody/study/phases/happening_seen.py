@@ -22,7 +22,7 @@ from freebody.questions.course import Transition
 from freebody.questions.event import QuestionEvent, TurnsBack
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.witness import patience
-from freebody.study.phases.standing import feet_of
+from freebody.study.phases.standing import cannot_slip, feet_of
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.system import System
 
@@ -198,7 +198,9 @@ class _Seen:
             return self._first(np.any(tipped, axis=0)) if tipped else np.inf
         own = self._slips(lasting.of)
         connections = dict.fromkeys(record.dry_friction[k].partition(".")[0] for k in own)
-        lost = list[NDArray[np.bool_]]()
+        begun = [name for name in record.bounds if name in self.places]
+        rolling = [record.bounds.index(name) for name in cannot_slip(self.system, begun, lasting.of)]
+        lost = [np.asarray(~record.states.astype(bool)[:, k]) for k in rolling]
         for connection in connections:
             states = record.slips[:, [k for k in own if record.dry_friction[k].partition(".")[0] == connection]]
             lost.append(~(states == 0).any(axis=1) | ((states != 0) & (states != ABSENT)).any(axis=1))

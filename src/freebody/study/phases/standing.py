@@ -49,6 +49,16 @@ def feet_of(system: System, touching: Iterable[str], connections: Sequence[str] 
         yield Feet(tuple(names), bodies in hinged)
 
 
+def cannot_slip(system: System, touching: Iterable[str], connections: Sequence[str] = ()) -> Iterator[str]:
+    """Those among places that touch at the start, of some connections or of all, at which nothing can slip while they
+    touch: it rolls there until they open."""
+    held = {row.connection for row in system.constraint_rows if row.reaction == "friction force" and not row.unilateral}
+    for name in touching:
+        connection = name.partition(".")[0]
+        if connection in held and (not connections or connection in connections):
+            yield name
+
+
 def _joined(system: System, row: ConstraintRow) -> Bodies:
     """The bodies that can move among those that a row joins."""
     fixed = {name for name, body in system.bodies.items() if body.fixed} | {GROUND}

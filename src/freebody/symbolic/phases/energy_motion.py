@@ -126,8 +126,12 @@ class EnergyMotion(ClosedFormMotion):
         return [self.at(value, 1) for value in self.places(x)]
 
     def places(self, x: Ratio) -> list[Ratio]:
-        """Values of the coordinate at which a function of the state vanishes."""
-        return self.zeros_of(self.as_function(x))
+        """Values of the coordinate at which a function of the state vanishes. One that is odd in the speed is the speed
+        times another, and vanishes with either: where sines and cosines stand in it, their product has no factors."""
+        if x.is_zero() or not self.is_odd(x):
+            return self.zeros_of(self.as_function(x))
+        beside = self.zeros_of(self.as_function(x / self.model.field.variable(self.coordinate.speed)))
+        return [*beside, *(at for at in self.zeros_of(self.square) if at not in beside)]
 
     def zeros_of(self, x: Ratio) -> list[Ratio]:
         """Values of the coordinate at which a function of it vanishes; of a polynomial up to the second degree."""
