@@ -345,6 +345,10 @@ SAME = {
         "torsional_spring: {between: [rod, ball], k: 5 N m}",
         "torsional_spring: {body: rod, on: ball, stiffness: 5 N m}",
     ),
+    "a shaft from one body to a second": (
+        "torsional_spring: {first: rod, second: ball, k: 5 N m}",
+        "torsional_spring: {body: rod, on: ball, stiffness: 5 N m}",
+    ),
     "a motor between two bodies": (
         "torque: {between: [rod, ball], value: 5 N m}", "torque: {on: rod, reacts_on: ball, magnitude: 5 N m}"
     ),

@@ -45,6 +45,8 @@ PAIRS = (
 MEANT: Mapping[str, tuple[str, ...]] = {
     "from": ("first", "start", "reacts_on"),
     "to": ("second",),
+    "first": ("body",),
+    "second": ("on",),
     **dict.fromkeys(PAIRS, ("between", "first", "second", "body", "on", "reacts_on")),
     "direction": ("along",),
     "axis": ("along", "about"),
@@ -123,8 +125,8 @@ MEANT: Mapping[str, tuple[str, ...]] = {
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
-    "from", "to", "on", "at", "direction", "angle", "axis", "along", "value", "magnitude", "omega", "mu", "e", "g",
-    "center", "com", "k", "spring_constant", "spring_rate", "c", "damping_constant",
+    "from", "to", "first", "second", "on", "at", "direction", "angle", "axis", "along", "value", "magnitude", "omega",
+    "mu", "e", "g", "center", "com", "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",
     "position", "initial_position", "initial_angle", "initial_velocity", "initial_angular_velocity",
     "r", "R", "m", "M", "l", "L", "F", "J", "I", "diameter", "angular_velocity", "angular_speed", "in", "q", "bodies",
