@@ -44,6 +44,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     is_told = scope in ("rest", "linkage") or question.quantity.wanted is not None
     # what is given, or where a motion that is looked at as a whole ends: no event at which it is meant
     is_told |= scope in ("steady motion", "whole motion") and question.event is not None
+    is_told |= question.quantity.is_verdict and scope == "course"  # the verdict says it
     # the start need not be in steady motion
     is_told |= is_steady_place(question.quantity) or (scope == "steady motion" and question.at_start)
     if answer.expression is not None and not is_told:

@@ -228,7 +228,7 @@ def _stated(
         return None if event is None else (event, False)
     never = _NEVER.match(text)
     if never is not None:
-        stated = f"{never['who']} {_third_person(never['verb'])}{never['rest']}"
+        stated = f"{never['who']} {third_person(never['verb'])}{never['rest']}"
         goes_back = TURNS_BACK.match(stated) is not None and can_change(names)
         inner = _stated(names, stated, path, timed=not goes_back)
         return None if inner is None else (inner[0], not inner[1])
@@ -288,7 +288,7 @@ def _check_that_it_may_open(names: Names, of: tuple[str, ...], path: Path) -> No
         names.problem(told, *path)
 
 
-def _third_person(verb: str) -> str:
+def third_person(verb: str) -> str:
     """leave: leaves; go: goes; touch: touches."""
     if verb.endswith("s") and not verb.endswith("ss"):
         return verb

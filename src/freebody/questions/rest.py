@@ -211,7 +211,8 @@ def _limit(names: Names, found: Found, which: Which, path: Path) -> RestLimit | 
 
 @asked(
     "does it tip or slide | which wheel slips or lifts first as PARAMETER grows",
-    rf"(?:[Dd]oes (?:it|the {NAME}) (?:(?P<only>(?:tip|fall) over|tip(?=\??$))|(?:first )?(?:tip|slide|slip)(?: first)?"
+    rf"(?:[Dd]oes (?:it|the {NAME}) (?:(?P<only>(?:tip|fall) over|tip(?=\??$))"
+    r"|(?!(?:slide|slip)\??$)(?:first )?(?:tip|slide|slip)(?: first)?"
     r"(?: or (?:tip|slide|slip))?(?: first)?)"
     r"|[Ww]hich (?:wheel|foot|contact|end)s? (?:first )?(?:slip|slide|spin|lift)s?(?: off)?"
     r"(?: or (?:slip|slide|spin|lift)s?(?: off)?)?(?: first)?)"

@@ -79,6 +79,11 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     return [*told.stages, *script.stages]
 
 
+def stages_of(context: Context, question: Question, of: Happening, method: Method) -> list[DerivationStage]:
+    """What decides at the model's own numbers whether something is so. Raises CannotAnswer where that has none."""
+    return _decided(context, question, of, "", method).stages
+
+
 def _reader(value: Expr) -> Callable[[World], float]:
     """The border between two things that the numeric route tells apart on either side of it only."""
     return lambda world: float(world.of(value)[0])

@@ -43,6 +43,7 @@ from freebody.questions.spoken.unread import (
 from freebody.questions.spoken.ways import concepts, spelt_as_known, ways_to_mean, what_is_near, with_own_letters
 from freebody.questions.spoken.weights import without_gs
 from freebody.questions.spoken.words import written_out
+from freebody.questions.whether import stated_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -105,6 +106,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
+    if not nearest and (so := _whether(names, text, read)):
+        return so
     if (len(nearest) != 1 or _is_of_all(names, text)) and (parted := _several(names, text, read)):
         return parted
     if not nearest and not instead:
@@ -188,6 +191,15 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         if not names.lacks_elements:  # else it may be about what could not be read
             names.unknown(text, none, "find")
     return []
+
+
+def _whether(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What asks if something is so in the motion: does the crate slip, whether the crate slips."""
+    if not (stated := stated_of(text)):
+        return []
+    words = f"whether {stated}"
+    asked = read_quietly(names, words, read)
+    return [] if isinstance(asked, Unread) else [(one, words) for one in asked]
 
 
 def _named_besides(names: Names, text: str) -> str:

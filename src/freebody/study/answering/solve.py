@@ -16,6 +16,7 @@ from freebody.questions.course import Transition
 from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question, is_of_start
 from freebody.questions.rest import RestLimit
+from freebody.questions.whether import Whether
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
@@ -208,7 +209,9 @@ def _in_smooth_motion(setup: Setup, question: Question) -> Answer:
 
 
 def _is_of_happening(question: Question) -> bool:
-    """Whether it asks for the parameters with which something happens in a motion."""
+    """Whether it asks if something happens in a motion, or for the parameters with which it does."""
+    if isinstance(question.quantity, Whether):
+        return True
     wanted = question.quantity.wanted
     return wanted is not None and isinstance(wanted.of, Happening) and wanted.of.is_of_state
 
@@ -284,7 +287,9 @@ def _is_of_changes(system: System, q: Question) -> bool:
     not the blow of the start."""
     if is_of_start(q.quantity) and not system.is_struck:
         return True
-    return q.transition is not None or (q.quantity.wanted is not None and isinstance(q.quantity.wanted.of, Happening))
+    if q.transition is not None or isinstance(q.quantity, Whether):
+        return True
+    return q.quantity.wanted is not None and isinstance(q.quantity.wanted.of, Happening)
 
 
 def _by_cases(setup: Setup, question: Question) -> Answer | None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol
 
 from freebody.assess.verdict import Verdict
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, Number
 from freebody.language.sentences import Message, in_turn
 from freebody.present.lines import number_text
 from freebody.present.report.blocks import Block, Entry, Equation, Equations, Formula, Piece, Section, Text
@@ -108,6 +108,9 @@ def answer_blocks(answer: ShownAnswer) -> Iterator[Block]:
             yield from entries(entry(Message("note"), *answer.notes), _evidence(answer))
         return
     shown = answer.expression
+    if answer.verdict and isinstance(shown, Number):  # the verdict is all there is
+        yield from entries(*_said(answer))
+        return
     if answer.chain is not None:
         yield from _chain(answer.chain)
         shown = answer.chain.result if isinstance(shown, tuple) else answer.chain.result[0]

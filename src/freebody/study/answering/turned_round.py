@@ -110,10 +110,10 @@ def first_found(system: System, name: str, attempt: Callable[[System], T]) -> T:
 
 
 def with_others(system: System, name: str) -> Iterator[System]:
-    """The system, then with other numbers for a parameter that has one."""
+    """The system, then with other numbers for a parameter that has one. name: nothing where none is asked for."""
     yield system
-    parameter = system.parameters[name]
-    if parameter.value is None:
+    parameter = system.parameters.get(name)
+    if parameter is None or parameter.value is None:
         return
     for number in _ANGLES if parameter.acute else [factor * parameter.value for factor in _OTHERS]:
         with suppress(FreebodyError):

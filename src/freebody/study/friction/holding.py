@@ -238,7 +238,7 @@ def _answer(
         question,
         tidy(element),
         value,
-        unit=_unit_of(tidy(element), study.setup.system),
+        unit=unit_of(tidy(element), study.setup.system),
         conditions=(*merged(assumed), *(b.text() for b in kept)) or (Message("it always holds"),),
         notes=notes,
         verdict=verdict,
@@ -258,7 +258,7 @@ def _friction(eq: RestEquations, reduced: ReducedColumns, rub: DryFriction) -> R
     return parts[0] if rub.across is None else eq.state.sqrt(eq.field.lowest_terms(squares))
 
 
-def _unit_of(reserve: Expr, system: System) -> str:
+def unit_of(reserve: Expr, system: System) -> str:
     """The unit of a reserve, which has that of the inequality it was brought from."""
     names = {p.name: p.dimension for p in system.parameters.values()}
     names |= {name: measure.dimension for name, measure in (*system.offered, *system.measures.items())} | {"t": TIME}

@@ -57,7 +57,8 @@ def is_seen(system: System, happening: Happening, touching: frozenset[str], valu
         if seen.is_decided:
             return seen.is_so() == happening.is_so
     with suppress(CannotAnswer):
-        for factor in (1.0, *_LATER):
+        # what has lasted so long is not followed to where its place has no digits left for a slip
+        for factor in (1.0,) if isinstance(happening.what, Lasting) else (1.0, *_LATER):
             seen = _Seen(system, happening, slow * _LATE * factor, touching, values)
             if seen.is_decided or seen.course.n_steps > _FEW_STEPS:
                 break
@@ -179,6 +180,8 @@ class _Seen:
 
     def _fails(self, lasting: Lasting) -> float:
         """The first look at which a state is none."""
+        if lasting.kind == "touches" and (acting := self._acting(lasting.of)):
+            return self._first(~np.all(acting, axis=0))
         record = self._record()
         if lasting.kind == "touches":
             closed = record.states.astype(bool)
@@ -206,7 +209,29 @@ class _Seen:
             lost.append(~(states == 0).any(axis=1) | ((states != 0) & (states != ABSENT)).any(axis=1))
         return self._first(np.any(lost, axis=0)) if lost else np.inf
 
+    def _acting(self, of: tuple[str, ...]) -> list[NDArray[np.bool_]]:
+        """At which looks each load of some names acts that does so on one side of a border only; of none, each load
+        that does, where nothing can touch."""
+        all_ = not of and self.course.contact is None
+        pushes = [push for push in self.system.applied_loads if push.one_sided and (all_ or push.load in of)]
+        if not pushes:
+            return []
+        reference, engine = self.simulator.reference, self.simulator.engine
+        found = [np.zeros(len(self.course.times), dtype=bool) for _push in pushes]
+        for k, time in enumerate(self.course.times):
+            q, v = map(reference.by_column, engine.coordinates(engine.state_at(self.course, k)))
+            now = reference.snapshot(q, v, float(time))
+            for push, acts in zip(pushes, found, strict=True):
+                border = push.one_sided
+                assert border is not None
+                gap = border.side * (now.value(border.measure) - reference.number(border.limit))
+                acts[k] = gap < -_STILL
+        return found
+
     def _changes(self, asked: Transition) -> float:
+        if asked.kind in ("opens", "touches") and (acting := self._acting(asked.of)):
+            wanted = [acts if asked.kind == "touches" else ~acts for acts in acting]
+            return min(self._first(np.diff(np.append(now[:1], now).astype(int)) > 0) for now in wanted)
         record = self._record()
         if asked.kind in ("opens", "touches"):
             own = self._columns(record.bounds, asked.of)
