@@ -374,7 +374,9 @@ def bearings(names: Names) -> list[str]:
 def axle_points(names: Names, body: str, *, later: bool = False) -> set[Components]:
     """The points of a body at which axles of the ground hold it, in its own axes. later: or will hold it, once they
     have caught it."""
-    joints = axles(names) if later or not names.closing_later else ()  # what is caught later has no axle before
+    joints = axles(names) if later or not names.closing_later else []  # what is caught later has no axle before
+    if not lookup.places(names, body):  # of a shaft that nobody asks how far it slides
+        joints = [*joints, *(name for name in names.connections if "cylindrical" in names.called.get(name, ()))]
     return _points_of(names, body, (name for name in joints if GROUND in names.connections[name].mentions(names)))
 
 

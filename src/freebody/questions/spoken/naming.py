@@ -136,6 +136,7 @@ def elements_of(names: Names) -> Elements:
     for side, name in joining.supports_by_side(names).items():
         for word in _SUPPORTS:
             found.add(name, said=f"{side} {word}", distance=INFERRED)
+            found.add(name, said=f"{side} hand {word}", distance=INFERRED)
     found.fields = {name for name in names.loads if "gravity" in names.called.get(name, ())}
     springs = lookup.springs(names)
     for name in (*names.loads, *sorted(names.impulses)):

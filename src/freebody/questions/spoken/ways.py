@@ -102,6 +102,8 @@ def _hangs_on_another(text: str, words: list[Word], language: str) -> bool:
 def _joined(word: str, elements: Elements) -> str:
     """A word with hyphens, or the name that it is without them: the yo-yo."""
     plain = word.replace("-", "").lower()
+    if plain in ("lefthand", "righthand"):
+        return plain.removesuffix("hand")
     if any(plain in translated(language) for language in languages()):  # the Jo-Jo
         return plain
     return next((name for name in elements.exact if name.lower() == plain), word)
