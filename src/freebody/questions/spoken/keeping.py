@@ -43,6 +43,7 @@ _OF_BOTH = re.compile(  # but not what both have in common
     re.IGNORECASE,
 )
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
+_EXTREME_STEADY = re.compile(r"(?:least|greatest) .+ in steady motion\b")
 _MAY = Word("filler", "may")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
@@ -54,6 +55,10 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     begins_with_blow = joining.is_struck_at_start_alone(names)
     if text.startswith(("time when ", "greatest ")) and begins_with_blow:
         words = [word for word in words if word != Word("instant", "after the impact")]
+    if _EXTREME_STEADY.match(
+        text
+    ):  # what is steady has no extreme: for which parameter it is steady is another question
+        return False
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(
