@@ -43,7 +43,8 @@ _OF_BOTH = re.compile(  # but not what both have in common
     re.IGNORECASE,
 )
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
-_EXTREME_STEADY = re.compile(r"(?:least|greatest) .+ in steady motion\b")
+_ENDS = (Word("degree", "least"), Word("degree", "greatest"))
+_HEAVY = (Word("quantity", "weight"), Word("quantity", "mass"))
 _MAY = Word("filler", "may")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
@@ -55,9 +56,7 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     begins_with_blow = joining.is_struck_at_start_alone(names)
     if text.startswith(("time when ", "greatest ")) and begins_with_blow:
         words = [word for word in words if word != Word("instant", "after the impact")]
-    if _EXTREME_STEADY.match(
-        text
-    ):  # what is steady has no extreme: for which parameter it is steady is another question
+    if {*_ENDS} & {*words} and Word("instant", "in steady motion") in words:  # what is steady has no extreme
         return False
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
@@ -94,9 +93,12 @@ def chooses_of_what_is_asked(names: Names, words: Sequence[Word], text: str) -> 
     said = [word for word in words if word.kind != "filler"]
     asks, thing, behind = [*said, *[Word("", "")] * 3][:3]
     is_thing = asks == Word("ask", "what") and thing.kind == "name" and behind.kind not in _OF_THING
-    is_carried = asks == Word("ask", "what") and thing.kind == "name" and behind.kind in ("name", "quantity")
-    if is_carried and chosen is None and _MAY in words and {"rise", "hold"} & _doing(words):  # what it can lift
-        return False
+    is_agent = behind.kind == "name" or behind == Word("quantity", "force")
+    is_carried = asks == Word("ask", "what") and (thing.kind == "name" or thing in _HEAVY) and is_agent
+    is_carried &= _MAY in words and "rise" in _doing(words)  # what weight the force can lift
+    if is_carried:
+        own = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
+        return chosen is not None and (chosen["parameter"] in own or chosen["parameter"] == thing.what)
     if chosen is None or not is_thing or thing.what not in {*names.bodies, *names.loads}:
         return True
     parameter = chosen["parameter"]

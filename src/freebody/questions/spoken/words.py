@@ -387,7 +387,8 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
 
     def right(found: re.Match[str]) -> str:
         word = found[0].lower()
-        if word in words or word in taken or _is_thing(found[0]):
+        is_known = any(word in vocabulary(own) for own in languages())  # least is no slip of Last
+        if is_known or word in taken or _is_thing(found[0]):
             return found[0]
         if len(word) < _SHORTEST:
             return _with_letters_in_order(word, words) if len(word) > _UNSLIPPED else found[0]
