@@ -17,6 +17,7 @@ from freebody.cli import commands
 from freebody.errors import InputError, ModelError
 from freebody.present.report.formats.terminal import terminal_text
 from freebody.questions.reading import Question
+from freebody.questions.spoken import words
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.expressed import kinds_without_entry
 from freebody.questions.spoken.inflecting import ENDS_CLAUSE, inflected
@@ -1099,3 +1100,17 @@ start: {phi: 0, rate(phi): w}
         assert answer.understood == "speed of wheel.mass_center at start"
         assert answer.value == pytest.approx(0.4)  # e w; the axle, which the body's plain name means, rests
     assert system.solve("mass center position of wheel at start").answers[0].value == pytest.approx((0.2, 0))
+
+
+def test_what_has_strange_words_is_not_read_in_every_part() -> None:
+    """Of three sentences with words that nothing knows, each part was tried with the words of all others."""
+    text = (
+        "The truck is driving and a crate stands on it. The driver then sees a red light and steps on the pedal. "
+        "How far will it slide and when does it lie still?"
+    )
+    system = fb.System.load(str(EXAMPLES / "crate_on_a_truck.yaml"))
+    words._read.cache_clear()  # pyright: ignore[reportPrivateUsage]
+    with pytest.raises(ModelError, match="pedal"):
+        system.asked(text)
+    told = words._read.cache_info()  # pyright: ignore[reportPrivateUsage]
+    assert told.hits + told.misses < 600  # texts read; 1068 without the look at each part

@@ -99,6 +99,8 @@ def _at_joint(names: Names, kind: str, head: str, joint: str, things: list[tuple
     if kind == "tension" and any(before == "over" for before, _ in things):
         return  # a rope over a pulley is not that which ends at it
     of = without_owners([name for _, name in things])
+    if len(of) == 2 and of[0] == of[1]:  # the rope between the drum and the pulley, which is another one
+        return
     on = next((name for before, name in things if before == "on"), None)
     if len(of) == 2 and all(joining.touches(names, joint, name) for name in of) and kind != "tension":
         has_side = kind in ("reaction", "moment", "impulse") and on is not None
@@ -131,7 +133,7 @@ def _between(
 ) -> Groups:
     """A force of the connection between things that are named, or of the only one that has such a force."""
     of = without_owners([name for _, name in things])
-    if len(of) > 2:
+    if len(of) > 2 or (len(of) == 2 and of[0] == of[1]):
         return
     strange = [name for name in of if not lookup.is_known(names, name)]
     if strange:  # the grammar says what the model lacks

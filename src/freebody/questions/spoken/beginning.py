@@ -23,7 +23,17 @@ _ASKS = (["for"], ["with"], ["where"], ["what"])
 
 def told(names: Names, words: list[Word]) -> list[Word]:
     """The words without what says no more."""
-    return _settled(names, _varying(_at_once(_led(_reached(words)))))
+    return _settled(names, _varying(_at_once(_led(_reached(_struck(names, words))))))
+
+
+def _struck(names: Names, words: list[Word]) -> list[Word]:
+    """After the bullet has hit is after the impact, where it hits as the motion begins, and nothing does later."""
+    marks = [k for k, word in enumerate(words) if word == Word("mark", "after")]
+    if len(marks) != 1 or not joining.is_struck_at_start_alone(names):
+        return words
+    own = Clause(words[marks[0] + 1 :])
+    is_plain = own.all("verb") == ["hit"] and own.only("verb", "name", "pronoun", *SILENT)
+    return [*words[: marks[0]], Word("instant", "after the impact")] if is_plain and marks[0] else words
 
 
 def _at_once(words: list[Word]) -> list[Word]:

@@ -33,6 +33,17 @@ _SAID = (
     (rf"\bnach (?P<n>{_ALL}|\d+) {_AUFPRALLE}\b", "nach dem dritten Aufprall"),
     (rf"\bnach (?:dem|seinem) (?P<n>{_ALL}|\d+(?=\.))\.? {_AUFPRALL}\b", "nach dem dritten Aufprall"),
 )  # fmt: skip
+_COUNTED = r"(?:first|second|third|fourth|fifth|\d+(?:st|nd|rd|th))"
+_BETWEEN = (
+    rf"(?:how long(?: (?:is it|does it take|is there))?|(?:how much |what )?(?:is the |the )?(?:time|interval))"
+    rf"(?: (?:passes|elapses|goes by|lies|is there))? (?:between|from) (?:the |its )?(?P<a>{_COUNTED})"
+    r"(?: (?:impact|bounce|hit|rebound|landing))? (?:and|to|until|till) (?:the |its )?"
+    rf"(?P<b>{_COUNTED}) (?:impact|bounce|hit|rebound|landing)[?. ]*",
+    r"(?:wie lange dauert es|(?:wie ?viel |welche |die )?zeit)(?: (?:vergeht|liegt))? "
+    rf"(?:zwischen (?:dem )?|vom )(?P<a>\w+t)en(?: {_AUFPRALL})? (?:und|bis zum)(?: dem)? "
+    rf"(?P<b>\w+t)en {_AUFPRALL}[?. ]*",
+)
+_ERSTER = {"ers": "first", "zwei": "second", "drit": "third", "vier": "fourth", "fünf": "fifth"}
 _THIRD = re.compile(r"\bafter (?:the )?third (?:impact|blow|bounce)\b")
 _FIRST_FIVE = ("first", "second", "third", "fourth", "fifth")
 
@@ -52,3 +63,12 @@ def at_nth(words: str, n: int) -> str | None:
     nth = _FIRST_FIVE[n - 1] if n <= len(_FIRST_FIVE) else f"{n}th"
     put, times = _THIRD.subn(f"after the {nth} impact", words)
     return put if times == 1 else None
+
+
+def between_impacts(text: str) -> str | None:
+    """In words of the grammar the time between two impacts that are counted."""
+    for pattern in _BETWEEN:
+        if (found := re.fullmatch(pattern, text, re.IGNORECASE)) is not None:
+            one, other = (_ERSTER.get(said.lower().removesuffix("t"), said.lower()) for said in found.group("a", "b"))
+            return f"time between the {one} and {other} impact"
+    return None

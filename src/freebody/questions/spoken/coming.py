@@ -113,10 +113,13 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
 
 
 def _unmeasured_ways(names: Names, who: str) -> list[str]:
-    """The way of a body along the line of the ground that guides it, where no measure of the file is one."""
+    """The way of a body along the line of the ground that guides it, or straight up where it hangs, where no measure
+    of the file is one."""
     if lookup.places(names, who):
         return []
-    return [f"travel of {body} along {along}" for body in _alone(names, who) for along in joining.guides(names, body)]
+    own = _alone(names, who)
+    guided = [f"travel of {body} along {along}" for body in own for along in joining.guides(names, body)]
+    return guided or [f"height of {body}" for body in own if body in strings.hanging(names)]
 
 
 def _unmeasured_angles(names: Names, who: str) -> list[str]:

@@ -321,7 +321,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     goes = bool(verbs) and verbs <= set(GOES_ON)
     if asked == ["turns"] or (main.has("ask", "many") and "turn" in verbs and not asked):
         named = [name for _, own in sentence.others for _, name in own.names if name in lookup.turning(names)]
-        named = named or lookup.started(names)
+        named, who = named or lookup.started(names), lookup.acted_on(names, who)  # of the crank: of what it turns
         yield [f"turns of {name}" for name in ([who] if who else named or lookup.turning(names))]
     elif main.has("ask", "many") and verbs == {"turn_back"} and not asked:  # how often does it turn round
         yield [f"turns of {name}" for name in ([who] if who else lookup.started(names) or lookup.turning(names))]

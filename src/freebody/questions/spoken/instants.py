@@ -605,4 +605,7 @@ def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     is_told = set(clause.all("verb")) <= {"slide"} and not rubs  # down the slope, as it does
     clause = clause.without("preposition", "with")  # as it turns with the table
     plain = clause.only("verb", "pronoun", "name", *(("updown", "preposition") if is_told else ()))
-    return mark in ("while", "when") and goes_on and joining.goes_on(names) and plain
+    own = [name for _, name in clause.names]
+    pushes = ("driving torque", "driving force")  # as a motor says, whatever touches it
+    is_led = bool(own) and all(any(joining.drivers(names, name, push) for push in pushes) for name in own)
+    return mark in ("while", "when") and goes_on and (joining.goes_on(names) or is_led) and plain

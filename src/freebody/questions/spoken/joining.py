@@ -275,11 +275,29 @@ def guided_along(names: Names, body: str) -> list[str]:
     if body not in names.bodies:
         return []
     ways = [tuple(names.numeric(part) for part in names.direction(along).components) for along in guides(names, body)]
+    if not ways:
+        return _carried_along(names, body)
     if len(ways) != 1 or any(part is None for part in ways[0]):
         return []
     [way] = ways
     level = [abs(part or 0.0) < _LEVEL for part in way]
     return [axis for axis, others in zip("xyz", ((1, 2), (0, 2), (0, 1)), strict=True) if _is_along(level, others)]
+
+
+def _carried_along(names: Names, body: str) -> list[str]:
+    """The axis along which a body goes that lies on the level side of another one, which goes along it and does not
+    turn: x of the parcel on the belt."""
+    beside = [
+        line.partition(".")
+        for name in joints(names, body, "", "normal force")
+        for line in map(str, cast("list[object]", given_of(names.connections[name]).get("between") or ()))
+        if line.partition(".")[0] != body
+    ]
+    if len(beside) != 1 or (side := names.bodies.get(beside[0][0])) is None or beside[0][2] not in side.lines:
+        return []
+    rise = names.numeric(side.lines[beside[0][2]].direction.components[1])
+    is_level = rise is not None and abs(rise) < _LEVEL
+    return [axis for axis in guided_along(names, beside[0][0]) if is_level and axis == "x" and not names.space]
 
 
 def _is_along(level: list[bool], others: tuple[int, int]) -> bool:
@@ -356,7 +374,9 @@ def bearings(names: Names) -> list[str]:
 def axle_points(names: Names, body: str, *, later: bool = False) -> set[Components]:
     """The points of a body at which axles of the ground hold it, in its own axes. later: or will hold it, once they
     have caught it."""
-    joints = axles(names) if later or not names.closing_later else ()  # what is caught later has no axle before
+    joints = axles(names) if later or not names.closing_later else []  # what is caught later has no axle before
+    if not lookup.places(names, body):  # of a shaft that nobody asks how far it slides
+        joints = [*joints, *(name for name in names.connections if "cylindrical" in names.called.get(name, ()))]
     return _points_of(names, body, (name for name in joints if GROUND in names.connections[name].mentions(names)))
 
 

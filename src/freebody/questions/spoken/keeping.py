@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
+from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import along_lines, given, joining, lookup
 from freebody.questions.spoken.accounting import is_accounted_for
@@ -42,6 +43,9 @@ _OF_BOTH = re.compile(  # but not what both have in common
     re.IGNORECASE,
 )
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
+_ENDS = (Word("degree", "least"), Word("degree", "greatest"))
+_HEAVY = (Word("quantity", "weight"), Word("quantity", "mass"))
+_MAY = Word("filler", "may")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
@@ -52,6 +56,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     begins_with_blow = joining.is_struck_at_start_alone(names)
     if text.startswith(("time when ", "greatest ")) and begins_with_blow:
         words = [word for word in words if word != Word("instant", "after the impact")]
+    if {*_ENDS} & {*words} and Word("instant", "in steady motion") in words:  # what is steady has no extreme
+        return False
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(
@@ -87,10 +93,20 @@ def chooses_of_what_is_asked(names: Names, words: Sequence[Word], text: str) -> 
     said = [word for word in words if word.kind != "filler"]
     asks, thing, behind = [*said, *[Word("", "")] * 3][:3]
     is_thing = asks == Word("ask", "what") and thing.kind == "name" and behind.kind not in _OF_THING
+    is_agent = behind.kind == "name" or behind == Word("quantity", "force")
+    is_carried = asks == Word("ask", "what") and (thing.kind == "name" or thing in _HEAVY) and is_agent
+    is_carried &= _MAY in words and "rise" in _doing(words)  # what weight the force can lift
+    if is_carried:
+        own = frozenset[str]().union(*(free_symbols(body.mass) for body in names.bodies.values()))
+        return chosen is not None and (chosen["parameter"] in own or chosen["parameter"] == thing.what)
     if chosen is None or not is_thing or thing.what not in {*names.bodies, *names.loads}:
         return True
     parameter = chosen["parameter"]
     return parameter not in names.parameters or parameter == thing.what or _is_of(names, thing.what, parameter)
+
+
+def _doing(words: Sequence[Word]) -> set[str]:
+    return {word.what for word in words if word.kind == "verb"}
 
 
 def loses_other(names: Names, said: str, text: str) -> bool:
@@ -153,6 +169,8 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
         return True
     if text in OSCILLATION and body in names.bodies and n_freedoms(names) == 1:  # what swings takes the rest along
         return True
+    if text == "natural frequency" and body in lookup.moving(names):  # or it is told that there are several
+        return True
     if _OF_ALL.search(text):
         is_one = "slip" not in text and n_freedoms(names) == 1
         return "." not in thing and (joining.is_all_that_slips(names, body) or is_one)
@@ -176,6 +194,10 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
     """Whether a thing is among others, or is the only one that they can mean."""
     if thing in things:
         return True
+    if thing in names.parameters and thing not in names.loads:
+        return False
+    if thing in names.loads and (places := {*_acted_at(names, thing)}) and places <= things:
+        return True  # under the load
     if thing in names.parameters:
         return False
     if {way.partition(" = ")[0] for way in along_lines.counted_from(names, "", thing, "0")} & things:
@@ -200,6 +222,12 @@ def _stands(names: Names, thing: str, things: set[str]) -> bool:
         return False  # the forces on the bearings A and B
     own = _bodies(names, thing) - {GROUND}
     return any(own & (_bodies(names, other) - {GROUND}) for other in things)
+
+
+def _acted_at(names: Names, load: str) -> list[str]:
+    """The points at which a force acts."""
+    acting = (push.measure for push in names.applied_loads if push.load == load)
+    return [measure.of.name for measure in acting if isinstance(measure, Displacement) and "." in measure.of.name]
 
 
 def _is_point_of_moving(names: Names, thing: str) -> bool:

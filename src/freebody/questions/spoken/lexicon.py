@@ -15,7 +15,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from typing import Any, cast
 
@@ -25,6 +25,7 @@ ENGLISH = "en"
 OPEN, CLOSE = "«", "»"  # marks of names in a text
 MARKED = rf"{OPEN}[^{OPEN}{CLOSE}]+{CLOSE}"
 GAP = "_"
+_MANY = 1 << 14  # words, and texts, whose meaning is kept
 _SHORT = 3  # letters of a word that has no plural here
 _NO_WORDS = (
     "signs",
@@ -80,13 +81,13 @@ class Phrase:
         text = re.sub(r"(?<=\w)\*", r"[^ ,]*", text).replace(f" {GAP}", "\1").replace(" ", " *")
         return re.compile(text.replace("\1", r"(?P<gap>(?: (?!" + _CLAUSES + r")[^ ,]+)*?)(?= )") + f"(?= |$){end}")
 
-    def found_in(self, line: str, start: int) -> tuple[int, ...] | None:
-        """The places in a line of words at which words of it begin, from a place on; None where it is not there."""
-        found = self.pattern.match(line, start)
+    def found_in(self, line: str) -> tuple[int, ...] | None:
+        """The places in a line of words at which words of it begin, from its first on; None where it is not there."""
+        found = self.pattern.match(line)
         if found is None:
             return None
         gap = found.span("gap") if "gap" in self.pattern.groupindex else (found.end(), found.end())
-        begins = [start, *(k + 1 for k in range(start, found.end()) if line[k] == " ")]
+        begins = [0, *(k + 1 for k in range(found.end()) if line[k] == " ")]
         return tuple(k for k in begins if k < found.end() and not gap[0] <= k < gap[1])
 
     def first_words(self) -> Iterator[str]:
@@ -173,14 +174,20 @@ def spelt_out(text: str) -> Iterator[str]:
 
 def phrases_at(line: str, start: int, language: str) -> list[tuple[Word, tuple[int, ...]]]:
     """What the words of a line from a place on can mean, the longest phrases first, and where their words begin."""
+    return [(word, tuple(start + k for k in places)) for word, places in _phrases_before(line[start:], language)]
+
+
+@lru_cache(_MANY)
+def _phrases_before(line: str, language: str) -> tuple[tuple[Word, tuple[int, ...]], ...]:
+    """What the first words of a line can mean, the longest phrases first, and where their words begin."""
     table = _phrases(language)
     found: list[tuple[Word, tuple[int, ...]]] = []
-    for key in dict.fromkeys((line[start : start + 2].rstrip(), line[start : start + 1])):
+    for key in dict.fromkeys((line[:2].rstrip(), line[:1])):
         for phrase in table.get(key, ()):
-            places = phrase.found_in(line, start)
+            places = phrase.found_in(line)
             if places is not None:
                 found.append((phrase.means, places))
-    return sorted(found, key=lambda one: -len(one[1]))
+    return tuple(sorted(found, key=lambda one: -len(one[1])))
 
 
 @cache
@@ -215,6 +222,7 @@ def vocabulary(language: str) -> frozenset[str]:
     return frozenset(word for text in said for word in text.split() if word[-1] not in "*_")
 
 
+@lru_cache(_MANY)
 def goes_beside(token: str, where: str, language: str) -> bool:
     """Whether a word may stand `before` or `behind` a name, and says no more than the name does."""
     own = (*_file(language)[where]["name"], *_file(ENGLISH)[where]["name"])  # into whose nouns others are put
@@ -235,6 +243,7 @@ def _spelling(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
     return tuple((re.compile(rule[0].replace("{N}", f"(?:{MARKED})"), re.IGNORECASE), rule[1]) for rule in rules)
 
 
+@lru_cache(_MANY)
 def spelt(text: str, language: str) -> str:
     """A text in which names are marked, spelt as the phrases are, without the mark at its end."""
     text = re.sub(r"(?<![.?! ])[.?! ]+$", "", text) if not text.rstrip().endswith("..") else text
@@ -278,6 +287,7 @@ def counted_by(language: str) -> dict[str, int]:
     return {word: n for n, what in ((2, "two"), (3, "three"), (4, "four")) for word in table[what]}
 
 
+@lru_cache(_MANY)
 def is_adjective(token: str, language: str) -> bool:
     """Whether a word looks like an adjective, by its ending, that does not tell a thing from another of its kind."""
     table = _file(language)["adjectives"]
@@ -286,12 +296,14 @@ def is_adjective(token: str, language: str) -> bool:
     return is_like and not changes_value(token, language) and not any(_is_word(word, token) for word in telling)
 
 
+@lru_cache(_MANY)
 def is_adverb(token: str, language: str) -> bool:
     """Whether a word looks like an adverb of manner, which does not say where or how much."""
     table = _file(language)["adverbs"]
     return token.endswith(tuple(table["endings"])) and not any(_is_word(word, token) for word in table["telling"])
 
 
+@lru_cache(_MANY)
 def changes_value(token: str, language: str) -> bool:
     """Whether a word before a value makes it another one: the double load."""
     return any(_is_word(word, token) for word in _file(language)["values"]["changed"])
@@ -338,6 +350,11 @@ def ruled(language: str) -> frozenset[str]:
     """The words that rules of spelling know."""
     rules = cast("list[list[str]]", _file(language)["spelling"]["rules"])
     return frozenset(word.lower() for rule in rules for word in re.findall(r"[^\W\d_]+", rule[0]))
+
+
+def is_in_language(word: str) -> bool:
+    """Whether a phrase, or a rule of spelling, of any language has a word."""
+    return any(word in vocabulary(language) or word in ruled(language) for language in languages())
 
 
 @cache

@@ -163,6 +163,8 @@ def _parted(names: Names, words: list[Word]) -> tuple[Clause, Clause]:
         cut = min(marks)
     chosen = [k for k, w in enumerate(words) if w.kind == "name" and w.what in names.parameters]
     while 0 < cut < len(words) and words[cut - 1].kind == "name" and cut - 1 not in chosen and not marks:
+        if cut > 1 and words[cut - 2] == Word("preposition", "of"):
+            break  # of what something is to be found
         cut -= 1  # who does something stands before the verb
     return Clause(words[:cut]), Clause(words[cut:])
 

@@ -43,10 +43,13 @@ def in_the_blow(names: Names, sentence: Sentence) -> Sentence:
         return sentence
     [(_, hit)] = sentence.others
     joined = sorted({*names.struck_at_start, *names.struck_when} & names.connections.keys())
-    if joining.strikes(names) or len(joined) != 1 or hit.all("verb") != ["hit"]:
+    bounces = {row.connection for row in names.constraint_rows if row.unilateral and row.reaction != "tension"}
+    joined = sorted(bounces) if bounces and not joined else joined  # up to the blow nothing is lost yet
+    if len(joined) != 1 or (bounces and joined != [*bounces]) or hit.all("verb") != ["hit"]:
         return sentence
-    own = {joined[0], *names.connections[joined[0]].mentions(names), *joining.ends_of(names, joined[0])}
-    if not hit.only("verb", "name", "pronoun", "preposition") or any(name not in own for _, name in hit.names):
+    own = {joined[0], GROUND, *names.connections[joined[0]].mentions(names), *joining.ends_of(names, joined[0])}
+    is_plain = hit.without("degree", "first").only("verb", "name", "pronoun", "preposition")
+    if not is_plain or any(name not in own for _, name in hit.names):
         return sentence
     return Sentence(Clause([*sentence.main.words, Word("instant", "in the impact")]), ())
 

@@ -418,6 +418,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
     asks_when = main.words[:1] and main.words[0].kind == "ask" and main.words[0].what in ("when", "soon", "with")
     if asks_when and verbs == {"stable"} and main.all("quantity") == ["equilibrium"] and not of:
         yield ["stability of equilibrium"]  # whose answer says when
+    if asks_when and verbs == {"stable"} and not main.has("quantity") and not of and lookup.is_controlled(names):
+        yield ["stability of steady motion"]
     if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))

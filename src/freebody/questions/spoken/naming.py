@@ -23,6 +23,7 @@ from freebody.questions.spoken.lexicon import (
     CLOSE,
     ENGLISH,
     OPEN,
+    is_in_language,
     is_verb,
     kinds_apart,
     quantity_words,
@@ -58,6 +59,8 @@ _CEILING = ("ceiling", "foundation")  # what is held by the ground may be held b
 _NEAR = 1e-9  # of a direction to one that is upright
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
+_WHO_RIDES = ("driver", "rider", "passenger", "passengers", "pilot", "occupant", "cyclist")
+_SHORTEST_PART = 4  # letters of a name that is cut short
 _PINION = "pinion"  # the smaller of two gears, which is called the wheel only where it is alone
 _BEFORE_VERBS = ("to", "will", "would", "can", "could", "must", "should", "may", "might")
 _OWN_AXES = ("axes", "frame", "coordinates", "system")
@@ -133,6 +136,7 @@ def elements_of(names: Names) -> Elements:
     for side, name in joining.supports_by_side(names).items():
         for word in _SUPPORTS:
             found.add(name, said=f"{side} {word}", distance=INFERRED)
+            found.add(name, said=f"{side} hand {word}", distance=INFERRED)
     found.fields = {name for name in names.loads if "gravity" in names.called.get(name, ())}
     springs = lookup.springs(names)
     for name in (*names.loads, *sorted(names.impulses)):
@@ -157,6 +161,10 @@ def elements_of(names: Names) -> Elements:
     heavy = [name for name in found.bodies if names.bodies[name].mass != ZERO]
     if len(heavy) == 1 and not any("load" in element.words for element in found.exact.values()):
         found.add(heavy[0], ("load", "object"))
+    if len(heavy) == 1:  # who moves with it feels what it does
+        taken = frozenset(word for key in found.spoken for word in key)
+        taken = taken.union(*(element.words for element in found.exact.values()))
+        found.add(heavy[0], [word for word in _WHO_RIDES if word not in taken])
     found.hanging = strings.hanging(names)
     for name in found.hanging:  # the weights of an Atwood machine
         found.add(name, ("weights",))
@@ -336,6 +344,10 @@ def _named(elements: Elements, written: Sequence[str]) -> Iterator[tuple[str, in
             one = words[0][:-1]  # the hinges of a door that has one
             of_one = [e.name for e in elements.exact.values() if one == e.name.lower() or one in e.words]
             yield from ((name, INFERRED) for name in of_one if len(of_one) == 1)
+        if not (meant or of_kind) and len(words[0]) >= _SHORTEST_PART and not is_in_language(words[0]):
+            whole = (name for name in elements.exact if "." not in name)
+            begun = [name for name in whole if name.lower().startswith(words[0])]
+            yield from ((name, INFERRED) for name in begun if len(begun) == 1)  # the loco
     for k in range(1, len(words)):  # a name beside the word for its kind; `the bead lift off` has a verb
         behind = [] if is_verb(words[k]) else [(written[:k], words[k:])]
         for rest, kind in (*behind, (written[k:], words[:k])):

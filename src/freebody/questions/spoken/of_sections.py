@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from freebody.measures.displacement import Displacement
 from freebody.model.solids import ROD
 from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed, said_of
@@ -75,7 +76,12 @@ def greatest(names: Names, clause: Clause) -> list[str]:
 
 
 def _cut_at(names: Names, name: str) -> str:
-    """For a connection that holds one point of a rod that point: at the wall. Else the name."""
+    """For a connection that holds one point of a rod that point: at the wall; for a force the one at which it acts:
+    under the load. Else the name."""
+    if name in names.loads and name not in names.bodies:
+        acting = [push.measure for push in names.applied_loads if push.load == name]
+        at = {measure.of.name for measure in acting if isinstance(measure, Displacement)}
+        return at.pop() if len(at) == 1 == len(acting) else name
     if name not in names.connections or name in names.bodies:
         return name
     ends = [end for end in joining.ends_of(names, name) if "." in end and end.partition(".")[0] in lookup.moving(names)]

@@ -30,7 +30,7 @@ _PLACES = {  # of the patterns in the languages' files
     "{measured}": rf"(?P<value>{_NUMBER}{_UNIT})",
     "{force}": rf"(?P<value>{_NUMBER}{_FORCE})",
     "{load}": rf"(?P<value>{_NUMBER}(?:{_FORCE}| ?(?:kg|g|t)))",
-    "{turning}": rf"(?P<value>{_NUMBER} ?(?:rad/s|rpm|1/min|U/min))",
+    "{turning}": rf"(?P<value>{_NUMBER} ?(?:rad/s|rpm|1/min|U/min|m/s(?:\^?2|²)?|km/h))",
     "{end}": r"(?=[ ,.?!]|$)",
 }
 _OF_FORCE = re.compile(rf"{_NUMBER}{_FORCE}(?!\w)")

@@ -45,12 +45,13 @@ class _Going:
 
 
 def tops(names: Names, body: str) -> list[str]:
-    """The condition that a body has risen as far as it does at first, or swings no further."""
+    """The condition that a body has risen as far as it does at first, swings no further, or is led no higher."""
     ways = [*lookup.heights(names, body), *lookup.inclined(names, body)]
     rising = dict.fromkeys(f"rate({name}) = 0" for name, sense in ways if lookup.rises(names, name, sense))
     turning_back = [f"rate({going.measure}) = 0" for going in _on_lines(names, body)]
     over = [] if lookup.rests(names) and turning_back else uppermost(names, body)  # what is let go does not go over
-    return [*rising] or [*over, *turning_back] or _flown(names, body) or named_by_file(names, body, 1)
+    led = [f"{name} is greatest" for name, sense in lookup.heights(names, body) if sense > 0 and joining.is_led(names)]
+    return [*rising] or [*over, *turning_back] or _flown(names, body) or named_by_file(names, body, 1) or led
 
 
 def _flown(names: Names, body: str) -> list[str]:

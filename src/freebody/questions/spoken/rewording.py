@@ -317,13 +317,20 @@ def spinning(names: Names, words: list[Word]) -> list[Word]:
     return [*words[: k + 1], Word("verb", "slide"), *words[k + 2 :]]
 
 
+_CHOSEN = ("quantity", "name")  # kinds of words for what is to be found so that something is so
+
+
 def infinitives(words: list[Word]) -> list[Word]:
     """The torque to hold the load is that needed to: behind what is asked a verb says what for."""
     found: list[Word] = []
     for k, word in enumerate(words):
         before = Clause(found)
-        is_verb = word == Word("preposition", "to") and any(w in _DONE for w in words[k + 1 : k + 2])
-        if not is_verb:
+        is_led = word == Word("preposition", "to")
+        is_verb = is_led and any(w in _DONE for w in words[k + 1 : k + 2])
+        is_end = is_led and before.has("degree", "greatest", "least") and before.only("degree", *_CHOSEN, *SILENT)
+        if is_end and before.has(*_CHOSEN[:1]) and any(w.kind == "verb" for w in words[k + 1 : k + 2]):
+            found.append(_TO)  # the least height to go round
+        elif not is_verb:
             found.append(word)
         elif not before.has("verb") and not before.has("mark") and before.has("quantity", *_PUSHES):
             found.append(_TO)

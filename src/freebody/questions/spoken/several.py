@@ -41,6 +41,7 @@ _BORROWED = 6  # words that a part may take from another
 _GOES_ON = re.compile(r"\s*[+*/^=)]")  # what calculates with the part before it is no question of its own
 _OF_IMPACT = tuple(Word("quantity", what) for what in ("energy lost", "kinetic energy lost", "impulse"))
 _IN_IMPACT = (Word("instant", "in the impact"), Word("instant", "at the impact"))
+_ALL = ("they", "both")  # two, where the model has no others
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
 
 
@@ -252,7 +253,9 @@ def _ends(names: Names, text: str) -> list[str]:
 
 def _things(elements: Elements, word: str, language: str) -> list[str]:
     """All bodies, or else all connections, that a word for a kind of thing means."""
+    word = "bodies" if word in _ALL else word.removeprefix("the ").removeprefix("two ")
     singular = {word, re.sub(rf"{several(language, 'plural').pattern}$", "", word), word.removesuffix("s")}
+    singular |= {"body"} if word == "bodies" else set()
     found = [e.name for e in elements.exact.values() if "." not in e.name and not singular.isdisjoint(e.words)]
     if word in _MASSES:
         found = [name for name in found if elements.masses.get(name, 0.0) > 0.0 and name not in elements.radii]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Container, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import islice, permutations
 from typing import TYPE_CHECKING
 
@@ -133,7 +133,7 @@ def absent(elements: Elements, text: str) -> str:
     return ""
 
 
-def not_understood(parameters: Container[str], elements: Elements, text: str) -> list[str]:
+def not_understood(parameters: Iterable[str], elements: Elements, text: str) -> list[str]:
     """The words of a text, as they are typed, that nothing is known of in the language that knows most of them."""
     found: list[set[str]] = []
     for language in languages():

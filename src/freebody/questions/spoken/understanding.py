@@ -12,7 +12,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken.accounting import loses_quantity
 from freebody.questions.spoken.assumed import what_does_not_hold
-from freebody.questions.spoken.bounces import as_third, at_nth
+from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
@@ -40,7 +40,14 @@ from freebody.questions.spoken.unread import (
     read_quietly,
     unknown_parameters,
 )
-from freebody.questions.spoken.ways import concepts, spelt_as_known, ways_to_mean, what_is_near, with_own_letters
+from freebody.questions.spoken.ways import (
+    concepts,
+    is_strange,
+    spelt_as_known,
+    ways_to_mean,
+    what_is_near,
+    with_own_letters,
+)
 from freebody.questions.spoken.weights import without_gs
 from freebody.questions.spoken.words import written_out
 from freebody.questions.whether import stated_of
@@ -101,6 +108,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, asked, read)
     if (counted := as_third(text)) is not None and (later := _at_later_impact(names, *counted, read)):
         return later
+    if (between := between_impacts(text)) and not isinstance(timed := read_quietly(names, between, read), Unread):
+        return [*zip(timed, (between,), strict=True)]
     if (in_gs := without_gs(names, text)) is not None and (multiple := _in_multiples(names, *in_gs, read)):
         return multiple
     if (sides := sides_of(elements_of(names), text)) is not None:
@@ -286,6 +295,8 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
         if all(found) and len({*(asked for asked, _ in every)}) == len(every):  # each of them is another thing
             return every
     for way in parts(elements, text):
+        if any(is_strange(names, part.said) for part in way):
+            continue
         found_here: list[tuple[AskedT, str]] = []
         for part in way:
             every = (_one_or_each(names, elements, said, read) for said in part.texts)

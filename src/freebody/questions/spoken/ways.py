@@ -11,7 +11,16 @@ from typing import TYPE_CHECKING
 from freebody.questions.spoken.assumed import without_what_holds
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.instants import without_course
-from freebody.questions.spoken.lexicon import MARKED, Word, contexts, languages, phrases_at, several, translated
+from freebody.questions.spoken.lexicon import (
+    MARKED,
+    Word,
+    contexts,
+    is_in_language,
+    languages,
+    phrases_at,
+    several,
+    translated,
+)
 from freebody.questions.spoken.meaning import meanings
 from freebody.questions.spoken.naming import Elements, elements_of, linked
 from freebody.questions.spoken.numerals import in_digits
@@ -27,6 +36,7 @@ from freebody.questions.spoken.words import Unknown, in_own_letters, respelt, wo
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_ENDS = 2  # words of a text that may be read with what stands beside it
 _APOSTROPHE = re.compile(r"(?<=\w)['’](?=(?:s|t|d|re|ll|m|ve)\b)|(?<=s)['’](?=\s)")
 
 
@@ -92,6 +102,8 @@ def _hangs_on_another(text: str, words: list[Word], language: str) -> bool:
 def _joined(word: str, elements: Elements) -> str:
     """A word with hyphens, or the name that it is without them: the yo-yo."""
     plain = word.replace("-", "").lower()
+    if plain in ("lefthand", "righthand"):
+        return plain.removesuffix("hand")
     if any(plain in translated(language) for language in languages()):  # the Jo-Jo
         return plain
     return next((name for name in elements.exact if name.lower() == plain), word)
@@ -108,6 +120,24 @@ def _known(names: Names, text: str) -> Iterator[tuple[int, list[Word]]]:
             except Unknown as error:
                 found.append((len(error.words), list(error.known)))
     yield from sorted(found, key=lambda one: one[0])
+
+
+def is_strange(names: Names, text: str) -> bool:
+    """Whether a text has words that stand in no phrase and no rule of any language, apart from those at its ends: what
+    is put before or behind it makes no question of it."""
+    elements, text = elements_of(names), _APOSTROPHE.sub("’", text)
+    ends = {word.lower() for part in (text.split()[:_ENDS], text.split()[-_ENDS:]) for word in part}
+    for language in languages():
+        told = in_digits(spelt_out(elements, text, language), language)
+        for way in islice(linked(elements, in_english_nouns(told, language, elements.taken)), MOST):
+            try:
+                words_of(way.text, language, parameters=names.parameters.keys())
+            except Unknown as error:
+                if not {word for word in error.words if not is_in_language(word)} - ends:
+                    return False
+            else:
+                return False
+    return True
 
 
 def what_is_near(names: Names, text: str) -> Iterator[str]:

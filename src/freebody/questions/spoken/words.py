@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from itertools import accumulate
 
 from freebody.errors import UnitError
@@ -57,6 +58,7 @@ _LEAST_LIKE = 0.8  # of a word to one that is misspelt
 _SHORTENED = re.compile(r"(?<![\w-])(?P<first>[^\W\d_]{2,})- (?P<joint>und|oder|and|or) (?P<second>[^\W\d_]{5,})")
 _NO_UNITS = ("", "in", "a", "as", "at")
 _KEYBOARD = ("qwertyuiop", "qwertzuiopü", "asdfghjklöä", "zxcvbnm", "yxcvbnm")
+_MANY = 1 << 12  # texts whose words are kept
 _LONG = 9  # letters of a word in which two may be wrong
 _SHORTEST = 5  # letters of a word that may be misspelt
 _UNSLIPPED = 2  # letters of one in which none have changed places
@@ -121,9 +123,18 @@ class Clause:
         return self.placed("value")
 
 
-def words_of(text: str, language: str, *, guess: bool = False, parameters: Container[str] = frozenset()) -> list[Word]:
+def words_of(text: str, language: str, *, guess: bool = False, parameters: Iterable[str] = ()) -> list[Word]:
     """The words of a text in which names are marked. Raises Unknown for those that the language does not have, unless
     one alone is to be taken for a name (guess). parameters: names before which a word only says what they are."""
+    found = _read(text, language, guess, frozenset(parameters))
+    if isinstance(found, Unknown):
+        raise found
+    return [*found]
+
+
+@lru_cache(_MANY)
+def _read(text: str, language: str, guess: bool, parameters: frozenset[str]) -> tuple[Word, ...] | Unknown:
+    """The words of a text, or those that the language does not have: a part of it may be tried in many questions."""
     found = _without_parentheses(list(_tokens(spelt(text, language))), language)
     tokens = [token if isinstance(token, str) else _NO_WORD for token in found]
     words: list[Word] = []
@@ -159,8 +170,8 @@ def words_of(text: str, language: str, *, guess: bool = False, parameters: Conta
         words.append(means[0])
     if unknown and not (guess and len(unknown) == 1):
         strange = {Word("name", token) for token in unknown}
-        raise Unknown(tuple(unknown), tuple(word for word in words if word not in strange))
-    return words
+        return Unknown(tuple(unknown), tuple(word for word in words if word not in strange))
+    return tuple(words)
 
 
 def _of_singular(line: str, begin: int, token: str, language: str) -> list[tuple[Word, tuple[int, ...]]]:
@@ -376,7 +387,8 @@ def respelt(text: str, language: str, taken: Container[str]) -> str:
 
     def right(found: re.Match[str]) -> str:
         word = found[0].lower()
-        if word in words or word in taken or _is_thing(found[0]):
+        is_known = any(word in vocabulary(own) for own in languages())  # least is no slip of Last
+        if is_known or word in taken or _is_thing(found[0]):
             return found[0]
         if len(word) < _SHORTEST:
             return _with_letters_in_order(word, words) if len(word) > _UNSLIPPED else found[0]
