@@ -66,15 +66,17 @@ def after_bounce(names: Names, main: Clause, instant: str) -> Groups:
 
 def how_far(names: Names, main: Clause) -> Groups:
     """How far does it swing, how far up does it slide? As far as where it turns back."""
-    lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope
+    lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope, down the ramp
     main = Clause([word for word in main.words if word.what not in lines])
     who = next((name for _, name in main.names), "")
     up = main.has("updown", "up") or main.has("part", "upward") or main.has("verb", "rise")
     if len(main.names) > 1:
         return
     if main.has("updown", "down") or main.has("verb", "fall"):
-        if not up and set(main.all("verb")) <= {"fall", "move", "reach", "hang"}:
-            yield [f"change of {way} until rate({way}) = 0" for way, sense in lookup.heights(names, who) if sense < 0]
+        ways = [way for way, sense in lookup.heights(names, who) if sense < 0]
+        ways += [way for way, sense in lookup.inclined(names, who) if sense < 0 and way not in ways]
+        if not up and set(main.all("verb")) <= {"fall", "move", "reach", "hang", "slide", "roll"}:
+            yield [f"change of {way} until rate({way}) = 0" for way in ways]
         return
     if set(main.all("verb")) == {"move"} and not joining.strikes(names) and lookup.flies(names, who):
         yield [f"{way} when {height} = 0" for way in lookup.level(names, who) for height in lookup.rising(names, who)]

@@ -74,7 +74,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
     if _may_settle(names, sentence):
         return
-    main = _told_twice(names, main, others)
+    main = _hitting_again(names, _told_twice(names, main, others))
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == [
@@ -157,6 +157,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if main.has("instant", "after the impact") and main.has("ask", "fast"):
         main = main.without("verb", "leave")  # how fast does it leave
     begins = {"start"} < set(main.all("verb")) <= {"start", *GOES_ON}
+    begins |= main.all("verb") == ["start"]
     if begins and main.all("instant") == ["after the impact"] and main.has("quantity") and not others:
         main = main.without("verb")  # with what speed does it begin to swing
     sets_off = begins and main.has("quantity", "velocity", "speed", "angular velocity") and main.has("ask", "with")
@@ -185,6 +186,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause([common if w.kind == "quantity" and w.what in alike else w for w in main.words])
     if not others and not main.has("instant") and main.has("ask", "far", "much", "large"):
         main = _at_most(names, main)
+    if main.has("quantity", "common speed") and losing.clutches(names):
+        main = main.without("instant", "at the end")  # of what slips, where both turn alike
     tails, main = _tails(names, main)
     if main.has("quantity", *_LANDING):
         main = Clause(
@@ -236,6 +239,18 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     for tail in _at(names, others[0][0], others[0][1]) if len(others) == 1 else iter(tails[:1]):
         for group in quantities(names, main):
             yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
+
+
+def _hitting_again(names: Names, main: Clause) -> Clause:
+    """The speed with which it hits at the second impact is that just before."""
+    again = [one for one in main.all("instant") if (nth := _NTH.fullmatch(one)) and nth["side"] == "at"]
+    is_speed = main.has("quantity", "velocity", "speed", "impact speed") or main.has("ask", "fast")
+    if len(again) != 1 or not is_speed or set(main.all("verb")) - {"hit", "move", "fall"}:
+        return main
+    before = Word("instant", again[0].replace("at ", "before ", 1))
+    struck = {GROUND, *names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
+    kept = [w for w in main.without("verb").words if not (w.kind == "name" and w.what in struck)]
+    return Clause([before if w == Word("instant", again[0]) else w for w in kept])
 
 
 def _at_most(names: Names, main: Clause) -> Clause:
@@ -586,14 +601,28 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
 
 
 def _without_catcher(names: Names, words: list[Word]) -> list[Word]:
-    """After it is caught by the peg, after hooking on it, is after the impact, where nothing else catches it."""
+    """After it is caught by the peg, after the impact of the bullet, is after the impact, where nothing else strikes.
+    Who strikes is who is asked of, where no other is named."""
     blows = (*_BLOWS, "at the impact", "in the impact")
     said = [k for k, word in enumerate(words) if word.kind != "filler"]
-    for blow, by, who in zip(said, said[1:], said[2:], strict=False):
-        is_caught = words[blow].kind == "instant" and words[blow].what in blows and words[by].what in _ON
-        if is_caught and words[who].kind == "name" and _is_caught(names, words[who].what):
-            return [*words[: blow + 1], *words[who + 1 :]] if len(names.closing_later) == 1 else words
+    for j, blow in enumerate(said):
+        if words[blow].kind != "instant" or words[blow].what not in blows:
+            continue
+        is_led = j + 1 < len(said) and words[said[j + 1]].kind == "preposition" and words[said[j + 1]].what in _ON
+        behind = said[j + 1 + is_led :]
+        who = words[behind[0]] if behind else words[blow]
+        others = any(word.kind == "name" for k, word in enumerate(words) if behind and k != behind[0])
+        if who.kind == "name" and (is_led or others) and _is_struck(names, who.what):
+            return [*words[: blow + 1], *words[behind[0] + 1 :]]
     return words
+
+
+def _is_struck(names: Names, thing: str) -> bool:
+    """Whether something is caught at a place, or takes part in the only blow that there is."""
+    closing = {row.connection for row in names.constraint_rows if row.closes}
+    if _is_caught(names, thing):
+        return len(names.closing_later) == 1
+    return len(closing) == 1 and not joining.strikes(names) and joining.touches(names, next(iter(closing)), thing)
 
 
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:

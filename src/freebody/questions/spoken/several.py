@@ -90,8 +90,17 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
         return
     never = several(language, "never")
     cuts = [found for found in several(language, "and").finditer(text) if found.start() > 0]
-    cuts = [cut for cut in cuts if not never.search(text[: cut.start()])]
-    cuts = [cut for cut in cuts if _is_open(text[: cut.start()]) or not _leads_on(text[cut.end() :])]
+    again = [cut for cut in cuts if _at_another_instant(text[: cut.start()], text[cut.end() :], language)]
+    cuts = [
+        cut
+        for cut in cuts
+        if cut in again
+        or (_is_open(text[: cut.start()]) and _is_instant(text[cut.end() :], language))
+        or (
+            not never.search(text[: cut.start()])
+            and (_is_open(text[: cut.start()]) or not _leads_on(text[cut.end() :]))
+        )
+    ]
     if any(_adds_to(text[: cut.start()], text[cut.end() :]) for cut in cuts):
         return
     if not cuts or len(cuts) >= MOST:
@@ -120,6 +129,18 @@ def _states(text: str, language: str) -> bool:
 def _is_open(text: str) -> bool:
     """Whether something is to follow behind a text: just before, and after, the impact."""
     return re.search(r"\b(?:before|after|vor|nach)$", text, re.IGNORECASE) is not None
+
+
+def _at_another_instant(before: str, after: str, language: str) -> bool:
+    """Whether what stands behind a conjunction is another instant of the same quantity: at the start and at the end."""
+    return _is_instant(after, language) and _tail(before, language) != ""
+
+
+def _is_instant(text: str, language: str) -> bool:
+    """Whether a text says of an instant, and nothing else."""
+    words = text.lower().strip(" .?!").replace("ß", "ss").split()
+    found = phrases_at(" ".join(words), 0, language) if words else []
+    return any(word.kind == "instant" and len(places) == len(words) for word, places in found)
 
 
 def _leads_on(text: str) -> bool:
@@ -162,10 +183,12 @@ def _part(elements: Elements, pieces: list[str], k: int, language: str) -> Part:
     is_asked, is_named = bool(kinds & {"quantity", "ask"}), "name" in kinds
     tail = "" if kinds & {"mark", "instant"} else _tail(pieces[-1], language)
     found: list[str] = []
+    if k < len(pieces) - 1 and not _is_open(own) and _is_instant(pieces[-1], language):  # another instant than its own
+        return Part(own, (own,))
     if k < len(pieces) - 1 and is_asked and several(language, "quantities").search(own):
         # all tensions, and not those of what is named behind; at the instant at which that is
         found += [f"{own} {tail}", own] if tail else [own]
-    if k < len(pieces) - 1 and not (is_asked and is_named):
+    if k < len(pieces) - 1 and (_is_open(own) or not (is_asked and is_named)):
         found += [f"{own} {' '.join(last[j:])}" for j in range(1, min(_BORROWED, len(last)))]
     if k > 0 and not is_asked:
         found += [f"{' '.join(first[:-j])} {own}" for j in range(1, min(_BORROWED, len(first)))]
@@ -191,7 +214,7 @@ def _kinds(elements: Elements, text: str, language: str) -> set[str]:
 
 def _tail(text: str, language: str) -> str:
     """What is said of when at the end of a text, where it is not what is asked."""
-    words = text.lower().split()
+    words = text.lower().replace("ß", "ss").split()
     if any(_kind_at(words, k, language) == "ask" for k in range(min(2, len(words)))) and "long" in words[:2]:
         return ""
     for k in range(1, len(words)):

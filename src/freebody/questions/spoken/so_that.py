@@ -120,7 +120,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         sense = 1 if "rise" in verbs else -1
         ways = lookup.sloping(names, lookup.places(names, who))
         yield [f"acceleration of {way} {'>=' if up == sense else '<='} 0" for way, up in ways]
-    if verbs == {"leave"} and not negated and who:  # what cannot lift off by itself
+    if verbs == {"leave"} and who:  # what cannot lift off by itself
         held = joining.joints(names, who, next(iter(of[1:]), ""), "normal force")
         bound = {row.connection for row in names.constraint_rows if row.unilateral}
         opens = any(
@@ -128,7 +128,9 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         )
         at = " at start" if clause.has("instant", "at start") else ""
         held = [joint for joint in held if joint not in bound and not opens]
-        yield [f"{text}{at}" for text in joining.no_longer_pressed(names, held, of)]
+        sign = " >= 0" if negated else " = 0"
+        ends = [text.replace(" = 0", sign) for text in joining.no_longer_pressed(names, held, of)]
+        yield [f"{text}{at}" for text in ends]
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]
@@ -289,7 +291,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
         yield [f"{who or 'it'} stays taut"]
-    elif verbs == {"turn_fully"} and not negated and who:
+    elif verbs == {"turn_fully"} and not negated and who and (who not in names.bodies or joining.axle_of(names, who)):
         yield [f"{who} turns fully"]
     elif verbs == {"self_locking"} and not negated:
         yield [f"{thread} is self-locking" for thread in joining.threads(names, of)]
@@ -355,9 +357,10 @@ def _may_press(names: Names, text: str) -> bool:
 
 
 def _varies(names: Names, text: str) -> bool:
-    """Whether a quantity is the force of a spring, or of what stretches as one."""
-    name = text.removeprefix("force in ")
-    return name != text and name in (*lookup.springs(names), *lookup.elastic_strings(names))
+    """Whether a quantity is the force of a spring, or how far it is deflected, or of what stretches as one."""
+    what, _, name = text.rpartition(" ")
+    is_of_spring = what in ("force in", *(f"{way} of" for way in lookup.STRETCHED))
+    return is_of_spring and name in (*lookup.springs(names), *lookup.elastic_strings(names))
 
 
 def _as_sign(word: Word, after: list[Word]) -> Word:
@@ -381,15 +384,19 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
     signs = [k for k, word in enumerate(words) if word.kind == "relation"]
     if len(signs) == 1:
         [k] = signs
-        right = Clause(words[k + 1 :])
-        left = Clause(words[:k]).without("verb", "reach", "move")
+        sign = words[k].what
+        left, right = words[:k], Clause(words[k + 1 :])
+        behind = [w for w in right.words[1:] if w.kind in ("quantity", "name", "part")]
+        if right.words[:1] and right.words[0].kind == "value" and behind and not Clause(left).has("quantity"):
+            left, right = [*behind, *left], Clause(right.words[:1])  # by at most 15 cm compressed
+        left = Clause(left).without("verb", "reach", "move")
         if right.only("value", "preposition") and len(right.values) == 1:
-            return left, words[k].what, right.values[0][1], tail
+            return left, sign, right.values[0][1], tail
         if right.only("name", "preposition") and len(right.names) == 1:
-            return left, words[k].what, right.names[0][1], tail
+            return left, sign, right.names[0][1], tail
         if right.has("verb", "vanish"):
-            return left, words[k].what, "0", tail
-        return left, words[k].what, right, tail
+            return left, sign, "0", tail
+        return left, sign, right, tail
     if not signs and clause.has("not") and clause.has("quantity") and not clause.has("value"):  # it has no velocity
         return Clause([w for w in words if w.kind not in ("not", "verb")]), "=", "0", tail
     if not signs and clause.has("verb", "accelerate") and len(clause.values) == 1 and not clause.has("quantity"):
