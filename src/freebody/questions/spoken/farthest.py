@@ -90,6 +90,9 @@ def how_far(names: Names, main: Clause) -> Groups:
         and not names.struck_at_start
     ):
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
+    elif set(main.all("verb")) == {"move"} and joining.is_rough(names) and not lookup.rests(names) and who:
+        ways = lookup.ways(names, who) if not _slips_on_what_moves(names, who) else []
+        yield [f"{way} when {who} stops" for way in ways]  # with the speed that it has
     elif set(main.all("verb")) - {"move"} == {"slide"} and (names.impulses or not lookup.rests(names)):
         if not _slips_on_what_moves(names, who):
             ways = lookup.ways(names, who) or along_lines.slid(names, who)

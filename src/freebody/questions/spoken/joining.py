@@ -101,6 +101,11 @@ def is_driven(names: Names) -> bool:
     return bool(lookup.driving(names)) or any(drivers(names, body) for body in lookup.moving(names))
 
 
+def strings_that_pull(names: Names) -> list[str]:
+    """Strings that can do work by themselves: those of a given tension, and elastic ones."""
+    return [load for load in names.loads if {"rope", "cable", "cord"} & {*names.called.get(load, ())}]
+
+
 def joined_by(names: Names, connection: str) -> list[str]:
     """The bodies that move and that a connection joins."""
     spec = names.connections.get(connection)

@@ -291,7 +291,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
         yield [f"{who or 'it'} stays taut"]
-    elif verbs == {"turn_fully"} and not negated and who and (who not in names.bodies or joining.axle_of(names, who)):
+    elif verbs == {"turn_fully"} and not negated and who and not _stands(names, who):
         yield [f"{who} turns fully"]
     elif verbs == {"self_locking"} and not negated:
         yield [f"{thread} is self-locking" for thread in joining.threads(names, of)]
@@ -311,6 +311,15 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
             yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
 
 
+def _stands(names: Names, who: str) -> bool:
+    """Whether a body stands on what it may leave: what turns over there tips."""
+    return (
+        who in names.bodies
+        and not joining.axle_of(names, who)
+        and any(joining.may_open(names, joint) and joining.touches(names, joint, who) for joint in names.connections)
+    )
+
+
 def _leading_round(names: Names) -> list[str]:
     """What leads something all the way round: a track, or a string from the ground on which it swings."""
     swung = joining.swinging_on(names)
@@ -326,6 +335,7 @@ def _on_track(names: Names, leading: list[str], who: str, other: str) -> list[st
 
 def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """An equation or an inequality between a quantity and a value, or two quantities, perhaps at an instant."""
+    clause = Clause(_led_by_time(names, clause.words))
     marks = [k for k, word in enumerate(clause.words) if word.kind == "mark"]
     timed = clause.words[marks[0] :] if marks else []
     head = clause.words[: marks[0]] if marks else clause.words
@@ -347,6 +357,18 @@ def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
             else:
                 for other in quantities(names, right):
                     yield [f"{text} {sign} {what}{tail}" for what in other]
+
+
+def _led_by_time(names: Names, words: list[Word]) -> list[Word]:
+    """The words with a time behind what is so then: that it is after 60 s 80 km/h fast, gets to that in 60 s."""
+    values = [k for k, word in enumerate(words) if word.kind == "value"]
+    if len(values) != len(("time", "other")) or any(word.kind == "relation" for word in words):
+        return words
+    k, other = values
+    leads = k > 0 and words[k - 1] in (Word("mark", "after"), Word("preposition", "in"))
+    if not leads or not dimensions.is_time(words[k].what, names) or dimensions.is_time(words[other].what, names):
+        return words
+    return [*words[: k - 1], *words[k + 1 :], Word("mark", "after"), words[k]]
 
 
 def _may_press(names: Names, text: str) -> bool:

@@ -226,7 +226,9 @@ def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | 
     ):
         k = next((k for k, word in enumerate(words) if word.kind == "name" and word.what in names.parameters), None)
         end = (k or 0) + 1
-        end += bool(k) and words[end : end + 1] != [] and words[end].kind == "degree"  # P höchstens, ohne dass
+        behind = Clause(words[end : end + 2])
+        is_led = behind.words[:1] != [] and behind.words[0].kind == "degree" and not behind.has("quantity")
+        end += bool(k) and is_led  # P höchstens, ohne dass
         head, rest = Clause(words[:end]), Clause(words[end:])
         if k is None or (words[0].what == "with" and not rest.words):
             return _without_mark(names, words)
@@ -364,6 +366,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if asked == ["impulse"] and not given.of_kind(names, "impulse"):  # of what turns about a hinge
         asked = ["angular impulse"]
     is_extremal = is_marked and rest.has("degree") and rest.has("quantity")  # the angle for the greatest range
+    if not named and len(asked) == 1 and asked[0] in given.ROLES and (found := given.in_role(names, asked[0], others)):
+        return found, rest, end  # the motor torque, the braking force
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])

@@ -105,6 +105,14 @@ def is_pivot(names: Names, words: Sequence[Word], k: int) -> bool:
 def named_as_push(names: Names, words: list[Word]) -> list[Word]:
     """The work of the cable tension, the power of the gas force: of the load itself, whose kind needs no word."""
     counted = any(w.kind == "quantity" and w.what in _COUNTED for w in words)
+    pull, pulling = Word("quantity", "tension"), joining.strings_that_pull(names)
+    if (
+        counted
+        and pull in words
+        and len(pulling) == 1
+        and not any(w.kind == "name" for w in words[: words.index(pull)])
+    ):
+        words = [Word("name", pulling[0]) if word == pull else word for word in words]
     return [
         word
         for k, word in enumerate(words)
