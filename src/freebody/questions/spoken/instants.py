@@ -135,7 +135,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         yield from farthest.how_high(names, main)
         return
     if main.has("ask", "far") and main.all("degree") == ["greatest"] and not main.has("quantity"):
-        falls = (main.has("updown") and main.has("verb")) or main.has("verb", "fall")
+        falls = (main.has("updown") and main.has("verb")) or main.has("verb", "fall") or main.all("verb") == ["turn"]
         falls = falls and set(main.all("verb")) <= {*GOES_ON, "reach"}
         main = main.without("degree") if falls else main  # how deep at most
     is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
@@ -154,6 +154,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         others and main.has("quantity") and (is_so_far or not joining.strikes(names))
     ):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach", *(["bounce"] if not joining.strikes(names) else []))
+    if any(mark in ("when", "after") for mark, _ in others) and main.has("quantity", *_OF_WHAT_MOVES):
+        main = main.without("verb", "return")  # with what speed does it run back when the string is slack again
     if main.has("instant", "after the impact") and main.has("ask", "fast"):
         main = main.without("verb", "leave")  # how fast does it leave
     begins = {"start"} < set(main.all("verb")) <= {"start", *GOES_ON}
@@ -579,7 +581,8 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         end = next(stops, len(kept))
         clause = Clause([w for w in kept[begin + 1 : end] if w.kind != "filler"])
         is_empty = kept[begin].what == "while" and not clause.words and begin > 0  # while braking
-        if is_empty or (clause.names and is_throughout(names, kept[begin].what, clause)):
+        is_fixed = kept[begin].what == "when" and begin > 0 and _is_given(names, clause.without("verb", "become"))
+        if is_empty or is_fixed or (clause.names and is_throughout(names, kept[begin].what, clause)):
             kept = [*kept[:begin], *kept[end + (begin == 0) :]]
     kept = _without_catcher(names, kept)
     begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]

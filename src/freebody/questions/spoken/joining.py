@@ -397,7 +397,7 @@ def axle_of(names: Names, body: str) -> str:
     points = axle_points(names, body)
     if not points:
         return "center" if _is_coaxial(names, body) else ""
-    return "center" if names.bodies[body].points["mass_center"] in points else "beside"
+    return "center" if names.bodies[body].points.get("mass_center") in points else "beside"
 
 
 def _is_coaxial(names: Names, body: str) -> bool:

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import strings
+from freebody.questions.spoken import lookup, strings
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import (
@@ -41,6 +41,7 @@ _BORROWED = 6  # words that a part may take from another
 _GOES_ON = re.compile(r"\s*[+*/^=)]")  # what calculates with the part before it is no question of its own
 _OF_IMPACT = tuple(Word("quantity", what) for what in ("energy lost", "kinetic energy lost", "impulse"))
 _IN_IMPACT = (Word("instant", "in the impact"), Word("instant", "at the impact"))
+_IT = Word("pronoun", "it")
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
 
 
@@ -210,6 +211,18 @@ def _kinds(elements: Elements, text: str, language: str) -> set[str]:
         except Unknown as error:
             return {word.kind for word in error.known}
     return set()
+
+
+def named_instead(names: Names, elements: Elements, text: str, first: str) -> str:
+    """A text with the only body that moves of those which another names in place of it: and how fast is it then."""
+    for language in languages():
+        for way in linked(elements, in_english_nouns(first, language, elements.taken))[:1]:
+            marked = {name for name in lookup.moving(names) if f"{OPEN}{name}{CLOSE}" in way.text}
+            if len(marked) == 1:
+                [name] = marked
+                is_it = [any(w == _IT for w, _ in phrases_at(word.lower(), 0, language)) for word in text.split()]
+                return " ".join(name if it else word for word, it in zip(text.split(), is_it, strict=True))
+    return text
 
 
 def _tail(text: str, language: str) -> str:

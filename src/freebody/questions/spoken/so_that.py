@@ -20,6 +20,7 @@ _POSES = {"horizontal": poses.level, "level": poses.level, "at the top": poses.u
 
 def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """What is to be so, in the words of the grammar."""
+    clause = _stopping_after(names, clause)
     verbs, negated = set(clause.all("verb")), clause.has("not")
     if "end" in verbs:  # it no longer slips
         verbs, negated = verbs - {"end"}, True
@@ -136,6 +137,18 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         yield [f"{text}{at_once}" for text in group]
 
 
+def _stopping_after(names: Names, clause: Clause) -> Clause:
+    """It stands still after 20 cm at most: it gets no farther than that. Without `at most` it stops there."""
+    after, stop = Word("mark", "after"), Word("verb", "stop")
+    k = clause.words.index(after) if after in clause.words else -1
+    values = [value for _, value in clause.values]
+    if k < 0 or clause.all("verb") != ["stop"] or len(values) != 1 or not dimensions.is_length(values[0], names):
+        return clause
+    bounded = clause.has("degree", "greatest") or clause.has("relation", "<=")
+    kept = [word for word in clause.words if word not in (after, stop)]
+    return Clause([*kept, Word("verb", "move") if bounded else stop])
+
+
 def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """A quantity is to be as large or as small as it can be."""
     ends = [degree for degree in clause.all("degree") if degree in ("greatest", "least")]
@@ -186,6 +199,11 @@ def _no_farther(names: Names, clause: Clause, of: list[str]) -> Groups:
     who = [name for name in of if name in lookup.moving(names)]
     words = [_as_sign(word, clause.words[k + 1 : k + 2]) for k, word in enumerate(clause.words)]
     clause = Clause(words)  # it falls at most 50 m
+    goes = clause.all("verb") != [] and set(clause.all("verb")) <= {"move", "slide", "fly", "roll"}
+    if goes and clause.only("verb", "name", "value", "relation", *SILENT) and clause.all("relation") == ["<="]:
+        if len(values) == 1 and dimensions.is_length(values[0], names) and len(who) <= 1:
+            yield [f"greatest {way} <= {values[0]}" for way in lookup.ways(names, next(iter(who), ""))]
+        return
     plain = clause.only("verb", "name", "value", "relation", *SILENT) and clause.all("verb") != []
     if plain and clause.all("relation") == ["<="] and len(values) == len(senses) == 1 and len(who) <= 1:
         inclined = lookup.inclined(names, next(iter(who), ""))
