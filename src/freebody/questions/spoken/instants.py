@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
@@ -15,8 +14,8 @@ from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.frames import MOTION
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
+from freebody.questions.spoken.striking import BLOWS, NTH_IMPACT, hitting_again, is_caught, without_striker
 from freebody.questions.spoken.words import Clause
-from freebody.questions.sudden import NTH
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -61,9 +60,6 @@ _COMMA = Word("preposition", ",")
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
 _LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
-_BLOWS = ("after the impact", "before the impact")
-_ON = ("by", "on", "to", "in", "with", "from")  # what leads to who catches something
-_NTH = re.compile(rf"(?P<side>after|before|at) the {NTH} impact")
 _DEAD = ("at the dead points", "at the outer dead point", "at the inner dead point")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", *_DEAD)}
 
@@ -74,7 +70,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
     if _may_settle(names, sentence):
         return
-    main = _hitting_again(names, _told_twice(names, main, others))
+    lasts = main.has("degree", "greatest") and not joining.strikes(names)
+    if lasts and not any(row.closes for row in names.constraint_rows):  # with a buffer, which takes its time
+        main = main.without("instant", "in the impact", "at the impact")
+    main = hitting_again(names, _told_twice(names, main, others))
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == [
@@ -122,7 +121,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if is_place and main.all("verb") == ["hold"]:  # at what angle does it sit
         main = Clause([Word("quantity", "equilibrium"), *(w for w in main.words if w.kind == "name")])
     if main.has("ask", "high") or main.all("quantity") == ["height"]:
-        after = [one for one in main.all("instant") if (nth := _NTH.fullmatch(one)) and nth["side"] == "after"]
+        after = [one for one in main.all("instant") if (nth := NTH_IMPACT.fullmatch(one)) and nth["side"] == "after"]
         if after and not others and main.all("instant") == after and not main.has("degree", "least"):
             yield from farthest.after_bounce(names, main, after[0])
             return
@@ -243,18 +242,6 @@ def timed(names: Names, sentence: Sentence) -> Groups:
             yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
 
 
-def _hitting_again(names: Names, main: Clause) -> Clause:
-    """The speed with which it hits at the second impact is that just before."""
-    again = [one for one in main.all("instant") if (nth := _NTH.fullmatch(one)) and nth["side"] == "at"]
-    is_speed = main.has("quantity", "velocity", "speed", "impact speed") or main.has("ask", "fast")
-    if len(again) != 1 or not is_speed or set(main.all("verb")) - {"hit", "move", "fall"}:
-        return main
-    before = Word("instant", again[0].replace("at ", "before ", 1))
-    struck = {GROUND, *names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
-    kept = [w for w in main.without("verb").words if not (w.kind == "name" and w.what in struck)]
-    return Clause([before if w == Word("instant", again[0]) else w for w in kept])
-
-
 def _at_most(names: Names, main: Clause) -> Clause:
     """How far a spring is compressed that something comes upon, or that swings, is how far at most."""
     of = next((name for _, name in main.names), "")
@@ -318,10 +305,10 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             whose, main = _of_another(main, instant) if instant in _DEAD else ("", main)
             is_one_of_both = instant in _DEAD and any(joining.guides(names, body) for body in lookup.moving(names))
             tails.append([f"{_TIMED[instant if is_one_of_both or instant not in _DEAD else _DEAD[0]]}{whose}"])
-        elif _NTH.fullmatch(instant):
+        elif NTH_IMPACT.fullmatch(instant):
             tails.append([f" {instant}"])
             main = main.without("instant", instant)
-        elif instant in _BLOWS:
+        elif instant in BLOWS:
             struck = joining.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
         elif instant in _PLACES:
@@ -364,7 +351,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             tails.append([f" when {text}" for text in losing.in_balance(names, of)])
         elif instant == "in equilibrium":
             tails.append([" in equilibrium"])
-    main = main.without("instant", "at start", *_TIMED, *_PLACES, *_BLOWS, "at the impact", "in equilibrium")
+    main = main.without("instant", "at start", *_TIMED, *_PLACES, *BLOWS, "at the impact", "in equilibrium")
     times = [value for before, value in main.values if before in ("in", "of", "")]
     if main.has("relation"):
         found = within.equation_at_end(main)
@@ -421,7 +408,7 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
     """The instant that a clause beside the main one says."""
     if mark in ("until", "while"):
         return
-    if clause.has("verb", "hit") and any(_is_caught(names, name) for _, name in clause.names):
+    if clause.has("verb", "hit") and any(is_caught(names, name) for _, name in clause.names):
         yield [" before the impact" if mark == "when" else " after the impact"]
         return
     lines = {*names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
@@ -471,11 +458,6 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         return
     for group in conditions(names, clause):
         yield [f" when {condition}" for condition in group]
-
-
-def _is_caught(names: Names, place: str) -> bool:
-    """Whether something is caught at a place: a connection closes there on the way."""
-    return any(place in (name, *joining.ends_of(names, name)) for name in names.closing_later)
 
 
 def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
@@ -584,7 +566,7 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         is_fixed = kept[begin].what == "when" and begin > 0 and _is_given(names, clause.without("verb", "become"))
         if is_empty or is_fixed or (clause.names and is_throughout(names, kept[begin].what, clause)):
             kept = [*kept[:begin], *kept[end + (begin == 0) :]]
-    kept = _without_catcher(names, kept)
+    kept = without_striker(names, kept)
     begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]
     for k in begins:
         let_go = next((j for j in range(k + 1, len(kept)) if kept[j].kind != "filler"), len(kept))
@@ -601,31 +583,6 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         ):
             return [*kept[:let_go], *kept[let_go + 1 :]]
     return kept
-
-
-def _without_catcher(names: Names, words: list[Word]) -> list[Word]:
-    """After it is caught by the peg, after the impact of the bullet, is after the impact, where nothing else strikes.
-    Who strikes is who is asked of, where no other is named."""
-    blows = (*_BLOWS, "at the impact", "in the impact")
-    said = [k for k, word in enumerate(words) if word.kind != "filler"]
-    for j, blow in enumerate(said):
-        if words[blow].kind != "instant" or words[blow].what not in blows:
-            continue
-        is_led = j + 1 < len(said) and words[said[j + 1]].kind == "preposition" and words[said[j + 1]].what in _ON
-        behind = said[j + 1 + is_led :]
-        who = words[behind[0]] if behind else words[blow]
-        others = any(word.kind == "name" for k, word in enumerate(words) if behind and k != behind[0])
-        if who.kind == "name" and (is_led or others) and _is_struck(names, who.what):
-            return [*words[: blow + 1], *words[behind[0] + 1 :]]
-    return words
-
-
-def _is_struck(names: Names, thing: str) -> bool:
-    """Whether something is caught at a place, or takes part in the only blow that there is."""
-    closing = {row.connection for row in names.constraint_rows if row.closes}
-    if _is_caught(names, thing):
-        return len(names.closing_later) == 1
-    return len(closing) == 1 and not joining.strikes(names) and joining.touches(names, next(iter(closing)), thing)
 
 
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:

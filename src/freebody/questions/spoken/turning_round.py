@@ -55,7 +55,13 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
                 if text.partition(" = ")[0] in names.measures and not is_timed:
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
-                yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
+                is_other_end = is_begun and end and text in _RESTS
+                yield from _asked(parameter, text, _end_of_rest(names, parameter) if is_other_end else end)
+
+
+def _end_of_rest(names: Names, parameter: str) -> str:
+    """Where rest ends as a parameter leaves the values with which it lasts: as it grows; friction as it gets less."""
+    return "least" if parameter in given.parameters(names, "friction coefficient", "") else "largest"
 
 
 def _for_push(words: list[Word]) -> list[Word]:
