@@ -134,7 +134,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         yield from farthest.how_high(names, main)
         return
     if main.has("ask", "far") and main.all("degree") == ["greatest"] and not main.has("quantity"):
-        falls = (main.has("updown") and main.has("verb")) or main.has("verb", "fall") or main.all("verb") == ["turn"]
+        falls = (main.has("updown") and main.has("verb")) or main.has("verb", "fall")
+        falls |= main.all("verb") == ["turn"] and any(lookup.hung(names, name) for _, name in main.names)
         falls = falls and set(main.all("verb")) <= {*GOES_ON, "reach"}
         main = main.without("degree") if falls else main  # how deep at most
     is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
@@ -564,6 +565,9 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         clause = Clause([w for w in kept[begin + 1 : end] if w.kind != "filler"])
         is_empty = kept[begin].what == "while" and not clause.words and begin > 0  # while braking
         is_fixed = kept[begin].what == "when" and begin > 0 and _is_given(names, clause.without("verb", "become"))
+        passive = {"hold", "become"} <= set(clause.all("verb")) and not clause.has("value")
+        if passive and not is_fixed and kept[begin].what == "when" and clause.names:
+            return [*kept, Word("other", "held")]  # by a hand that the model has not: no instant of its motion
         if is_empty or is_fixed or (clause.names and is_throughout(names, kept[begin].what, clause)):
             kept = [*kept[:begin], *kept[end + (begin == 0) :]]
     kept = without_striker(names, kept)
