@@ -425,6 +425,21 @@ def test_a_language_says_everything_once(language: str) -> None:
     assert not twice
 
 
+# templates that are told within others alone, each in the form that a place of those asks for
+_WITHIN = ("opens", "slips", "slip ends", "edge ends", "is reached", "is infinite", "is finite and not 0", "is {x}")
+_WITHIN = (*_WITHIN, "grows without bound", "stays finite", "tends to {x}", "gives {x}")
+_WITHIN = (*_WITHIN, "{f} of {x}: its argument must be without a unit", "the exponent {x} must be without a unit")
+_WITHIN = (*_WITHIN, "{x} has a unit, so its exponent {e} must be a number")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_template_that_may_stand_alone_is_among_those_that_do(language: str) -> None:
+    """A line put at the end of a file may fall under a table of forms, where nobody who tells it by itself finds it."""
+    messages = phrases_of(language).messages
+    known = {key for table in messages.values() for key in table}
+    assert known - messages[""].keys() == {*_WITHIN}
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_language_has_no_template_that_no_source_says(language: str) -> None:
     said = set(templates())

@@ -34,6 +34,7 @@ _FREQUENCIES = frozenset({"natural frequency", "natural frequencies", "period of
 _EXERTS = tuple(Word("verb", verb) for verb in ("exert", "act", "carry"))
 _OF_LOAD = re.compile(r"(?:greatest|least) force in ")
 PLACED = ("high", "far")  # how high, how far, something acts: where
+_POSE_OF_PART = {Word("part", "horizontal"), Word("part", "vertical")}
 _FROM = Word("preposition", "from")
 _BETWEEN, _ALL = Word("preposition", "between"), Word("pronoun", "system")
 _WAYS = {*ALONG, "uphill", "downhill"}  # what goes that way is a component, or an instant of a motion that way
@@ -92,6 +93,8 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
         return _has_unit(names, words, turned["parameter"]) and not is_of_impact(names, words, text)
     if _is_extreme(text) and _is_to_be_so(words, text):
         return False
+    if not names.space and asked == {"angular velocity"} and Word("verb", "hit") in words and _POSE_OF_PART & {*words}:
+        return False  # it hits while it is level, which is no part of how fast it turns
     if _NO_QUANTITY.match(text):
         return True
     if _is_extreme(text) and _is_of_change(words):

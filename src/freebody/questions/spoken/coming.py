@@ -84,6 +84,8 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         yield [f"{angle} = {value}" for angle in poses.counting_from(names, angles_of(names, who), way)]
         return
     doing = {"reach" if verb == "hold" and dimensions.is_angle(value) else verb for verb in verbs} - {"start"}
+    if doing and doing <= {"move", "slide", "fly"} and dimensions.is_angle(value):  # the bead has run through 60 deg
+        doing = {"turn"}
     who = _turning_in(names, who) if doing == {"turn"} or dimensions.is_angle(value) else who
     sense = -1 if clause.has("updown", "down") or clause.has("part", "downward") else 0
     sense = 1 if clause.has("updown", "up") or clause.has("part", "upward") else sense

@@ -59,7 +59,8 @@ def _noun(word: str, language: str, taken: Container[str]) -> str:
     thing."""
     word = word.replace("ß", "ss")
     singular = word.lower()
-    for letter, plain in umlauts(language).items() if word[0].isupper() else ():  # of a plural: Räder
+    is_noun = word[0].isupper() or not phrases_at(singular, 0, language)  # räder, but not fällt
+    for letter, plain in umlauts(language).items() if is_noun else ():  # of a plural: Räder
         singular = singular.replace(letter, plain)
     found = _nouns(language).fullmatch(word) or _nouns(language).fullmatch(singular)
     return _fitting(found[1].lower(), language, taken) if found else ""

@@ -46,6 +46,11 @@ def without_context(names: Names, elements: Elements, text: str) -> str:
             rest = text[released.end() :].rstrip(" .?!")
             is_timed = re.search(patterns["timed"], rest, re.IGNORECASE) is not None
             text = rest if is_timed else f"{rest} {patterns['at_start']}"
+        behind = re.search(patterns.get("released_behind", r"(?!)"), text, re.IGNORECASE)
+        if behind is not None and lookup.rests(names):
+            head = text[: behind.start()]
+            if re.search(patterns["timed"], head, re.IGNORECASE) is not None:
+                text = head
         text = _without_statements(names, elements, text, language)
     return text
 

@@ -175,7 +175,8 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
         return
     if asked == ["stopping time"]:
         yield [f"time when {of or 'it'} stops"]
-        yield [f"time when rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)]
+        ways = lookup.went(names, of) or lookup.angles(names, of)
+        yield [f"time when rate({way}) = 0" for way in ways if not joining.is_rough(names)]
     elif asked == ["stopping distance"]:
         yield [f"change of {way} until {of or 'it'} stops" for way in lookup.went(names, of)]
         gone = {way: {*names.measures[way].bodies()} - {GROUND} for way in lookup.went(names, of)}

@@ -31,7 +31,11 @@ def is_turning_speed(value: str, names: Names | None = None) -> bool:
 
 
 def kind_of(value: str, names: Names | None = None) -> str:
-    """A speed or an acceleration, as the unit of a value says."""
+    """A speed or an acceleration, of a place or of an angle, as the unit of a value says."""
+    if is_turning_speed(value, names):
+        return "angular velocity"
+    if re.search(r"rad|deg|rev", value) is not None and _has(value, DIMENSIONLESS / TIME**2, names):
+        return "angular acceleration"
     return next(
         (kind for kind, of in (("speed", LENGTH / TIME), ("acceleration", LENGTH / TIME**2)) if _has(value, of, names)),
         "",

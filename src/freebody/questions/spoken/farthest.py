@@ -66,15 +66,17 @@ def after_bounce(names: Names, main: Clause, instant: str) -> Groups:
 
 def how_far(names: Names, main: Clause) -> Groups:
     """How far does it swing, how far up does it slide? As far as where it turns back."""
-    lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope
+    lines = [name for _, name in main.names if name in names.bodies[GROUND].lines]  # up the slope, down the ramp
     main = Clause([word for word in main.words if word.what not in lines])
     who = next((name for _, name in main.names), "")
     up = main.has("updown", "up") or main.has("part", "upward") or main.has("verb", "rise")
     if len(main.names) > 1:
         return
     if main.has("updown", "down") or main.has("verb", "fall"):
-        if not up and set(main.all("verb")) <= {"fall", "move", "reach", "hang"}:
-            yield [f"change of {way} until rate({way}) = 0" for way, sense in lookup.heights(names, who) if sense < 0]
+        ways = [way for way, sense in lookup.heights(names, who) if sense < 0]
+        ways += [way for way, sense in lookup.inclined(names, who) if sense < 0 and way not in ways]
+        if not up and set(main.all("verb")) <= {"fall", "move", "reach", "hang", "slide", "roll"}:
+            yield [f"change of {way} until rate({way}) = 0" for way in ways]
         return
     if set(main.all("verb")) == {"move"} and not joining.strikes(names) and lookup.flies(names, who):
         yield [f"{way} when {height} = 0" for way in lookup.level(names, who) for height in lookup.rising(names, who)]
@@ -88,6 +90,9 @@ def how_far(names: Names, main: Clause) -> Groups:
         and not names.struck_at_start
     ):
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
+    elif set(main.all("verb")) == {"move"} and joining.is_rough(names) and not lookup.rests(names) and who:
+        ways = lookup.ways(names, who) if not _slips_on_what_moves(names, who) else []
+        yield [f"{way} when {who} stops" for way in ways]  # with the speed that it has
     elif set(main.all("verb")) - {"move"} == {"slide"} and (names.impulses or not lookup.rests(names)):
         if not _slips_on_what_moves(names, who):
             ways = lookup.ways(names, who) or along_lines.slid(names, who)

@@ -59,7 +59,7 @@ KINDS = (
     ParameterKind(("friction coefficient", "friction force"), ("rough",), written="friction", ends_rest=True),
     ParameterKind(("length",), written="length"),
     ParameterKind(("radius",), written="radius"),
-    ParameterKind(("force", "tension", "driving force"), dimension=FORCE, ends_rest=True),
+    ParameterKind(("force", "tension", "driving force", "braking force"), dimension=FORCE, ends_rest=True),
     ParameterKind(("reaction",), dimension=FORCE),
     ParameterKind(("torque", "moment", "driving torque"), dimension=TORQUE, ends_rest=True),
     ParameterKind(("impulse",), dimension=FORCE * TIME),
@@ -71,6 +71,14 @@ KINDS = (
     ParameterKind(("distance",), ("far",), dimension=LENGTH, ends_rest=True),
     ParameterKind(("angle",), ("steep", "flat"), is_angle=True, ends_rest=True),
 )
+_DRIVING = frozenset(("motor", "drive", "engine", "traction", "driving", "propulsion"))
+BRAKING = frozenset(("brake", "brakes", "braking", "pad", "pads"))
+# what is asked for by who pushes: of which kind it is, and what that is called
+ROLES = {
+    "driving torque": ("torque", _DRIVING),
+    "driving force": ("force", _DRIVING),
+    "braking force": ("force", BRAKING),
+}
 KIND_OF = {word: kind for kind in KINDS for word in kind.words}
 ASKED_BY = {ask: kind for kind in KINDS for ask in kind.asks}
 
@@ -186,6 +194,15 @@ def started_with(names: Names, bodies: list[str]) -> list[str]:
             if body == name or body in own or (is_on_curve and len(bodies) == 1):
                 used |= free_symbols(rate)
     return [name for name in of_kind(names, "speed") if name in used]
+
+
+def in_role(names: Names, asked: str, of: list[str]) -> list[str]:
+    """The only parameter of the loads, or of those on some bodies, that are called as who pushes: motor, brake."""
+    kind, words = ROLES[asked]
+    loads = [load for load in names.loads if {load, lookup.acted_on(names, load)} & words]
+    loads = [load for load in loads if not of or {load, lookup.acted_on(names, load)} & {*of}] or loads
+    found = chosen(names, KIND_OF[kind], loads) if loads else []
+    return found if len(found) == 1 else []
 
 
 def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:

@@ -54,7 +54,7 @@ def _english(verb: str) -> list[str]:
 def _german(verb: str, *, is_parted: bool) -> list[str]:
     """rutschen, rutscht, rutschte, rutschten, gerutscht, rutschend; with a prefix also zu: abzurutschen."""
     stem = _stem(verb)
-    te = f"{stem}e" if stem.endswith(("t", "d")) else stem
+    te = f"{stem}e" if _E_BEFORE_T.search(stem) else stem
     keeps = re.match(r"(?:be|ver|zer|ent|er|miss)", verb) or verb.endswith("ieren")
     participle = GERMAN[verb][-1] if verb in GERMAN else f"{te}t" if keeps else f"ge{te}t"
     return [*_finite(verb), participle, f"{verb}d", *([f"zu{verb}"] if is_parted else [])]
@@ -62,11 +62,14 @@ def _german(verb: str, *, is_parted: bool) -> list[str]:
 
 def _finite(verb: str) -> list[str]:
     stem = _stem(verb)
-    te = f"{stem}e" if stem.endswith(("t", "d")) else stem
+    te = f"{stem}e" if _E_BEFORE_T.search(stem) else stem
     if verb in GERMAN:
         present, past, _ = GERMAN[verb]
         return list(dict.fromkeys([verb, present, past, f"{past}en", f"{stem}e"]))
     return list(dict.fromkeys([verb, f"{te}t", f"{te}te", f"{te}ten", f"{stem}e"]))
+
+
+_E_BEFORE_T = re.compile(r"[td]$|[^aeiouäöülrhmn][mn]$")  # wartet, öffnet, but rollt, kommt
 
 
 def _stem(verb: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
@@ -15,8 +14,8 @@ from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
 from freebody.questions.spoken.frames import MOTION
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
+from freebody.questions.spoken.striking import BLOWS, NTH_IMPACT, hitting_again, is_caught, without_striker
 from freebody.questions.spoken.words import Clause
-from freebody.questions.sudden import NTH
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -61,9 +60,6 @@ _COMMA = Word("preposition", ",")
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
 _LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
-_BLOWS = ("after the impact", "before the impact")
-_ON = ("by", "on", "to", "in", "with", "from")  # what leads to who catches something
-_NTH = re.compile(rf"(?P<side>after|before|at) the {NTH} impact")
 _DEAD = ("at the dead points", "at the outer dead point", "at the inner dead point")
 _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", *_DEAD)}
 
@@ -74,7 +70,10 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
     if _may_settle(names, sentence):
         return
-    main = _told_twice(names, main, others)
+    lasts = main.has("degree", "greatest") and not joining.strikes(names)
+    if lasts and not any(row.closes for row in names.constraint_rows):  # with a buffer, which takes its time
+        main = main.without("instant", "in the impact", "at the impact")
+    main = hitting_again(names, _told_twice(names, main, others))
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
     if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == [
@@ -122,7 +121,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     if is_place and main.all("verb") == ["hold"]:  # at what angle does it sit
         main = Clause([Word("quantity", "equilibrium"), *(w for w in main.words if w.kind == "name")])
     if main.has("ask", "high") or main.all("quantity") == ["height"]:
-        after = [one for one in main.all("instant") if (nth := _NTH.fullmatch(one)) and nth["side"] == "after"]
+        after = [one for one in main.all("instant") if (nth := NTH_IMPACT.fullmatch(one)) and nth["side"] == "after"]
         if after and not others and main.all("instant") == after and not main.has("degree", "least"):
             yield from farthest.after_bounce(names, main, after[0])
             return
@@ -136,6 +135,7 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("ask", "far") and main.all("degree") == ["greatest"] and not main.has("quantity"):
         falls = (main.has("updown") and main.has("verb")) or main.has("verb", "fall")
+        falls |= main.all("verb") == ["turn"] and any(lookup.hung(names, name) for _, name in main.names)
         falls = falls and set(main.all("verb")) <= {*GOES_ON, "reach"}
         main = main.without("degree") if falls else main  # how deep at most
     is_range = set(main.all("verb")) <= {"fly", "hit"} and main.only("ask", "verb", "name", "pronoun")
@@ -154,9 +154,12 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         others and main.has("quantity") and (is_so_far or not joining.strikes(names))
     ):  # with what speed does it arrive after 3 m
         main = main.without("verb", "hit", "reach", *(["bounce"] if not joining.strikes(names) else []))
+    if any(mark in ("when", "after") for mark, _ in others) and main.has("quantity", *_OF_WHAT_MOVES):
+        main = main.without("verb", "return")  # with what speed does it run back when the string is slack again
     if main.has("instant", "after the impact") and main.has("ask", "fast"):
         main = main.without("verb", "leave")  # how fast does it leave
     begins = {"start"} < set(main.all("verb")) <= {"start", *GOES_ON}
+    begins |= main.all("verb") == ["start"]
     if begins and main.all("instant") == ["after the impact"] and main.has("quantity") and not others:
         main = main.without("verb")  # with what speed does it begin to swing
     sets_off = begins and main.has("quantity", "velocity", "speed", "angular velocity") and main.has("ask", "with")
@@ -185,6 +188,8 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = Clause([common if w.kind == "quantity" and w.what in alike else w for w in main.words])
     if not others and not main.has("instant") and main.has("ask", "far", "much", "large"):
         main = _at_most(names, main)
+    if main.has("quantity", "common speed") and losing.clutches(names):
+        main = main.without("instant", "at the end")  # of what slips, where both turn alike
     tails, main = _tails(names, main)
     if main.has("quantity", *_LANDING):
         main = Clause(
@@ -301,10 +306,10 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             whose, main = _of_another(main, instant) if instant in _DEAD else ("", main)
             is_one_of_both = instant in _DEAD and any(joining.guides(names, body) for body in lookup.moving(names))
             tails.append([f"{_TIMED[instant if is_one_of_both or instant not in _DEAD else _DEAD[0]]}{whose}"])
-        elif _NTH.fullmatch(instant):
+        elif NTH_IMPACT.fullmatch(instant):
             tails.append([f" {instant}"])
             main = main.without("instant", instant)
-        elif instant in _BLOWS:
+        elif instant in BLOWS:
             struck = joining.is_struck_at_start_alone(names)
             tails.append([" at start" if struck and instant[0] == "a" else f" {instant}"])
         elif instant in _PLACES:
@@ -347,7 +352,7 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
             tails.append([f" when {text}" for text in losing.in_balance(names, of)])
         elif instant == "in equilibrium":
             tails.append([" in equilibrium"])
-    main = main.without("instant", "at start", *_TIMED, *_PLACES, *_BLOWS, "at the impact", "in equilibrium")
+    main = main.without("instant", "at start", *_TIMED, *_PLACES, *BLOWS, "at the impact", "in equilibrium")
     times = [value for before, value in main.values if before in ("in", "of", "")]
     if main.has("relation"):
         found = within.equation_at_end(main)
@@ -404,7 +409,7 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
     """The instant that a clause beside the main one says."""
     if mark in ("until", "while"):
         return
-    if clause.has("verb", "hit") and any(_is_caught(names, name) for _, name in clause.names):
+    if clause.has("verb", "hit") and any(is_caught(names, name) for _, name in clause.names):
         yield [" before the impact" if mark == "when" else " after the impact"]
         return
     lines = {*names.bodies[GROUND].lines, *names.bodies[GROUND].planes}
@@ -454,11 +459,6 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         return
     for group in conditions(names, clause):
         yield [f" when {condition}" for condition in group]
-
-
-def _is_caught(names: Names, place: str) -> bool:
-    """Whether something is caught at a place: a connection closes there on the way."""
-    return any(place in (name, *joining.ends_of(names, name)) for name in names.closing_later)
 
 
 def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
@@ -564,9 +564,13 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         end = next(stops, len(kept))
         clause = Clause([w for w in kept[begin + 1 : end] if w.kind != "filler"])
         is_empty = kept[begin].what == "while" and not clause.words and begin > 0  # while braking
-        if is_empty or (clause.names and is_throughout(names, kept[begin].what, clause)):
+        is_fixed = kept[begin].what == "when" and begin > 0 and _is_given(names, clause.without("verb", "become"))
+        passive = {"hold", "become"} <= set(clause.all("verb")) and not clause.has("value")
+        if passive and not is_fixed and kept[begin].what == "when" and clause.names:
+            return [*kept, Word("other", "held")]  # by a hand that the model has not: no instant of its motion
+        if is_empty or is_fixed or (clause.names and is_throughout(names, kept[begin].what, clause)):
             kept = [*kept[:begin], *kept[end + (begin == 0) :]]
-    kept = _without_catcher(names, kept)
+    kept = without_striker(names, kept)
     begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]
     for k in begins:
         let_go = next((j for j in range(k + 1, len(kept)) if kept[j].kind != "filler"), len(kept))
@@ -583,17 +587,6 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         ):
             return [*kept[:let_go], *kept[let_go + 1 :]]
     return kept
-
-
-def _without_catcher(names: Names, words: list[Word]) -> list[Word]:
-    """After it is caught by the peg, after hooking on it, is after the impact, where nothing else catches it."""
-    blows = (*_BLOWS, "at the impact", "in the impact")
-    said = [k for k, word in enumerate(words) if word.kind != "filler"]
-    for blow, by, who in zip(said, said[1:], said[2:], strict=False):
-        is_caught = words[blow].kind == "instant" and words[blow].what in blows and words[by].what in _ON
-        if is_caught and words[who].kind == "name" and _is_caught(names, words[who].what):
-            return [*words[: blow + 1], *words[who + 1 :]] if len(names.closing_later) == 1 else words
-    return words
 
 
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:

@@ -101,6 +101,11 @@ def is_driven(names: Names) -> bool:
     return bool(lookup.driving(names)) or any(drivers(names, body) for body in lookup.moving(names))
 
 
+def strings_that_pull(names: Names) -> list[str]:
+    """Strings that can do work by themselves: those of a given tension, and elastic ones."""
+    return [load for load in names.loads if {"rope", "cable", "cord"} & {*names.called.get(load, ())}]
+
+
 def joined_by(names: Names, connection: str) -> list[str]:
     """The bodies that move and that a connection joins."""
     spec = names.connections.get(connection)
@@ -225,10 +230,20 @@ def no_longer_pressed(names: Names, joints_: list[str], of: list[str]) -> list[s
     """The conditions that nothing presses in joints that hold on both sides, where a body lifts off: at a pin of the
     ground, if it is meant by all that is named, the force upwards."""
     pressed = {row.connection for row in names.constraint_rows if row.reaction == "normal force"}
+    pressed = {joint for joint in pressed if not _leads_up(names, joint)}  # along a guide nothing lifts off it
     pins = [joint for joint in joints_ if pinned_at(names, joint) not in (joint, of[0]) and len(joints_) == 1]
     return [f"normal force of {joint} = 0" for joint in joints_ if joint in pressed] or [
         f"reaction of {joint} along up = 0" for joint in pins
     ]
+
+
+def _leads_up(names: Names, joint: str) -> bool:
+    """Whether a connection guides what it holds straight up."""
+    along = direction(names, joint)
+    if along is None:
+        return False
+    way = [names.numeric(part) for part in names.direction(along).components]
+    return way[0] is not None and all(abs(part or 0.0) < _LEVEL for part in (way[0], *way[2:]))
 
 
 def touches(names: Names, connection: str, thing: str) -> bool:
@@ -402,7 +417,7 @@ def axle_of(names: Names, body: str) -> str:
     points = axle_points(names, body)
     if not points:
         return "center" if _is_coaxial(names, body) else ""
-    return "center" if names.bodies[body].points["mass_center"] in points else "beside"
+    return "center" if names.bodies[body].points.get("mass_center") in points else "beside"
 
 
 def _is_coaxial(names: Names, body: str) -> bool:

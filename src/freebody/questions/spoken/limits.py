@@ -66,6 +66,12 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         return
     if not modal and not (clause.has("ask") or clause.has("degree") or clause.has("mark")):
         return
+    if (
+        clause.all("quantity") == ["friction force"]
+        and clause.has("degree", "greatest")
+        and not set(clause.all("verb")) - {"become", "act", "exert"}
+    ):
+        return  # the greatest friction is a force, and no coefficient
     if {"tip", "slide"} <= set(clause.all("verb")) and clause.has("mark", "until"):
         return  # which of both comes first is no limit of rest
     if clause.has("mark", "until") and clause.has("verb", "end"):

@@ -311,6 +311,8 @@ def _carrying(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
         words = [carry if word == Word("verb", "hold") else word for word in words]
     rows = {row.reaction for row in names.constraint_rows if row.connection in joints}
     kind = next((kind for kind in ("tension", "normal force", "reaction") if kind in rows), "reaction")
+    if kind == "tension" and not any(row.unilateral for row in names.constraint_rows if row.connection in joints):
+        kind = "force"  # a bar may be pressed
     meant = Word("quantity", kind) if len(joints) == 1 and not any(w.kind == "quantity" for w in words) else None
     bounds = (Word("ask", "heavy"), Word("ask", "large"))
     if meant is not None and carry in words:
@@ -479,6 +481,10 @@ def _at_extreme(names: Names, sentence: Sentence) -> Groups:
         yield from time(names, Sentence(Clause([Word("ask", "when")]), (("when", Clause(words[1:])),)))
     elif asks[0] == "where" and len(said) == 1:
         yield from timed(names, Sentence(Clause([Word("quantity", "position")]), (("when", Clause(words[1:])),)))
+    elif asks[0] == "high" and len(said) == 1:
+        of = [word for word in words if word.kind == "name"]
+        height = Clause([Word("quantity", "height"), *of])
+        yield from timed(names, Sentence(height, (("when", Clause(words[1:])),)))
     elif asks[0] in ("with", "for") and len(said) == 2 and words[said[0]].what in ("angle", "position"):
         place, rest = words[1 : said[1]], words[said[1] :]
         yield from timed(names, Sentence(Clause(place), (("when", Clause(rest)),)))

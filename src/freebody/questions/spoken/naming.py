@@ -50,6 +50,7 @@ _JOINT_WORDS = ("joint", "connection", "support")
 _SUPPORTS = ("bearing", "support", "joint", "hinge")
 _EXCITATION = ("excitation", "forcing", "driving", "exciting")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
+_RUBBING = ("capstan", "bollard", "rope friction")  # a string that runs on nothing rough is no such thing
 _RODS = ("rod", "bar", "strut", "link")
 _WHEELS = ("wheel",)
 _GEARS = ("gear", "gearwheel")
@@ -122,7 +123,8 @@ def elements_of(names: Names) -> Elements:
     ]
     said_once = Counter(said for _, said in touching)
     for name in names.connections:
-        said = (*names.called.get(name, ()), *_stems(name))
+        called = [word for word in names.called.get(name, ()) if word not in _RUBBING or _rubs(names, name)]
+        said = (*called, *_stems(name))
         pulls = {*_ROPES} & {*said, name.lower()}
         alike = [word for word in _alike(name, *said) if pulls or word not in _ROPES]  # a guide called line is no rope
         found.add(name, (*said, *alike, *_JOINT_WORDS))
@@ -169,6 +171,11 @@ def elements_of(names: Names) -> Elements:
     for name in found.hanging:  # the weights of an Atwood machine
         found.add(name, ("weights",))
     return found
+
+
+def _rubs(names: Names, string: str) -> bool:
+    """Whether a connection is given a coefficient of friction."""
+    return str(getattr(names.connections[string], "friction", 0)) not in ("0", "0.0", "{}")
 
 
 def _is_upright(names: Names, name: str) -> bool:

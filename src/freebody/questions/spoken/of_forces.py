@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import at_joints, joining, lookup, of_springs, strings, transmitting
+from freebody.questions.spoken import at_joints, given, joining, lookup, of_springs, strings, transmitting
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.words import Clause
 
@@ -247,8 +247,13 @@ def _along_surfaces(names: Names, rest: Clause) -> Groups:
 
 @said_of("braking force")
 def _braking(names: Names, quantity: str, rest: Clause) -> Groups:
-    """What slows wheels down on a road is its friction; else a force that is named."""
+    """A load that is called brakes; else what slows wheels down on a road, its friction; else a force that is named."""
     things = [name for _, name in rest.names]
+    forces = [load for load, kind in names.loads.items() if kind != TORQUE]
+    brakes = [load for load in forces if {load, lookup.acted_on(names, load)} & given.BRAKING]
+    if brakes and rest.only("name", *SILENT):
+        yield [f"force in {load}" for load in brakes if {*things} <= {load, lookup.acted_on(names, load)}]
+        return
     rough = [joint for joint in joining.rough(names, "") if "contact" in names.called.get(joint, ())]
     if rough and rest.only("name", *SILENT):
         of = [joint for joint in rough if all(name == joint or joining.touches(names, joint, name) for name in things)]

@@ -26,6 +26,8 @@ def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
     rods = [name for name, body in names.bodies.items() if body.solid is ROD]
     points = [name for name in of if name.partition(".")[0] in rods and "." in name]
     named = [name for name in of if name in rods]
+    if quantity == "transverse force" and not points and of == named and rods and lookup.rests(names):
+        return  # it changes along a beam: where is to be said
     if quantity == "transverse force" and not points:
         yield from composed(names, "normal force", rest)
         return

@@ -23,6 +23,7 @@ _HOW_HARD = (Word("ask", "large"), Word("ask", "much"))
 _WAY_BACK = Word("quantity", "way back")
 _OF_SPEED = (dimensions.is_speed, dimensions.is_turning_speed)
 _SO_THAT, _TO = Word("mark", "so_that"), Word("mark", "to")
+_DRIVEN = ("move", "turn", "exert", "accelerate", "rise", "fall")  # what a motor does with something
 _RUNS = ("slack tension", "tight tension")  # of the two runs of a belt
 _PULLS = ("force", "tension", "belt force")
 _TRANSMITS = tuple(Word("verb", verb) for verb in ("carry", "exert", "act"))
@@ -70,6 +71,11 @@ def balanced_at(names: Names, words: list[Word]) -> list[Word]:
 
 def hauled(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     """How far one must pull on the rope is how far that end of it must move on which a force acts."""
+    pulls = [w for w in words if w in (Word("verb", "exert"), Word("verb", "become"))]
+    if words[:1] == [Word("ask", "far")] and "must" in modal and _SO_THAT in words and pulls[:1] != []:
+        k, move = words.index(_SO_THAT), Word("verb", "move")  # how far it must be pulled is how far it must move
+        head = [w for w in words[:k] if w not in (*pulls, move, Word("preposition", ","))]
+        words = [*head, move, *words[k:]] if move in words[:k] or Word("verb", "exert") in pulls else words
     ropes = [w for w in words if w.kind == "name" and w.what in names.connections and w.what not in names.bodies]
     if words[:1] != [Word("ask", "far")] or "must" not in modal or len(ropes) != 1 or Word("verb", "move") not in words:
         return words
@@ -365,7 +371,7 @@ def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     asked = [word for word in words[:k] if word.kind not in ("filler", "ask")]
     behind = [word for word in words[k + 1 :] if word.kind != "filler" and word != Word("preposition", "to")]
     said, rest = behind[:2], behind[2:]  # to move the trolley; um die Katze zu bewegen
-    goes = [word.what for word in said if word.kind == "verb" and word.what in ("move", "turn", "exert", "accelerate")]
+    goes = [word.what for word in said if word.kind == "verb" and word.what in _DRIVEN]
     who = [word.what for word in said if word.kind == "name"]
     if not goes or not who or not asked or asked[0].what not in kinds:
         return words

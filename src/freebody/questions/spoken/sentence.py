@@ -45,6 +45,9 @@ def parted(words: list[Word]) -> Sentence | None:
         if mark == "after" and len(own) > 1 and own[0].kind == "value" and dimensions.is_time(own[0].what):
             parts[0][1].extend(own[1:])
             del own[1:]
+        ends = mark == "until" and [word.kind for word in own] == ["verb", "verb"]  # bis zum Stillstand gerutscht
+        if ends and own[0].what in ("stop", "begin_roll"):
+            parts[0][1].append(own.pop())
     main = [own for mark, own in parts if not mark and own]
     if len(main) != 1:
         return None

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import strings
+from freebody.questions.spoken import lookup, strings
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import (
@@ -42,6 +42,7 @@ _GOES_ON = re.compile(r"\s*[+*/^=)]")  # what calculates with the part before it
 _OF_IMPACT = tuple(Word("quantity", what) for what in ("energy lost", "kinetic energy lost", "impulse"))
 _IN_IMPACT = (Word("instant", "in the impact"), Word("instant", "at the impact"))
 _ALL = ("they", "both")  # two, where the model has no others
+_IT = Word("pronoun", "it")
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
 
 
@@ -91,8 +92,17 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
         return
     never = several(language, "never")
     cuts = [found for found in several(language, "and").finditer(text) if found.start() > 0]
-    cuts = [cut for cut in cuts if not never.search(text[: cut.start()])]
-    cuts = [cut for cut in cuts if _is_open(text[: cut.start()]) or not _leads_on(text[cut.end() :])]
+    again = [cut for cut in cuts if _at_another_instant(text[: cut.start()], text[cut.end() :], language)]
+    cuts = [
+        cut
+        for cut in cuts
+        if cut in again
+        or (_is_open(text[: cut.start()]) and _is_instant(text[cut.end() :], language))
+        or (
+            not never.search(text[: cut.start()])
+            and (_is_open(text[: cut.start()]) or not _leads_on(text[cut.end() :]))
+        )
+    ]
     if any(_adds_to(text[: cut.start()], text[cut.end() :]) for cut in cuts):
         return
     if not cuts or len(cuts) >= MOST:
@@ -121,6 +131,18 @@ def _states(text: str, language: str) -> bool:
 def _is_open(text: str) -> bool:
     """Whether something is to follow behind a text: just before, and after, the impact."""
     return re.search(r"\b(?:before|after|vor|nach)$", text, re.IGNORECASE) is not None
+
+
+def _at_another_instant(before: str, after: str, language: str) -> bool:
+    """Whether what stands behind a conjunction is another instant of the same quantity: at the start and at the end."""
+    return _is_instant(after, language) and _tail(before, language) != ""
+
+
+def _is_instant(text: str, language: str) -> bool:
+    """Whether a text says of an instant, and nothing else."""
+    words = text.lower().strip(" .?!").replace("ß", "ss").split()
+    found = phrases_at(" ".join(words), 0, language) if words else []
+    return any(word.kind == "instant" and len(places) == len(words) for word, places in found)
 
 
 def _leads_on(text: str) -> bool:
@@ -163,10 +185,12 @@ def _part(elements: Elements, pieces: list[str], k: int, language: str) -> Part:
     is_asked, is_named = bool(kinds & {"quantity", "ask"}), "name" in kinds
     tail = "" if kinds & {"mark", "instant"} else _tail(pieces[-1], language)
     found: list[str] = []
+    if k < len(pieces) - 1 and not _is_open(own) and _is_instant(pieces[-1], language):  # another instant than its own
+        return Part(own, (own,))
     if k < len(pieces) - 1 and is_asked and several(language, "quantities").search(own):
         # all tensions, and not those of what is named behind; at the instant at which that is
         found += [f"{own} {tail}", own] if tail else [own]
-    if k < len(pieces) - 1 and not (is_asked and is_named):
+    if k < len(pieces) - 1 and (_is_open(own) or not (is_asked and is_named)):
         found += [f"{own} {' '.join(last[j:])}" for j in range(1, min(_BORROWED, len(last)))]
     if k > 0 and not is_asked:
         found += [f"{' '.join(first[:-j])} {own}" for j in range(1, min(_BORROWED, len(first)))]
@@ -190,9 +214,21 @@ def _kinds(elements: Elements, text: str, language: str) -> set[str]:
     return set()
 
 
+def named_instead(names: Names, elements: Elements, text: str, first: str) -> str:
+    """A text with the only body that moves of those which another names in place of it: and how fast is it then."""
+    for language in languages():
+        for way in linked(elements, in_english_nouns(first, language, elements.taken))[:1]:
+            marked = {name for name in lookup.moving(names) if f"{OPEN}{name}{CLOSE}" in way.text}
+            if len(marked) == 1:
+                [name] = marked
+                is_it = [any(w == _IT for w, _ in phrases_at(word.lower(), 0, language)) for word in text.split()]
+                return " ".join(name if it else word for word, it in zip(text.split(), is_it, strict=True))
+    return text
+
+
 def _tail(text: str, language: str) -> str:
     """What is said of when at the end of a text, where it is not what is asked."""
-    words = text.lower().split()
+    words = text.lower().replace("ß", "ss").split()
     if any(_kind_at(words, k, language) == "ask" for k in range(min(2, len(words)))) and "long" in words[:2]:
         return ""
     for k in range(1, len(words)):

@@ -20,6 +20,7 @@ _POSES = {"horizontal": poses.level, "level": poses.level, "at the top": poses.u
 
 def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """What is to be so, in the words of the grammar."""
+    clause = _stopping_after(names, clause)
     verbs, negated = set(clause.all("verb")), clause.has("not")
     if "end" in verbs:  # it no longer slips
         verbs, negated = verbs - {"end"}, True
@@ -120,7 +121,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         sense = 1 if "rise" in verbs else -1
         ways = lookup.sloping(names, lookup.places(names, who))
         yield [f"acceleration of {way} {'>=' if up == sense else '<='} 0" for way, up in ways]
-    if verbs == {"leave"} and not negated and who:  # what cannot lift off by itself
+    if verbs == {"leave"} and who:  # what cannot lift off by itself
         held = joining.joints(names, who, next(iter(of[1:]), ""), "normal force")
         bound = {row.connection for row in names.constraint_rows if row.unilateral}
         opens = any(
@@ -128,10 +129,24 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         )
         at = " at start" if clause.has("instant", "at start") else ""
         held = [joint for joint in held if joint not in bound and not opens]
-        yield [f"{text}{at}" for text in joining.no_longer_pressed(names, held, of)]
+        sign = " >= 0" if negated else " = 0"
+        ends = [text.replace(" = 0", sign) for text in joining.no_longer_pressed(names, held, of)]
+        yield [f"{text}{at}" for text in ends]
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]
+
+
+def _stopping_after(names: Names, clause: Clause) -> Clause:
+    """It stands still after 20 cm at most: it gets no farther than that. Without `at most` it stops there."""
+    after, stop = Word("mark", "after"), Word("verb", "stop")
+    k = clause.words.index(after) if after in clause.words else -1
+    values = [value for _, value in clause.values]
+    if k < 0 or clause.all("verb") != ["stop"] or len(values) != 1 or not dimensions.is_length(values[0], names):
+        return clause
+    bounded = clause.has("degree", "greatest") or clause.has("relation", "<=")
+    kept = [word for word in clause.words if word not in (after, stop)]
+    return Clause([*kept, Word("verb", "move") if bounded else stop])
 
 
 def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
@@ -184,6 +199,11 @@ def _no_farther(names: Names, clause: Clause, of: list[str]) -> Groups:
     who = [name for name in of if name in lookup.moving(names)]
     words = [_as_sign(word, clause.words[k + 1 : k + 2]) for k, word in enumerate(clause.words)]
     clause = Clause(words)  # it falls at most 50 m
+    goes = clause.all("verb") != [] and set(clause.all("verb")) <= {"move", "slide", "fly", "roll"}
+    if goes and clause.only("verb", "name", "value", "relation", *SILENT) and clause.all("relation") == ["<="]:
+        if len(values) == 1 and dimensions.is_length(values[0], names) and len(who) <= 1:
+            yield [f"greatest {way} <= {values[0]}" for way in lookup.ways(names, next(iter(who), ""))]
+        return
     plain = clause.only("verb", "name", "value", "relation", *SILENT) and clause.all("verb") != []
     if plain and clause.all("relation") == ["<="] and len(values) == len(senses) == 1 and len(who) <= 1:
         inclined = lookup.inclined(names, next(iter(who), ""))
@@ -289,7 +309,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
         yield [f"{who or 'it'} stays taut"]
-    elif verbs == {"turn_fully"} and not negated and who:
+    elif verbs == {"turn_fully"} and not negated and who and not _stands(names, who):
         yield [f"{who} turns fully"]
     elif verbs == {"self_locking"} and not negated:
         yield [f"{thread} is self-locking" for thread in joining.threads(names, of)]
@@ -309,6 +329,15 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
             yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
 
 
+def _stands(names: Names, who: str) -> bool:
+    """Whether a body stands on what it may leave: what turns over there tips."""
+    return (
+        who in names.bodies
+        and not joining.axle_of(names, who)
+        and any(joining.may_open(names, joint) and joining.touches(names, joint, who) for joint in names.connections)
+    )
+
+
 def _leading_round(names: Names) -> list[str]:
     """What leads something all the way round: a track, or a string from the ground on which it swings."""
     swung = joining.swinging_on(names)
@@ -324,6 +353,7 @@ def _on_track(names: Names, leading: list[str], who: str, other: str) -> list[st
 
 def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """An equation or an inequality between a quantity and a value, or two quantities, perhaps at an instant."""
+    clause = Clause(_led_by_time(names, clause.words))
     marks = [k for k, word in enumerate(clause.words) if word.kind == "mark"]
     timed = clause.words[marks[0] :] if marks else []
     head = clause.words[: marks[0]] if marks else clause.words
@@ -347,6 +377,18 @@ def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
                     yield [f"{text} {sign} {what}{tail}" for what in other]
 
 
+def _led_by_time(names: Names, words: list[Word]) -> list[Word]:
+    """The words with a time behind what is so then: that it is after 60 s 80 km/h fast, gets to that in 60 s."""
+    values = [k for k, word in enumerate(words) if word.kind == "value"]
+    if len(values) != len(("time", "other")) or any(word.kind == "relation" for word in words):
+        return words
+    k, other = values
+    leads = k > 0 and words[k - 1] in (Word("mark", "after"), Word("preposition", "in"))
+    if not leads or not dimensions.is_time(words[k].what, names) or dimensions.is_time(words[other].what, names):
+        return words
+    return [*words[: k - 1], *words[k + 1 :], Word("mark", "after"), words[k]]
+
+
 def _may_press(names: Names, text: str) -> bool:
     """Whether it is the tension of a bar, in which the force is as large where it is pressed."""
     joint = text.removeprefix("tension of ").partition(" at ")[0]
@@ -355,9 +397,10 @@ def _may_press(names: Names, text: str) -> bool:
 
 
 def _varies(names: Names, text: str) -> bool:
-    """Whether a quantity is the force of a spring, or of what stretches as one."""
-    name = text.removeprefix("force in ")
-    return name != text and name in (*lookup.springs(names), *lookup.elastic_strings(names))
+    """Whether a quantity is the force of a spring, or how far it is deflected, or of what stretches as one."""
+    what, _, name = text.rpartition(" ")
+    is_of_spring = what in ("force in", *(f"{way} of" for way in lookup.STRETCHED))
+    return is_of_spring and name in (*lookup.springs(names), *lookup.elastic_strings(names))
 
 
 def _as_sign(word: Word, after: list[Word]) -> Word:
@@ -381,15 +424,19 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
     signs = [k for k, word in enumerate(words) if word.kind == "relation"]
     if len(signs) == 1:
         [k] = signs
-        right = Clause(words[k + 1 :])
-        left = Clause(words[:k]).without("verb", "reach", "move")
+        sign = words[k].what
+        left, right = words[:k], Clause(words[k + 1 :])
+        behind = [w for w in right.words[1:] if w.kind in ("quantity", "name", "part")]
+        if right.words[:1] and right.words[0].kind == "value" and behind and not Clause(left).has("quantity"):
+            left, right = [*behind, *left], Clause(right.words[:1])  # by at most 15 cm compressed
+        left = Clause(left).without("verb", "reach", "move")
         if right.only("value", "preposition") and len(right.values) == 1:
-            return left, words[k].what, right.values[0][1], tail
+            return left, sign, right.values[0][1], tail
         if right.only("name", "preposition") and len(right.names) == 1:
-            return left, words[k].what, right.names[0][1], tail
+            return left, sign, right.names[0][1], tail
         if right.has("verb", "vanish"):
-            return left, words[k].what, "0", tail
-        return left, words[k].what, right, tail
+            return left, sign, "0", tail
+        return left, sign, right, tail
     if not signs and clause.has("not") and clause.has("quantity") and not clause.has("value"):  # it has no velocity
         return Clause([w for w in words if w.kind not in ("not", "verb")]), "=", "0", tail
     if not signs and clause.has("verb", "accelerate") and len(clause.values) == 1 and not clause.has("quantity"):

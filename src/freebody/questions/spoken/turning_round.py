@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 _RESTS = ("it stays at rest", "it does not slip", "nothing slips")
 _EXERTED = ("torque", "impulse", "angular impulse")  # what a load may exert that is no force
 _PUSHES = ("force", "torque", "moment", "driving force", "driving torque")
+_RATES = ("speed", "velocity", "angular velocity", "acceleration")  # what a steady motion has itself
 _FOR = (Word("ask", "from"), Word("ask", "for"), Word("ask", "up_to"))
 _WHICH = (Word("ask", "with"), Word("ask", "what"))
 
@@ -54,7 +55,13 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
                 if text.partition(" = ")[0] in names.measures and not is_timed:
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
-                yield from _asked(parameter, text, "largest" if is_begun and end and text in _RESTS else end)
+                is_other_end = is_begun and end and text in _RESTS
+                yield from _asked(parameter, text, _end_of_rest(names, parameter) if is_other_end else end)
+
+
+def _end_of_rest(names: Names, parameter: str) -> str:
+    """Where rest ends as a parameter leaves the values with which it lasts: as it grows; friction as it gets less."""
+    return "least" if parameter in given.parameters(names, "friction coefficient", "") else "largest"
 
 
 def _for_push(words: list[Word]) -> list[Word]:
@@ -62,7 +69,12 @@ def _for_push(words: list[Word]) -> list[Word]:
     clause, (asks, kind) = Clause(words), [*words[:2], Word("", ""), Word("", "")][:2]
     is_push = asks == _WHICH[0] and kind.kind == "quantity" and kind.what in _PUSHES and not clause.has("mark")
     is_state = len(clause.values) == 1 and (len(clause.all("quantity")) > 1 or clause.has("verb", "accelerate"))
-    return [Word("ask", "for"), *words[1:]] if is_push and is_state else words
+    is_steady = (
+        asks == _WHICH[0] and given.is_by_unit(kind.what) and clause.has("not") and clause.has("verb", "accelerate")
+    )
+    return (
+        [Word("ask", "for"), *words[1:]] if (is_push and is_state) or (is_steady and kind.what not in _RATES) else words
+    )
 
 
 def _begun(names: Names, words: list[Word]) -> list[Word]:
@@ -219,7 +231,11 @@ def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | 
         and not any(w == Word("mark", "until") for w in words)
     ):
         k = next((k for k, word in enumerate(words) if word.kind == "name" and word.what in names.parameters), None)
-        head, rest = Clause(words[: (k or 0) + 1]), Clause(words[(k or 0) + 1 :])
+        end = (k or 0) + 1
+        behind = Clause(words[end : end + 2])
+        is_led = behind.words[:1] != [] and behind.words[0].kind == "degree" and not behind.has("quantity")
+        end += bool(k) and is_led  # P höchstens, ohne dass
+        head, rest = Clause(words[:end]), Clause(words[end:])
         if k is None or (words[0].what == "with" and not rest.words):
             return _without_mark(names, words)
     else:
@@ -295,6 +311,15 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
     return named[0] if named else k  # who does something stands before the verb
 
 
+def _may_be(names: Names, ask: str, parameter: str) -> bool:
+    """Whether a parameter can be so: a force is not far, nor a length fast."""
+    kind = given.ASKED_BY.get(ask)
+    if kind is None or kind.dimension is None:
+        return True
+    turns = given.KIND_OF["angular velocity"].has(names.parameters[parameter])
+    return kind.has(names.parameters[parameter]) or (ask == "fast" and turns)
+
+
 def _speeds(names: Names, asked: str, of: list[str]) -> list[str]:
     """The speed with which something starts, or with which what is driven goes round."""
     driven = [name for name in joining.drive_parameters(names) if set(of) <= joining.driven_bodies(names, name)]
@@ -324,6 +349,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if head.has("ask", "fast") and is_marked:
         asked_by = ["speed"]
     named = [name for _, name in head.names if name in names.parameters]
+    if named and any(not _may_be(names, ask, named[0]) for ask in head.all("ask")):  # how far may F be from A
+        return None
     others = [name for before, name in head.names if name not in names.parameters and (not before or not named)]
     if head.has("verb", "hit", "exert", "start") and is_marked:  # at which height h do I hit the ball so that ..
         others = []
@@ -340,9 +367,13 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     if of_speed and not named and is_marked:
         found = _speeds(names, asked[0], others)  # the speed that the bullet must have
         return (found, rest, end) if len(found) == 1 else None
+    if asked == ["normal force"] and is_marked and not named and not others:  # with which something is pressed on
+        asked = ["force"]
     if asked == ["impulse"] and not given.of_kind(names, "impulse"):  # of what turns about a hinge
         asked = ["angular impulse"]
     is_extremal = is_marked and rest.has("degree") and rest.has("quantity")  # the angle for the greatest range
+    if not named and len(asked) == 1 and asked[0] in given.ROLES and (found := given.in_role(names, asked[0], others)):
+        return found, rest, end  # the motor torque, the braking force
     if not named and not others and len(asked) == 1 and given.is_by_unit(asked[0]):  # the only one that is a force
         found = given.of_kind(names, asked[0])
         found = found if len(found) == 1 else given.chosen(names, given.KIND_OF[asked[0]], [])
@@ -353,6 +384,9 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         return (found, rest, end) if len(found) == 1 and head.has("verb", "exert", "act") else None
     if head.has("ask", "extended") and not named and not asked:
         asked = ["length"]
+    if head.has("ask", "large") and not named and not asked and len(others) == 1 and is_marked:
+        is_point = others[0] in names.bodies and "particle" in names.called.get(others[0], ())
+        asked = ["mass"] if is_point else asked  # how large the mass must be: nothing else of it has a size
     loads = [name for name in others if name in names.loads or name in names.impulses]
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque

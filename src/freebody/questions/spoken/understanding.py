@@ -22,7 +22,7 @@ from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.lexicon import Word, languages, several
 from freebody.questions.spoken.naming import Elements, elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
-from freebody.questions.spoken.several import each_of, of_rivals, parts, sides_of
+from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
 from freebody.questions.spoken.unread import (
@@ -303,7 +303,11 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
             before = [asked for asked, _ in found_here]
             fitting = (one for one in every if one and all(_fits_event(asked) for asked, _ in one))
             some = next((one for one in fitting if all(asked not in before for asked, _ in one)), None)
-            some = some or (_there(names, part.there, found_here[0][1], read) if found_here and part.there else [])
+            some = some or []
+            if found_here and part.there:
+                told_there = (part.there, named_instead(names, elements, part.there, way[0].said))
+                each = (_there(names, said, found_here[0][1], read) for said in dict.fromkeys(told_there))
+                some = some or next((one for one in each if one), [])
             if found_here and found_here[0][1].startswith("time when ") and not any(one.event for one, _ in some):
                 some = _then(names, part.texts, found_here[0][1], read) or some
             if not some or any(asked in before for asked, _ in some):  # nothing that is said is dropped

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _HOW_STEEP = (Word("ask", "steep"), Word("ask", "flat"))
+_STOPPING = ("stopping distance", "stopping time")
 _COUNTED = ("work", "power", "energy")
 _PUSHES = ("force", "torque", "moment", "tension", "spring force", "driving force", "driving torque")
 
@@ -21,7 +22,15 @@ _PUSHES = ("force", "torque", "moment", "tension", "spring force", "driving forc
 def without_unneeded(names: Names, words: list[Word]) -> list[Word]:
     if not words:
         return words
-    return named_as_push(names, of_driven(names, of_slope(names, about_axle(names, at_best_angle(words)))))
+    words = until_it_stops(at_best_angle(words))
+    return named_as_push(names, of_driven(names, of_slope(names, about_axle(names, words))))
+
+
+def until_it_stops(words: list[Word]) -> list[Word]:
+    """The stopping distance until it stands still, which is where it ends."""
+    is_asked = any(word.kind == "quantity" and word.what in _STOPPING for word in words)
+    end = [Word("mark", "until"), Word("verb", "stop")]
+    return words[:-2] if is_asked and words[-2:] == end else words
 
 
 def at_best_angle(words: list[Word]) -> list[Word]:
@@ -37,6 +46,8 @@ def at_best_angle(words: list[Word]) -> list[Word]:
 def of_slope(names: Names, words: list[Word]) -> list[Word]:
     """The angle of the ramp at which the crate slips: the ramp leans by no other."""
     angle, is_asked = Word("quantity", "angle"), words[0].kind == "ask"
+    if is_asked and words[2:3] == [angle] and words[1].kind == "name":  # bei welcher Hangneigung
+        words = [words[0], angle, words[1], *words[3:]]
     k = words.index(angle) + 1 if angle in words and is_asked else len(words)
     k = 1 if words[0] in _HOW_STEEP else k
     k += words[k : k + 1] == [Word("preposition", "of")]
@@ -56,17 +67,30 @@ def is_unneeded(names: Names, words: Sequence[Word], k: int) -> bool:
 
 
 def of_driven(names: Names, words: list[Word]) -> list[Word]:
-    """The critical speed of the rotor: where what is shaken by it resonates."""
+    """The critical speed of the rotor, the speed of the rotor at which there is resonance: where what is shaken by it
+    resonates."""
     k = next((k for k in range(len(words)) if is_driven(names, words, k)), None)
-    return words if k is None else [*words[: k - 1], *words[k + 1 :]]
+    if k is None:
+        return words
+    resonance = Word("quantity", "resonance frequency")
+    return [resonance] if resonance in words[k:] else [*words[: k - 1], *words[k + 1 :]]
 
 
 def is_driven(names: Names, words: Sequence[Word], k: int) -> bool:
     """Whether a word names what is driven at the frequency that is asked for."""
     said = [word for word in words[:k] if word.kind != "filler"]
-    is_led = said[-2:] == [Word("quantity", "resonance frequency"), Word("preposition", "of")]
+    resonance = Word("quantity", "resonance frequency")
+    is_led = said[-2:] == [resonance, Word("preposition", "of")]
+    said = [word for word in said if word.kind not in ("ask", "preposition")]
+    is_led |= said in ([Word("quantity", "angular velocity")], [Word("quantity", "velocity")]) and (
+        [word for word in words[k + 1 :] if word.kind not in ("filler", "verb")] == [resonance]
+    )
     is_named = is_led and k < len(words) and words[k].kind == "name"
-    return is_named and any(words[k].what in joining.driven_bodies(names, p) for p in joining.drive_parameters(names))
+    return is_named and any(
+        one in joining.driven_bodies(names, p)
+        for p in joining.drive_parameters(names)
+        for one in (words[k].what, *joining.joined_by(names, words[k].what))
+    )
 
 
 def is_pivot(names: Names, words: Sequence[Word], k: int) -> bool:
@@ -81,6 +105,14 @@ def is_pivot(names: Names, words: Sequence[Word], k: int) -> bool:
 def named_as_push(names: Names, words: list[Word]) -> list[Word]:
     """The work of the cable tension, the power of the gas force: of the load itself, whose kind needs no word."""
     counted = any(w.kind == "quantity" and w.what in _COUNTED for w in words)
+    pull, pulling = Word("quantity", "tension"), joining.strings_that_pull(names)
+    if (
+        counted
+        and pull in words
+        and len(pulling) == 1
+        and not any(w.kind == "name" for w in words[: words.index(pull)])
+    ):
+        words = [Word("name", pulling[0]) if word == pull else word for word in words]
     return [
         word
         for k, word in enumerate(words)

@@ -65,7 +65,8 @@ def without_units(text: str, named: Container[str]) -> tuple[str, tuple[str, ...
             said = " ".join(words[:n]).rstrip(_STOP)
             is_numbered = words[n:][:1] == words[-1:] and words[-1].isdigit()  # the force in bar 1
             is_gravity = said.lower() == "g" and ACCELERATES.search(text) is not None
-            if not (is_numbered or is_gravity) and (unit := _unit(said, named)):
+            is_last = found[0].startswith(",") and not text[at + len(said) :].strip(" .?!")  # ", in m" is of no mass m
+            if not (is_numbered or is_gravity) and (unit := _unit(said, () if is_last else named)):
                 text, at = f"{text[: found.start()]}{text[at + len(said) :]}", found.start()
                 units.append(unit)
                 break
