@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Symbol, free_symbols, n_operations
+from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, evaluate, free_symbols, n_operations
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.language.units import FORCE, TORQUE
@@ -269,8 +270,20 @@ def balanced_by_a_load(setup: Setup) -> tuple[System, str] | None:
             told = Message("in the pose of the start, where {name} balances the other loads", name=name)
             if n_operations(size) <= _MOST_SHOWN:
                 told = Message("in the pose of the start, with the balance {x}", x=compared(Symbol(name), "=", size))
-            return with_loads(setup.system, {name: size}), told
+            return with_loads(_with_number(setup.system, name, size), {name: size}), told
     return None
+
+
+def _with_number(system: System, name: str, size: Expr) -> System:
+    """The system with the number of a formula for a parameter without a value, where the file gives all that is in it."""
+    given = {p.name: p.value for p in system.parameters.values() if p.value is not None and p.form is None}
+    if free_symbols(size) - given.keys() - {"pi"}:
+        return system
+    with suppress(ArithmeticError, ValueError):
+        number = float(evaluate(size, {"pi": math.pi, **given}, FLOAT_FUNCTIONS))
+        valued = replace(system.parameters[name], value=number)
+        return replace(system, parameters={**system.parameters, name: valued})
+    return system
 
 
 def is_given_pose(setup: Setup) -> bool:

@@ -241,7 +241,9 @@ class QuestionSolver(FindingAtEvents):
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             is_of_turn = formula.question.quantity.is_of_turn
-            setup = formula.setup if is_of_turn else setup  # over a turn that of the motion without its drive
+            is_elsewhere = q.of.scope == "instant" and formula.setup is not setup
+            # over a turn that of the motion without its drive, at rest that of the pose with the load that balances
+            setup = formula.setup if is_of_turn or is_elsewhere else setup
             roots = _roots(q.of, found.element)
             needs = formula._completion().conditions
             needed = [[] if isinstance(x, Fraction) else needs(found, x, k) for k, x in enumerate(roots)]
@@ -265,10 +267,10 @@ class QuestionSolver(FindingAtEvents):
             if formula._holds_once:
                 self.question = replace(self.question, event=None, at_start=True)
             elif formula.question.at_start:  # nothing can move, and what is so at the start stays so
-                self.question = replace(self.question, at_start=True)
+                self.question = replace(self.question, event=formula.question.event, at_start=True)
             answer = solved_for(setup, self.question, formulas)
             answer.notes += stays
-            self.setup, self.model, self.system = setup, setup.model, system
+            self.setup, self.model, self.system = setup, setup.model, setup.system
             return answer
 
         try:
