@@ -159,7 +159,9 @@ class SymbolicState:
 
     def size(self, vector: tuple[Any, ...]) -> Ratio:
         """Raises FormulaTooLong where the components are so long that nobody reads a root of their squares."""
-        parts = list(map(self.model.field.element, vector))
+        parts = [x for x in map(self.model.field.element, vector) if not x.is_zero()]
+        if len(parts) == 1:  # of what is guided along a line, however long that is
+            return self.root_of_squares(parts)
         most = _MOST_THROUGH_LOOPS if self.model.loops else _MOST_TERMS_OF_VECTOR
         if sum(x.n_terms for x in parts) > most:
             raise FormulaTooLong(Message("the size of a vector with such long components is a chain of formulas"))

@@ -9,11 +9,14 @@ from functools import partial, singledispatchmethod
 
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, NeverHappens
+from freebody.language.expression import Call, Symbol
 from freebody.language.sentences import Message
+from freebody.questions.arithmetic import Calculated
 from freebody.questions.base import Quantity
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.greatest_section import GreatestInRod
+from freebody.questions.motion import OfMeasure
 from freebody.questions.period import Period
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, RestValue, SmallOscillations
@@ -21,6 +24,7 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.chain import chain_of
+from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
@@ -139,7 +143,25 @@ class FindingByKind:
         if not self.model.coordinates:  # what a drive keeps going makes one turn after the other
             self.question = replace(self.question, quantity=Extremes(q.of, None, q.end))
             return self._steady()
-        return find(self.setup, self.question.text, q.of, (q.side,))
+        found = find(self.setup, self.question.text, q.of, (q.side,))
+        if (size := self._size_of_turned(q, found)) is None:
+            return found
+        self.question = replace(self.question, quantity=size)
+        told = Message("negative throughout by its sign: what is greatest is its size")
+        found = find(self.setup, self.question.text, size.of, (size.side,))
+        return replace(found, notes=[told, *found.notes])
+
+    def _size_of_turned(self, q: ExtremeOfMotion, found: Finding) -> ExtremeOfMotion | None:
+        """The greatest size of a rate that is never positive at the given numbers, as of what turns clockwise; else
+        None."""
+        if q.side < 0 or not isinstance(q.of, OfMeasure) or q.of.order != 1 or not self.setup.has_values:
+            return None
+        if not isinstance(found.element, Ratio):
+            return None
+        draw = self.setup.draws[0]
+        (greatest,) = element_at(self.setup, (found.element,), draw, draw.start())
+        size = Calculated(Call("abs", Symbol("Q1")), (("Q1", q.of),), q.of.dimension, f"|rate({q.of.name})|")
+        return replace(q, of=size) if greatest <= 0.0 else None
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
