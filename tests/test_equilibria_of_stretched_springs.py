@@ -1,8 +1,8 @@
 """A spring is relaxed where its length is the natural one: sqrt(d^2 + h^2) = l, of which d = 0 is another equilibrium.
 
-A pipe rolls without slip on a cart and hangs on it by a spring that is level at the numbers of the file alone. With x of
-the cart and s of the pipe on it, T = (M + m) x'^2/2 + m x' s' + m s'^2, V = (K x^2 + k s^2)/2 for a level spring, and
-F0 cos(W t) on the cart: (K - (M + m) W^2) X - m W^2 S = F0, (k - 2 m W^2) S = m W^2 X.
+A pipe rolls without slip on a cart and hangs on it by a spring that is level at the numbers of the file alone. With x
+of the cart and s of the pipe on it, T = (M + m) x'^2/2 + m x' s' + m s'^2, V = (K x^2 + k s^2)/2 for a level spring
+and F0 cos(W t) on the cart: (K - (M + m) W^2) X - m W^2 S = F0, (k - 2 m W^2) S = m W^2 X.
 """
 
 from __future__ import annotations

@@ -7,7 +7,6 @@ import math
 import pytest
 
 import freebody as fb
-
 from posed import is_formula
 
 BEAM = """
@@ -53,7 +52,9 @@ def test_shear_force_goes_through_zero_under_a_great_load() -> None:
 
 
 def test_shear_force_without_a_change_of_sign_is_told() -> None:
-    cantilever = BEAM.replace("supports: [{type: pin, at: 0}, {type: roller, at: L}]", "supports: [{type: fixed, at: 0}]")
+    cantilever = BEAM.replace(
+        "supports: [{type: pin, at: 0}, {type: roller, at: L}]", "supports: [{type: fixed, at: 0}]"
+    )
     found = fb.System.from_text(cantilever).solve("place of zero shear force of beam").answers[0]
     assert "nowhere" in str(found.reason)
 

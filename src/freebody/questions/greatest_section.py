@@ -252,7 +252,8 @@ def _place(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked(
     "place of zero shear force [of ROD]",
-    rf"(?:place|position|location) of (?:the )?(?:zero|vanishing) (?:shear|shearing) force(?: (?:of|in) (?:the )?(?P<of>{NAME}))?",
+    rf"(?:place|position|location) of (?:the )?(?:zero|vanishing) (?:shear|shearing) force"
+    rf"(?: (?:of|in) (?:the )?(?P<of>{NAME}))?",
     rank=62,
     example=f"{_ALONE}questions: {{it: place of zero shear force of beam}}\n",
     fits=_is_of_one_rod,

@@ -1,8 +1,8 @@
 """A load whose size the file leaves open, asked for by its symbol: which force Q does the press exert?
 
 Such a load is the one that balances the others, so what is asked for is the size with which the system rests; in an
-equation or a ratio (for which beta is Q = 5 F, Q/F) it is the force of that load, where nothing has mass and the pose is
-one of equilibrium.
+equation or a ratio (for which beta is Q = 5 F, Q/F) it is the force of that load, where nothing has mass and the pose
+is one of equilibrium.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ def as_force(names: Names, text: str) -> str:
 
 
 def _open_loads(names: Names) -> dict[str, str]:
-    """The parameters without a value that are the size of one force or torque, with that load, where nothing drives or
-    moves what it acts on."""
+    """The parameters without a value that are the size of a force or torque, or of several, with the first of these
+    loads, where nothing drives or moves what they act on."""
     if not lookup.rests(names) or any(row.is_driven for row in names.constraint_rows):
         return {}
     open_ones = [p for p in names.parameters.values() if p.value is None and p.form is None]
     found = dict[str, str]()
     for p in open_ones:
-        of = {push.load for push in names.applied_loads if push.law in (Symbol(p.name), -Symbol(p.name))}
-        if len(of) == 1 and names.loads.get(load := of.pop()) in (FORCE, TORQUE):
-            found[p.name] = load
+        of = [push.load for push in names.applied_loads if push.law in (Symbol(p.name), -Symbol(p.name))]
+        if of and names.loads.get(of[0]) in (FORCE, TORQUE):
+            found[p.name] = of[0]
     return found

@@ -95,8 +95,12 @@ class _Search:
             needed += conditions
             if k:
                 before, behind = spans[k - 1].bernstein[2], span.bernstein[0]
-                sides = [_sign(x, n, 0.0) for x, n in zip((before, behind), self._numbers([before, behind]), strict=True)]
-                needed += [Condition(side * x, ">", _ZERO) for side, x in zip(sides, (before, behind), strict=True) if side]
+                sides = [
+                    _sign(x, n, 0.0) for x, n in zip((before, behind), self._numbers([before, behind]), strict=True)
+                ]
+                needed += [
+                    Condition(side * x, ">", _ZERO) for side, x in zip(sides, (before, behind), strict=True) if side
+                ]
                 places += [span.start] if {*sides} == {-1, 1} else []
         x = only_zero(places)
         conditions = self._open([replace(c, purpose=_ZERO) for c in needed])

@@ -1,7 +1,7 @@
 """The greatest size of what has one component: the larger of its largest value and of minus its least one.
 
-|v| has a corner wherever v vanishes, and its square a slope that is twice as long: what is guided along a line is looked
-at with its sign.
+|v| has a corner wherever v vanishes, and its square a slope that is twice as long: what is guided along a line is
+looked at with its sign.
 """
 
 from __future__ import annotations
