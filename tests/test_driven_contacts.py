@@ -49,7 +49,7 @@ def test_lever_on_an_eccentric_is_told_by_its_loop(quantity: str) -> None:
 
 
 def test_torque_of_the_drive_is_the_moment_of_the_normal_force() -> None:
-    """N acts on the disk along the normal of the lever, through its centre that is e above the axle: M = N e sin(th)."""
+    """N acts along the normal of the lever through the centre of the disk, e above the axle: M = N e sin(th)."""
     found = fb.System.from_text(ECCENTRIC).solve("driving torque of motor when phi = 90 deg").answers[0]
     told = _expected()
     assert found.value == pytest.approx(told["normal force of touch"] * 0.03 * sin(told["th"]))
