@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 import freebody as fb
-
 from posed import is_formula, posed
 
 DOOR = """

@@ -24,13 +24,13 @@ from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.chain import chain_of
-from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.written import HasNoValue
+from freebody.tolerances import ROUND_OFF
 
 _MOST_PAIRS = 10_000_000  # of terms that quotients compare: a formula that takes more is read as a chain only
 _MOST_PAIRS_AT_REST = 100_000  # of a machine in one pose, whose chain is short
@@ -143,25 +143,27 @@ class FindingByKind:
         if not self.model.coordinates:  # what a drive keeps going makes one turn after the other
             self.question = replace(self.question, quantity=Extremes(q.of, None, q.end))
             return self._steady()
-        found = find(self.setup, self.question.text, q.of, (q.side,))
-        if (size := self._size_of_turned(q, found)) is None:
-            return found
+        size = self._size_of_turned(q)
+        if size is None:
+            return find(self.setup, self.question.text, q.of, (q.side,))
         self.question = replace(self.question, quantity=size)
-        told = Message("negative throughout by its sign: what is greatest is its size")
         found = find(self.setup, self.question.text, size.of, (size.side,))
+        told = Message("negative throughout by its sign: what is greatest is its size")
         return replace(found, notes=[told, *found.notes])
 
-    def _size_of_turned(self, q: ExtremeOfMotion, found: Finding) -> ExtremeOfMotion | None:
+    def _size_of_turned(self, q: ExtremeOfMotion) -> ExtremeOfMotion | None:
         """The greatest size of a rate that is never positive at the given numbers, as of what turns clockwise; else
         None."""
+        from freebody.study.answering.numbers import rates_seen
+
         if q.side < 0 or not isinstance(q.of, OfMeasure) or q.of.order != 1 or not self.setup.has_values:
             return None
-        if not isinstance(found.element, Ratio):
+        try:
+            low, high = rates_seen(self.setup.draws[0], q.of.measure)
+        except CannotAnswer:
             return None
-        draw = self.setup.draws[0]
-        (greatest,) = element_at(self.setup, (found.element,), draw, draw.start())
         size = Calculated(Call("abs", Symbol("Q1")), (("Q1", q.of),), q.of.dimension, f"|rate({q.of.name})|")
-        return replace(q, of=size) if greatest <= 0.0 else None
+        return replace(q, of=size) if high <= ROUND_OFF * abs(low) else None
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
