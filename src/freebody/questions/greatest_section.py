@@ -79,12 +79,13 @@ def root_of(slopes: Sequence[Any], side: int, sqrt_of: Callable[[Any], Any]) -> 
 
 @dataclass(frozen=True)
 class GreatestInRod(Quantity, kind="greatest section force"):
-    """The greatest size of a section force along a rod, or the place of it, measured from the start of the rod."""
+    """The greatest size of a section force along a rod, or the place of it, measured from the start of the rod; or the
+    one place at which the shear force, as the slope of the bending moment, goes through zero."""
 
     body: str
     part: Part
     fields: tuple[Field, ...]
-    asks: Literal["size", "place"] = "size"
+    asks: Literal["size", "place", "zero"] = "size"
 
     is_reaction = True
     derived_by = "greatest_section"
@@ -97,13 +98,13 @@ questions: {it: greatest bending moment of beam}
 
     @property
     def dimension(self) -> Dimension:
-        if self.asks == "place":
+        if self.asks != "size":
             return LENGTH
         return TORQUE if self.part == "bending" else FORCE
 
     @property
     def letter(self) -> str:
-        return "x" if self.asks == "place" else _LETTERS[self.part]
+        return _LETTERS[self.part] if self.asks == "size" else "x"
 
     @property
     def may_jump(self) -> bool:
@@ -164,7 +165,10 @@ questions: {it: greatest bending moment of beam}
     def value(self, system: Described, state: State[Any]) -> float:
         """In numbers; where the sizes in two places are the same the first one is told."""
         found: list[tuple[float, float]] = []
-        for span in self.spans(system, state, self.places(system, state)):
+        spans = [*self.spans(system, state, self.places(system, state))]
+        if self.asks == "zero":
+            return only_zero([*_zeros(spans)])
+        for span in spans:
             found.append((span.ends[0], span.start))
             found += [span.extreme(root) for root in _roots(span.slopes)]
             found.append((span.ends[1], span.start + span.length))
@@ -175,6 +179,23 @@ questions: {it: greatest bending moment of beam}
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence(f"what.greatest_section.{self.asks}.{self.part}", {"body": self.body})
+
+
+def _zeros(spans: Sequence[Span]) -> Iterator[float]:
+    """Where the shear force goes through zero, within spans of a bending moment and between them."""
+    for k, span in enumerate(spans):
+        if k and spans[k - 1].bernstein[2] * span.bernstein[0] < 0.0:
+            yield span.start
+        yield from (span.start + span.length * root for root in _roots(span.bernstein))
+
+
+def only_zero(places: Sequence[Any]) -> Any:
+    """The place where that is one. Raises CannotAnswer where there is none, or are several."""
+    if not places:
+        raise CannotAnswer(Message("the shear force goes through zero nowhere along the rod"))
+    if len(places) > 1:
+        raise CannotAnswer(Message("the shear force goes through zero at {n} places", n=len(places)))
+    return places[0]
 
 
 def _roots(d: Sequence[float]) -> list[float]:
@@ -229,7 +250,19 @@ def _place(names: Names, found: Found, path: Path) -> Quantity | None:
     return _read(names, found, path, "place")
 
 
-def _read(names: Names, found: Found, path: Path, asks: Literal["size", "place"]) -> Quantity | None:
+@asked(
+    "place of zero shear force [of ROD]",
+    rf"(?:place|position|location) of (?:the )?(?:zero|vanishing) (?:shear|shearing) force"
+    rf"(?: (?:of|in) (?:the )?(?P<of>{NAME}))?",
+    rank=62,
+    example=f"{_ALONE}questions: {{it: place of zero shear force of beam}}\n",
+    fits=_is_of_one_rod,
+)
+def _zero(names: Names, found: Found, path: Path) -> Quantity | None:
+    return _read(names, {**found, "part": "bending moment"}, path, "zero")
+
+
+def _read(names: Names, found: Found, path: Path, asks: Literal["size", "place", "zero"]) -> Quantity | None:
     rod: RigidBody | None = rod_named(names, str(found["of"] or _rods(names)[0]), path)
     part = PARTS.get(re.split(" ", str(found["part"]))[0], "axial")
     if rod is None or rod.is_placeholder:

@@ -508,6 +508,15 @@ class Field(PolynomialRing):
             return outside * apart
         return outside * self._root(inside, is_negative if is_kept else None)
 
+    def size_of(self, x: Ratio, is_negative: Callable[[Ratio], bool | None]) -> Ratio:
+        """|x|, of what has no denominator, factor by factor; a root of its square where a sign is open."""
+        unit, factors = self.factor(x.num)
+        size = self.element(abs(unit))
+        for base, exponent in factors:
+            taken = self._root_of_square(base, is_negative)
+            size = size * (self._root(base * base) if taken is None else taken) ** exponent
+        return size
+
     def _with_sines(self, unit: int, factors: Sequence[tuple[Ratio, int]]) -> tuple[int, list[tuple[Ratio, int]]]:
         """Factors with s^2 in the place of -(c - 1) (c + 1), which the normal form makes of it, where s is positive."""
         found = dict(factors)

@@ -294,4 +294,8 @@ class Samples:
         if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE) or -x in self.assumed:
             return True
         kinds = {self.field.generators[g].kind for g in self.field.ingredients(x)}
-        return None if kinds & {"coordinate", "speed", "acceleration", "time"} else self.is_negative(x)
+        if kinds & {"coordinate", "speed", "acceleration", "time"}:
+            return None
+        # a difference that vanishes at the numbers of the file, as of two heights, has no sign to choose
+        is_border = bool(self._starts) and self._vanishes_at(x, self._starts[0])
+        return None if is_border else self.is_negative(x)

@@ -159,7 +159,9 @@ class SymbolicState:
 
     def size(self, vector: tuple[Any, ...]) -> Ratio:
         """Raises FormulaTooLong where the components are so long that nobody reads a root of their squares."""
-        parts = list(map(self.model.field.element, vector))
+        parts = [x for x in map(self.model.field.element, vector) if not x.is_zero()]
+        if len(parts) == 1:  # of what is guided along a line, however long that is
+            return self.root_of_squares(parts)
         most = _MOST_THROUGH_LOOPS if self.model.loops else _MOST_TERMS_OF_VECTOR
         if sum(x.n_terms for x in parts) > most:
             raise FormulaTooLong(Message("the size of a vector with such long components is a chain of formulas"))
@@ -168,10 +170,20 @@ class SymbolicState:
     def root_of_squares(self, parts: Sequence[Ratio]) -> Ratio:
         """The root of a sum of squares, which is real whatever they are."""
         f = self.model.field
-        found = self.sqrt(sum((x * x for x in parts), start=f.zero))
+        below = self._common_denominator(parts)
+        found = self.sqrt(sum((x * x for x in (f.lowest_terms(part * below) for part in parts)), start=f.zero))
+        found = found / f.size_of(below, self.model.samples.is_turned)
         within = set[int]().union(*(x.generators() for x in parts))
         f.real_roots |= {g for g in found.generators() - within if f.generators[g].kind == "root"}
         return found
+
+    def _common_denominator(self, parts: Sequence[Ratio]) -> Ratio:
+        """A sum in cosines and sines that all parts are divided by, sin(a - b): its square is none in normal form.
+        One where there is none."""
+        f = self.model.field
+        below = max((x.denominator() for x in parts), key=lambda x: x.n_terms, default=f.one)
+        is_round = below.n_terms > 1 and len(f.pairs(below.generators())) > 1
+        return below if is_round and all(f.lowest_terms(x * below).den is None for x in parts) else f.one
 
     def absolute(self, x: Any) -> Ratio:
         """As a root, out of which only factors come whose sign is known: |m1 - m2| g."""

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Protocol
 
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field, NoRealRoot, Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.half_tangents import factors_in_tangent
 from freebody.symbolic.model import SymbolicModel
@@ -80,14 +80,14 @@ def zeros_of(model: SymbolicModel, F: Ratio, c: Indexed, *, quadratic: bool = Fa
             continue
         plain = without_root(base, c.index)
         if plain is not base:  # it vanishes where the other does
-            found += zeros_of(model, plain, c, quadratic=quadratic)
+            found += zeros_of(model, plain, c, quadratic=True)
             continue
         linear = solve_linear(base, c.index)
         if linear is not None:
             found.append(linear)
             continue
         if quadratic and c.index in base.generators():
-            found += _quadratic_zeros(model, base, c)
+            found += _real_quadratic_zeros(model, base, c)
             continue
         found += _trigonometric_zeros(model, base, c)
     return found
@@ -122,7 +122,7 @@ def rooted_zeros(model: SymbolicModel, F: Ratio, c: Indexed) -> list[tuple[Ratio
             continue
         p, q = (*base.coefficients(roots[0]), f.zero)[:2]
         square = f.lowest_terms(p * p - q * q * f.radicand(roots[0])).numerator()
-        found += [(zero, -p * q) for zero in zeros_of(model, square, c)]
+        found += [(zero, -p * q) for zero in zeros_of(model, square, c, quadratic=True)]
     return found
 
 
@@ -132,6 +132,16 @@ def changes_sign(function: Callable[[float], float], start: float) -> bool:
     steps = (max(abs(start), 1.0) * 10.0 ** (k / _PER_DECADE) for k in range(*_DECADES))
     values = [function(start + step) for step in steps]
     return len({value > 0.0 for value in values if value and not math.isnan(value)}) > 1
+
+
+def _real_quadratic_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Ratio]:
+    """None where they are real at single values of the parameters only, and nothing that looking for them assumed."""
+    assumed = [*model.samples.assumed]
+    try:
+        return _quadratic_zeros(model, base, c)
+    except NoRealRoot:
+        model.samples.assumed[:] = assumed
+        return []
 
 
 def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Indexed) -> list[Ratio]:

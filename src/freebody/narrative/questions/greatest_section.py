@@ -26,6 +26,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     setup, q = context.setup, question.quantity
     assert isinstance(q, GreatestInRod)
     state = setup.start_for(q) if question.at_start else setup.state
+    if q.asks == "zero":
+        raise CannotAnswer(Message("ask how great the shear force is there"))
     if q.asks == "place":
         raise CannotAnswer(Message("ask how great it is there; the place is told with that"))
     cut, conditions = governing(setup, question, q, state)

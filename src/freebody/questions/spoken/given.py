@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, cast
 
 from freebody.language.expression import Symbol, free_symbols, multiply, negate
 from freebody.language.units import ACCELERATION, DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, TIME, TORQUE, Dimension
+from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import VALUE, Parameter
 from freebody.model.solids import BOX, ROD
@@ -256,6 +257,16 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     )
     found = [name for name in found if kind.is_angle or name not in sizes]
     return [name for name in found if kind.is_angle or name not in held] or found
+
+
+def placing(names: Names, load: str) -> list[str]:
+    """Lengths that say where on a body a load acts, and that are no size of it."""
+    pushed = [push.measure for push in names.applied_loads if push.load == load]
+    points = [m.of for m in pushed if isinstance(m, Displacement)]
+    within = frozenset[str]().union(*(free_symbols(x) for point in points for x in point.offset))
+    sizes = frozenset[str]().union(*(free_symbols(x) for point in points for x in names.known(point.body).sizes))
+    lengths = [p.name for p in names.parameters.values() if p.dimension == LENGTH and p.form is None]
+    return [name for name in lengths if name in within - sizes]
 
 
 def counts_from_level(names: Names, parameter: str) -> bool:

@@ -9,7 +9,7 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import beginning, given, joining, lookup, poses, rewording, turning_round
+from freebody.questions.spoken import beginning, given, joining, lookup, of_sections, poses, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
 from freebody.questions.spoken.between_events import time_between
@@ -99,6 +99,9 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = _as_large(said)
     words = rewording.heaviest(names, words)
+    if without_shear := of_sections.without_shear(names, Clause(said)):
+        yield without_shear
+        return
     yield from _rough_enough_to_roll(names, Clause(words))
     said = rewording.heaviest(names, said)
     lasting = _as_long_as(said)

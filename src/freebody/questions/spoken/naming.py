@@ -46,6 +46,7 @@ _SHORTEST_PLURAL = 4  # letters of a word that may be one
 _TOKEN = re.compile(r"’\w+|[^\W\d]\w*(?:\.[^\W\d]\w*)?|\d[\w.]*|\s+|.", re.DOTALL)
 _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _OF_WHAT_IS_LIGHT = ("element", "member", "part")
+_OF_A_TRUSS = ("member",)
 _JOINT_WORDS = ("joint", "connection", "support")
 _SUPPORTS = ("bearing", "support", "joint", "hinge")
 _EXCITATION = ("excitation", "forcing", "driving", "exciting")
@@ -88,13 +89,15 @@ def elements_of(names: Names) -> Elements:
     light = {name for name in free if _is_light(names, name)}
     light = light if len(light) < len(free) else set()  # a truss of light members
     toothed = joining.toothed(names)
+    links = [name for name in names.connections if "link" in names.called.get(name, ())]
+    nodes = {name for name in free if links and not names.bodies[name].turns and _is_light(names, name)}  # of a truss
     for name, body in names.bodies.items():
         if name != GROUND:
             is_shaft = joining.axle_of(names, name) == "center"
             found.pinned |= {name} if joining.axle_of(names, name) else set()
             called = (*names.called.get(name, ()), *(_GEARS if name in toothed else ()))  # the ring gear
             kinds = _kinds(name, called, is_shaft=is_shaft, is_alone=is_alone)
-            general = _OF_WHAT_IS_LIGHT if name in light else _BODY_WORDS
+            general = () if name in nodes else _OF_WHAT_IS_LIGHT if name in light else _BODY_WORDS
             found.add(name, (*kinds, *(() if body.fixed and not is_still else general)))
             found.bodies |= set() if body.fixed else {name}
             found.turning |= {name} if body.turns and not body.fixed else set()
@@ -127,7 +130,7 @@ def elements_of(names: Names) -> Elements:
         said = (*called, *_stems(name))
         pulls = {*_ROPES} & {*said, name.lower()}
         alike = [word for word in _alike(name, *said) if pulls or word not in _ROPES]  # a guide called line is no rope
-        found.add(name, (*said, *alike, *_JOINT_WORDS))
+        found.add(name, (*said, *alike, *_JOINT_WORDS, *(_OF_A_TRUSS if nodes and name in links else ())))
         found.touching[name] = frozenset(names.connections[name].mentions(names))
     for name, said in touching:  # the bearing of the pulley, where it has one
         if said_once[said] == 1:

@@ -52,6 +52,17 @@ def _side(names: Names, rod: str, rest: Clause) -> str:
     return "just before" if (along > 0.0) == (said[0] == "left of") else "just behind"
 
 
+def without_shear(names: Names, clause: Clause) -> list[str]:
+    """Where the shear force of a rod is zero."""
+    rods = [name for name, body in names.bodies.items() if body.solid is ROD]
+    of = [name for _, name in clause.names]
+    is_asked = clause.has("ask", "where") or clause.all("quantity")[:1] in (["position"], ["distance"])
+    is_of_shear = clause.all("quantity")[-1:] in (["shear force"], ["transverse force"])
+    if not (is_asked and is_of_shear and clause.has("verb", "vanish")) or len(of) > 1 or not {*of} <= {*rods}:
+        return []
+    return [f"place of zero shear force of {rod}" for rod in of or rods]
+
+
 def greatest(names: Names, clause: Clause) -> list[str]:
     """Where a rod is bent, sheared or pulled most, and how much; nothing where a point is named."""
     of = [name for _, name in clause.names]

@@ -558,8 +558,13 @@ def lifting_off(names: Names, words: list[Word]) -> list[Word]:
     of = [word.what for word in words if word.kind == "name"]
     stands = [name for name in (*of, *(joining.joined_at(names, name) for name in of)) if name in names.connections]
     is_whether = bool(of) and all(word.kind == "name" or word == rise for word in words)  # does the rear wheel lift
-    is_asked = (words[:1] == [Word("ask", "with")] and joining.is_still(names) and rise in words) or is_whether
-    if not is_asked or not any(joining.may_open(names, name) for name in stands):
+    is_still = joining.is_still(names)
+    is_asked = (words[:1] == [Word("ask", "with")] and is_still and rise in words) or is_whether
+    # for which load a support lifts: it no longer presses
+    supports = [name for name in of if name in names.connections and name not in names.bodies]
+    holds_still = lookup.rests(names) and not names.measures and not joining.driven(names)
+    is_support = holds_still and words[:1] in ([Word("ask", "for")], [Word("ask", "from")]) and len(supports) == 1
+    if not (is_support and rise in words) and not (is_asked and any(joining.may_open(names, name) for name in stands)):
         return words
     return [Word("verb", "leave") if word == rise else word for word in words]
 

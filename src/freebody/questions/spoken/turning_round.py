@@ -388,6 +388,9 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         is_point = others[0] in names.bodies and "particle" in names.called.get(others[0], ())
         asked = ["mass"] if is_point else asked  # how large the mass must be: nothing else of it has a size
     loads = [name for name in others if name in names.loads or name in names.impulses]
+    if head.has("ask", "where") and not named:  # where the man may stand
+        found = given.placing(names, loads[0]) if len(loads) == 1 and loads == others and not asked else []
+        return (found, rest, end) if len(found) == 1 else None
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque
         kind = next((word for word in _EXERTED if given.exerts(names, loads[0], word)), "force")

@@ -21,6 +21,7 @@ from freebody.questions.spoken.keeping import chooses_of_what_is_asked, is_kept,
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.lexicon import Word, languages, several
 from freebody.questions.spoken.naming import Elements, elements_of
+from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
@@ -112,6 +113,10 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [*zip(timed, (between,), strict=True)]
     if (in_gs := without_gs(names, text)) is not None and (multiple := _in_multiples(names, *in_gs, read)):
         return multiple
+    if balancing := size_that_balances(names, text):
+        return understood(names, balancing, read)
+    if (put := as_force(names, text)) != text and (forced := _quietly_one(names, put, read)):
+        return forced
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
@@ -343,6 +348,11 @@ def _one(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[
     if len(nearest) != 1:
         return []
     return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
+
+
+def _quietly_one(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    with names.quietly():
+        return _one(names, text, read)
 
 
 def _one_or_each(

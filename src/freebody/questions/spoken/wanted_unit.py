@@ -37,6 +37,7 @@ _STOP = ".:"  # behind a unit, and no part of it
 _WORD = re.compile(r"[^\W\d_]+")
 _POWER = re.compile(r"(?<=[a-z])(?P<power>[23])(?!\w)")  # m/s2
 _SUPERSCRIPTS = str.maketrans({"²": "^2", "³": "^3"})
+_TURN = "turn"
 _NO_SYMBOLS = ("in", "a", "d", "as", "at", "I")  # of units that are words as well
 
 
@@ -105,6 +106,8 @@ def told_in(names: Names, text: str, meant: Meant, words: str, unit: str) -> Mea
     own = meant.quantity.unit
     if not own:  # a list of unlike quantities
         return None
+    if own == "1" and unit == _TURN:  # what is asked counts them
+        return meant
     if parse_unit(own).dimension == parse_unit(unit).dimension:
         return replace(meant, in_unit=unit)
     told = Message(

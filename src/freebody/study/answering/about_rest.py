@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Symbol, free_symbols, n_operations
+from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, evaluate, free_symbols, n_operations
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.language.units import FORCE, TORQUE
@@ -262,23 +263,38 @@ def balanced_by_a_load(setup: Setup) -> tuple[System, str] | None:
         return None
     f = model.field
     still = at | {c.speed: f.zero for c in (*model.coordinates, *model.dependent)}
-    force = f.lowest_terms(f.follow(model.dynamics.generalized_force(model.coordinates[0]), still))
+    forces = [model.dynamics.generalized_force(c) for c in model.coordinates]
+    forces = [x for x in (f.lowest_terms(f.follow(force, still)) for force in forces) if not x.is_zero()]
     for name in open_loads(setup):
-        if (x := balancing(setup, force, name)) is not None:
+        if (x := balancing_all(setup, forces, name)) is not None:
             size = tidy(x)
             told = Message("in the pose of the start, where {name} balances the other loads", name=name)
             if n_operations(size) <= _MOST_SHOWN:
                 told = Message("in the pose of the start, with the balance {x}", x=compared(Symbol(name), "=", size))
-            return with_loads(setup.system, {name: size}), told
+            return with_loads(_with_number(setup.system, name, size), {name: size}), told
     return None
 
 
+def _with_number(system: System, name: str, size: Expr) -> System:
+    """The system with the number of a formula for a parameter without a value, where the file gives all it needs."""
+    given = {p.name: p.value for p in system.parameters.values() if p.value is not None and p.form is None}
+    if free_symbols(size) - given.keys() - {"pi"}:
+        return system
+    with suppress(ArithmeticError, ValueError):
+        number = float(evaluate(size, {"pi": math.pi, **given}, FLOAT_FUNCTIONS))
+        valued = replace(system.parameters[name], value=number)
+        return replace(system, parameters={**system.parameters, name: valued})
+    return system
+
+
 def is_given_pose(setup: Setup) -> bool:
-    """Whether the start of one freedom is the pose of a machine at rest: no mass moves, or somebody said so."""
+    """Whether the start is the pose of a machine at rest: no mass moves, or somebody said so of its one freedom."""
     system, model = setup.system, setup.model
-    if len(model.coordinates) != 1 or depends_on_time(system) or any(system.all_start_rates.values()):
+    if not model.coordinates or depends_on_time(system) or any(system.all_start_rates.values()):
         return False
-    return model.dynamics.moves_no_mass or model.coordinates[0].name in system.start
+    if model.dynamics.moves_no_mass:
+        return True
+    return len(model.coordinates) == 1 and model.coordinates[0].name in system.start
 
 
 def open_loads(setup: Setup) -> list[str]:
@@ -297,6 +313,16 @@ def balancing(setup: Setup, force: Ratio, name: str) -> Ratio | None:
     if len(parts) != 2 or own in f.ingredients(parts[0]) | f.ingredients(parts[1]):
         return None
     return f.lowest_terms(-parts[0] / parts[1])
+
+
+def balancing_all(setup: Setup, forces: Sequence[Ratio], name: str) -> Ratio | None:
+    """The same of several generalized forces, as of pliers that float: one size makes all of them vanish."""
+    sizes = list[Ratio]()
+    for force in forces:
+        if (size := balancing(setup, force, name)) is None or (sizes and not (size - sizes[0]).is_zero()):
+            return None
+        sizes.append(size)
+    return sizes[0] if sizes else None
 
 
 def _other_rests(setup: Setup, q: Equilibrium, x: Ratio, others: Sequence[ClosedFormRest]) -> list[str]:

@@ -9,11 +9,14 @@ from functools import partial, singledispatchmethod
 
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, NeverHappens
+from freebody.language.expression import Call, Symbol
 from freebody.language.sentences import Message
+from freebody.questions.arithmetic import Calculated
 from freebody.questions.base import Quantity
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.greatest_section import GreatestInRod
+from freebody.questions.motion import OfMeasure
 from freebody.questions.period import Period
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, RestValue, SmallOscillations
@@ -27,6 +30,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.written import HasNoValue
+from freebody.tolerances import ROUND_OFF
 
 _MOST_PAIRS = 10_000_000  # of terms that quotients compare: a formula that takes more is read as a chain only
 _MOST_PAIRS_AT_REST = 100_000  # of a machine in one pose, whose chain is short
@@ -139,7 +143,27 @@ class FindingByKind:
         if not self.model.coordinates:  # what a drive keeps going makes one turn after the other
             self.question = replace(self.question, quantity=Extremes(q.of, None, q.end))
             return self._steady()
-        return find(self.setup, self.question.text, q.of, (q.side,))
+        size = self._size_of_turned(q)
+        if size is None:
+            return find(self.setup, self.question.text, q.of, (q.side,))
+        self.question = replace(self.question, quantity=size)
+        found = find(self.setup, self.question.text, size.of, (size.side,))
+        told = Message("negative throughout by its sign: what is greatest is its size")
+        return replace(found, notes=[told, *found.notes])
+
+    def _size_of_turned(self, q: ExtremeOfMotion) -> ExtremeOfMotion | None:
+        """The greatest size of a rate that is never positive at the given numbers, as of what turns clockwise; else
+        None."""
+        from freebody.study.answering.numbers import rates_seen
+
+        if q.side < 0 or not isinstance(q.of, OfMeasure) or q.of.order != 1 or not self.setup.has_values:
+            return None
+        try:
+            low, high = rates_seen(self.setup.draws[0], q.of.measure)
+        except CannotAnswer:
+            return None
+        size = Calculated(Call("abs", Symbol("Q1")), (("Q1", q.of),), q.of.dimension, f"|rate({q.of.name})|")
+        return replace(q, of=size) if high <= ROUND_OFF * abs(low) else None
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)

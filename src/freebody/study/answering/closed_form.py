@@ -9,13 +9,15 @@ from fractions import Fraction
 from typing import cast
 
 from freebody.assess.verdict import Judgement
-from freebody.errors import CannotAnswer, FormulaTooDear, FormulaTooLong
-from freebody.language.expression import n_operations, number
+from freebody.errors import CannotAnswer, FormulaTooDear, FormulaTooLong, NotReached
+from freebody.language.expression import ZERO, n_operations, number
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
+from freebody.questions.clock import Clock
+from freebody.questions.event import QuestionEvent
 from freebody.questions.happening import ExistingSteadyMotion, StableEquilibrium, StableSteadyMotion
-from freebody.questions.motion import Staying
+from freebody.questions.motion import OfMeasure, Staying
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import OfSmallMotion, SmallOscillations
 from freebody.study.answering import about_rest
@@ -154,6 +156,10 @@ class QuestionSolver(FindingAtEvents):
                 if (found := self._in_given_pose(q)) is None:
                     raise
                 return found
+            except NotReached:
+                if (found := self._as_it_dies_out(q)) is None:
+                    raise
+                return found
         needs_forces = not is_kinematic(self.setup, q)
         if needs_forces and self.model.dynamics.moves_no_mass and (found := self._where_it_starts(q)) is not None:
             return found
@@ -171,6 +177,23 @@ class QuestionSolver(FindingAtEvents):
             self.question = replace(self.question, at_start=True)
             return found
         return self._balanced(q) if self.model.dynamics.moves_no_mass else None
+
+    def _as_it_dies_out(self, q: Quantity) -> Finding | None:
+        """What a motion tends to where it is asked of its rest, which it only comes near to: resisted by its rate it
+        has a rate that tends to zero. None where that is not so."""
+        event = self.question.event
+        is_of_rest = isinstance(event, QuestionEvent) and event.order == 1 and event.value == ZERO
+        if not isinstance(event, QuestionEvent) or not is_of_rest or not q.is_of_state or q.is_of_event:
+            return None
+        rate, later = OfMeasure(event.measure, 1, event.text), replace(self.question, event=Clock(None, "t grows"))
+        limit = QuestionSolver(self.setup, replace(later, quantity=rate))._find()
+        if not isinstance(limit.element, Ratio) or not limit.element.is_zero():
+            return None
+        solver = QuestionSolver(self.setup, later)
+        found = solver._find()
+        self.question, self._state, self._reached = solver.question, solver._state, solver._reached
+        told = Message("it comes to rest only as the time grows: this is what it tends to")
+        return replace(found, notes=[told, *found.notes])
 
     def _in_given_pose(self, q: Quantity) -> Finding | None:
         """Where nothing with mass moves, an event names a pose, whatever leads there; None where it does not, or what
@@ -241,7 +264,9 @@ class QuestionSolver(FindingAtEvents):
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             is_of_turn = formula.question.quantity.is_of_turn
-            setup = formula.setup if is_of_turn else setup  # over a turn that of the motion without its drive
+            is_elsewhere = q.of.scope == "instant" and formula.setup is not setup
+            # over a turn that of the motion without its drive, at rest that of the pose with the load that balances
+            setup = formula.setup if is_of_turn or is_elsewhere else setup
             roots = _roots(q.of, found.element)
             needs = formula._completion().conditions
             needed = [[] if isinstance(x, Fraction) else needs(found, x, k) for k, x in enumerate(roots)]
@@ -265,10 +290,10 @@ class QuestionSolver(FindingAtEvents):
             if formula._holds_once:
                 self.question = replace(self.question, event=None, at_start=True)
             elif formula.question.at_start:  # nothing can move, and what is so at the start stays so
-                self.question = replace(self.question, at_start=True)
+                self.question = replace(self.question, event=formula.question.event, at_start=True)
             answer = solved_for(setup, self.question, formulas)
             answer.notes += stays
-            self.setup, self.model, self.system = setup, setup.model, system
+            self.setup, self.model, self.system = setup, setup.model, setup.system
             return answer
 
         try:

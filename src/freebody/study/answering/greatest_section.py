@@ -16,7 +16,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import add
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.questions.greatest_section import GreatestInRod, Span, root_of
+from freebody.questions.greatest_section import GreatestInRod, Span, only_zero, root_of
 from freebody.questions.reading import Question
 from freebody.questions.section import Order, SectionForce, Side
 from freebody.study.answering import evidence as proof
@@ -30,6 +30,7 @@ from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUNDED
 
 _GREATEST = Message("it is greatest there")
+_ZERO = Message("the shear force is zero there alone")
 _EVEN = Message("which of several places governs depends on the numbers, and not all of them are given")
 
 
@@ -64,6 +65,8 @@ class _Search:
         self._draw, self._start = draw, draw.seen(draw.start())
 
     def found(self) -> Finding:
+        if self.q.asks == "zero":
+            return self._zero()
         q, candidates, k, conditions = self.q, self._candidates, self._k, self.conditions
         size = self._size
         if conditions and not self.setup.has_values:
@@ -81,6 +84,32 @@ class _Search:
         if q.asks == "place":
             told = Message("it is {x} there", x=to_text(tidy(size)))
         return Finding(x, evidence, conditions, notes=[told, *self._elsewhere(candidates, k)])
+
+    def _zero(self) -> Finding:
+        """The place at which the shear force goes through zero: within a span, or where a load acts."""
+        spans = [self._tidied(x) for x in self.q.spans(self.setup.system, self.state, self._order)]
+        places, needed = list[Ratio](), self._in_order(self._order)
+        for k, span in enumerate(spans):
+            found, conditions = self._within(span, k)
+            places += [c.at for c in found]
+            needed += conditions
+            if k:
+                before, behind = spans[k - 1].bernstein[2], span.bernstein[0]
+                sides = [
+                    _sign(x, n, 0.0) for x, n in zip((before, behind), self._numbers([before, behind]), strict=True)
+                ]
+                needed += [
+                    Condition(side * x, ">", _ZERO) for side, x in zip(sides, (before, behind), strict=True) if side
+                ]
+                places += [span.start] if {*sides} == {-1, 1} else []
+        x = only_zero(places)
+        conditions = self._open([replace(c, purpose=_ZERO) for c in needed])
+        if conditions and not self.setup.has_values:
+            raise CannotAnswer(_EVEN)
+        told = [c.element for c in conditions]
+        at_start = self.question.at_start
+        evidence = proof.at_instants(self.setup, self.question.text, self.q, x, at_start=at_start, sides=told)
+        return Finding(x, evidence, conditions)
 
     @cached_property
     def conditions(self) -> list[Condition]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.arithmetic import AtStart
@@ -206,6 +207,13 @@ def _insist_no_farther(quantity: Extent, draw: Draw, value: float) -> None:
             "it gets farther later on: in a simulation of {t:.3g} s to {value:.6g}", t=longest, value=reached
         )
         raise BudgetExhausted(told)
+
+
+def rates_seen(draw: Draw, measure: Measure) -> tuple[float, float]:
+    """The least and the greatest rate of a measure at instants of a simulation. Raises CannotAnswer where it fails."""
+    longest = patience(draw.start(), LONGEST)
+    found = [s.rate(measure) for s in states_at(draw.reference, draw.start(), np.linspace(0.0, longest, _N_LOOKS))]
+    return min(found), max(found)
 
 
 @_number.register(ExtremeOfMotion)

@@ -56,7 +56,7 @@ def load_at_rest(setup: Setup, question: Question, name: str) -> Answer | None:
 
 def _answer(setup: Setup, question: Question, name: str, q: Quantity | None) -> Answer | None:
     """Of a quantity, or, without one, of the load itself; name: of the load that balances the others."""
-    if not setup.model.loops or not is_given_pose(setup):
+    if not setup.model.loops or len(setup.model.coordinates) != 1 or not is_given_pose(setup):
         return None
     with suppress(*NO_FORM, KeyError, ValueError, ArithmeticError):
         found, load = _chain(setup, name, q), _chain(setup, name, None)

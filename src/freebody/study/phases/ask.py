@@ -34,7 +34,7 @@ from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.first_turns import NO_TURN, FirstTurns, first_turns, is_behind_an_impact
 from freebody.study.phases.in_no_case import in_no_case
-from freebody.study.phases.kept import in_first_modes
+from freebody.study.phases.kept import in_first_modes, led_as_it_begins
 from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.result import relations
@@ -110,7 +110,12 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
         return kept_on_the_way(tree, question)
     if not question.quantity.is_of_state:
         return in_first_modes(tree, question)
-    return _of_branches(tree, question, pieces(tree, question))
+    try:
+        return _of_branches(tree, question, pieces(tree, question))
+    except CannotAnswer:
+        if (led := led_as_it_begins(tree, question)) is None:
+            raise
+        return led
 
 
 def _at_first_turn(tree: PhaseTree, question: Question) -> Answer:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from math import isclose
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -17,7 +18,9 @@ from freebody.loads.base import Load
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase
 from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.scope import for_all
+from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.placed import Given
@@ -29,6 +32,7 @@ from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.state import SymbolicState
 
+_ALIKE = 1e-6  # [SI] of a value by a formula and by a simulation
 _OF_ALL = ("whole motion", "repeated motion")  # what is asked of all of a motion
 
 
@@ -98,6 +102,24 @@ def in_first_modes(tree: PhaseTree, question: Question) -> Answer:
         return replace(answer, notes=notes)
     cases = [_case(tree, node, other) for node, other in [(own, answer), *others]]
     return replace(answer, notes=notes, conditions=cases[0].conditions or (for_all(tree.system),), cases=tuple(cases))
+
+
+def led_as_it_begins(tree: PhaseTree, question: Question) -> Answer | None:
+    """What drives alone lead, in the mode with which it begins, where a simulation of all contacts has the same value
+    at the file's numbers: what touches still touches then. None where something else tells it, or it does not."""
+    if not tree.roots or not tree.system.has_values or tree.roots[0].phase.model.coordinates:
+        return None
+    own = tree.roots[0]
+    answer = _in_mode(tree, own, question)
+    if answer.expression is None or answer.value is None:
+        return None
+    with suppress(CannotAnswer):
+        seen = number_with_changes(tree.system, question, is_single=tree.is_single)
+        pairs = zip(as_parts(answer.value), as_parts(seen), strict=True) if seen is not None else ()
+        if seen is not None and all(isclose(a, b, rel_tol=_ALIKE, abs_tol=_ALIKE) for a, b in pairs):
+            told = Message("that the contacts stay as they are until then was seen with the given numbers")
+            return replace(answer, notes=(*answer.notes, in_phase(own.phase), told))
+    return None
 
 
 def _while_it_lasts(tree: PhaseTree, question: Question) -> Answer:

@@ -14,7 +14,7 @@ from freebody.model.elements import Parameter, Start
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.model import SymbolicModel
-from freebody.system.modes import counted_from
+from freebody.system.modes import counted_from, depends_on_time
 from freebody.system.system import System
 
 
@@ -63,6 +63,9 @@ class Placed:
         )
 
 
+_INSTANTS = (0.37, 0.037)  # [s] at which poses in general position are looked at
+
+
 class Given(Setup):
     """A system set up for given parameter sets, without drawing. model: of the same system, where there is one."""
 
@@ -81,5 +84,8 @@ class Given(Setup):
             self._made = model
             return
         starts = [d.sample() for d in self.draws]
-        general = [d.sample(d.anywhere(SEED, 0.0, 0.1), is_start=False) for d in self.draws[:2]]
+        # what drivers lead is elsewhere at other instants alone: a lever that starts level, with sin(th) = 0
+        instants = _INSTANTS if depends_on_time(system) else (0.0, 0.0)
+        looked_at = zip(self.draws, instants, strict=False)
+        general = [d.sample(d.anywhere(SEED, t, 0.1), is_start=False) for d, t in looked_at]
         self._made = SymbolicModel(system, [*starts, *general])

@@ -12,6 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import (
     MagnificationFactor,
@@ -22,7 +23,7 @@ from freebody.questions.forced_motion import (
 )
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.at_equilibrium import frequencies_at, insist_on_rest, places_at
+from freebody.study.answering.at_equilibrium import AT_REST, frequencies_at, insist_on_rest, places_at, unrest
 from freebody.study.answering.crosscheck import CrossCheck, SaysNothing, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
@@ -57,6 +58,9 @@ def forced(setup: Setup, question: Question, q: Quantity, at_rest: AtRest) -> Fi
 def forced_number(setup: Setup, question: Question, draw: Draw) -> float:
     """The value of the numeric route alone, about the equilibrium that formulas give."""
     told = _Forced(setup, lambda _rest, _clear: [])
+    needed = (*told.rest.exists, *told.rest.stable)
+    if not all(holds(setup, c, draw, draw.start()) for c in needed) or unrest(setup, draw, told.places(draw)) > AT_REST:
+        raise CannotAnswer(Message("the equilibrium that formulas give is none at the model's own values"))
     return _number(question.quantity, told, told.numbers(draw))
 
 
@@ -137,7 +141,11 @@ class _Forced:
     def numbers(self, draw: Draw) -> ForcedNumbers:
         start = draw.start()
         (frequency,) = element_at(self.setup, (self.forced.swing.frequency,), draw, start)
-        return ForcedNumbers(self.setup.system, draw, places_at(self.setup, self.rest.values, draw), abs(frequency))
+        return ForcedNumbers(self.setup.system, draw, self.places(draw), abs(frequency))
+
+    def places(self, draw: Draw) -> list[tuple[Measure, float]]:
+        """Where the measures rest, of one draw."""
+        return places_at(self.setup, self.rest.values, draw)
 
     def evidence(self, question: Question, x: Ratio, read: Callable[[ForcedNumbers], float]) -> Evidence:
         check = CrossCheck(question.text, FORCED, TOLERANCE)

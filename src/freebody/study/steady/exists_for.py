@@ -67,6 +67,13 @@ def _opposite(c: Condition) -> Condition:
     return replace(c, element=-c.element, relation=_OPPOSITE[c.relation])
 
 
+def _place(setup: Setup, steady: SteadyMotion) -> str:
+    """What tells the place: a named measure that changes with one of the other coordinates, or that coordinate."""
+    f, others = setup.model.field, {c.index for c in steady.others}
+    values = ((name, f.element(setup.state.value(m))) for name, m in setup.system.measures.items())
+    return next((name for name, x in values if f.ingredients(x) & others), steady.others[0].name)
+
+
 def _rate(setup: Setup, steady: SteadyMotion, parameter: str) -> Solutions:
     """Of the rates that the conditions contain one that neither the event gives nor, by the parameter that is asked
     for, the start: the one that is zero there, if there is such a one."""
@@ -76,6 +83,15 @@ def _rate(setup: Setup, steady: SteadyMotion, parameter: str) -> Solutions:
     free = [c for c in steady.cyclic if c.speed in inside and c.speed not in steady.given]
     free = [c for c in free if index not in f.ingredients(setup.start.of(c.speed))]
     free.sort(key=lambda c: not setup.start.of(c.speed).is_zero())
+    if not steady.cyclic and steady.others:
+        told = Message(
+            "beside a drive no rate is open, and the place is what makes the motion steady: ask for {x} in steady "
+            "motion, whose conditions say where there is one, or for the value of {name} for which {x} = ... in steady "
+            "motion",
+            x=_place(setup, steady),
+            name=parameter,
+        )
+        raise CannotAnswer(told)
     if not free:
         raise CannotAnswer(Message("the start gives all rates, so that none is left to make the motion steady"))
     return steady.solved_for(free[0].speed)

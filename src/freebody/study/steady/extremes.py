@@ -26,6 +26,7 @@ from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.answering.sizes import is_size
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
+from freebody.study.steady.of_sizes import greatest_of, signed
 from freebody.study.steady.phase import Phase, is_timed, over_a_period, phase_of
 from freebody.study.steady.round_turn import REACHED_OFTEN, DrawnTurn, over_a_turn
 from freebody.study.steady.superposed import Superposed, superposed, superposed_of
@@ -45,6 +46,9 @@ from freebody.symbolic.unknowns import Coordinate
 def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
     model = setup.model
+    if q.what == "greatest" and (one := signed(setup, q.of)) is not None:
+        with suppress(CannotAnswer):
+            return greatest_of(setup, extremes(setup, question, replace(q, of=one, what="extremes")))
     value = followed(setup, q.of)
     if isinstance(value, tuple):
         raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))

@@ -1,0 +1,54 @@
+"""The greatest size of what has one component: the larger of its largest value and of minus its least one.
+
+|v| has a corner wherever v vanishes, and its square a slope that is twice as long: what is guided along a line is
+looked at with its sign.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Symbol
+from freebody.language.sentences import Message
+from freebody.questions.arithmetic import Calculated
+from freebody.questions.base import Quantity
+from freebody.questions.motion import OfPoint
+from freebody.questions.vectors import axes_of
+from freebody.study.answering.finding import Finding
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.decide import decide
+from freebody.symbolic.field import Ratio
+
+
+def signed(setup: Setup, q: Quantity) -> Quantity | None:
+    """What has the size that is asked for, where that is one component; else None."""
+    if isinstance(q, Calculated) and len(q.operands) == 1:
+        name, of = q.operands[0]
+        return of if q.form == Call("abs", Symbol(name)) else None
+    if not isinstance(q, OfPoint) or not q.size or q.along is not None or q.basis is not None:
+        return None
+    f, plain = setup.model.field, replace(q, size=False)
+    parts = [f.element(x) for x in plain.value(setup.system, setup.state)]
+    moving = [axis for axis, x in zip(axes_of(setup.system), parts, strict=True) if not x.is_zero()]
+    return replace(plain, along=moving[0]) if len(moving) == 1 else None
+
+
+def greatest_of(setup: Setup, ends: Finding) -> Finding:
+    """The greatest size, of the least and the largest value. Raises CannotAnswer where neither decides."""
+    if not isinstance(ends.element, tuple):
+        raise CannotAnswer(Message("it has no two extremes"))
+    least, largest = ends.element
+    assert isinstance(least, Ratio)
+    assert isinstance(largest, Ratio)
+    f, conditions = setup.model.field, [*ends.conditions]
+    beyond = f.lowest_terms(-least - largest)
+    is_less = True if beyond.is_zero() else decide(-beyond, ">=", conditions)
+    if is_less is None:
+        values = setup.model.samples.at_starts(beyond)
+        if not values or not setup.has_values:
+            raise CannotAnswer(Message("which of two extremes is greater depends on the numbers"))
+        is_less = values[0] <= 0
+        conditions.append(Condition(-beyond if is_less else beyond, ">=", Message("which extreme is which")))
+    return replace(ends, element=largest if is_less else f.lowest_terms(-least), conditions=conditions, cases=None)
