@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from freebody.model.friction import AT_REST, IN_MOTION
+from freebody.model.spec import FRICTION, RESTITUTION
 
 SECTIONS = (
     "freebody",
@@ -53,7 +54,10 @@ MEANT_SECTIONS: Mapping[str, str] = {
     **dict.fromkeys(("description",), "about"),
 }
 OF_LINES = ("through", "along", "angle", "solid", "x", "y")  # the fields of a line
-ROUGH = ("friction", "mu", "Reibung", "Reibungszahl", *AT_REST, *IN_MOTION, "restitution", "e")  # of what touches
+ROUGH = (  # of what touches
+    *("friction", "mu", "Reibung", "Reibungszahl", *FRICTION, *AT_REST, *IN_MOTION),
+    *("restitution", "e", *RESTITUTION),
+)
 OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
 
 SAYS_KIND = ("type", "kind", "shape")  # in an entry

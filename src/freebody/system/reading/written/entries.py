@@ -18,7 +18,7 @@ from freebody.language.sentences import Message
 from freebody.loads.force import Force
 from freebody.model.friction import AT_REST, IN_MOTION
 from freebody.model.spec import Spec
-from freebody.model.written_kinds import put_inside
+from freebody.model.written_kinds import put_inside, written_kind
 from freebody.system.reading.sections import CLOSES, SAYS_KIND
 from freebody.system.reading.written.form import (
     JOINED,
@@ -32,8 +32,9 @@ from freebody.system.reading.written.form import (
 )
 from freebody.system.reading.written.points import PLACES, is_joint, of_owner, with_points
 from freebody.system.reading.written.shapes import with_shape
-from freebody.system.reading.written.vectors import by_axes, with_axes, with_direction, with_velocity
+from freebody.system.reading.written.vectors import by_axes, with_axes, with_direction, with_spin, with_velocity
 
+_DRIVER, _BEGINS = "driver", ("angle", "initial_angle", "start_angle", "winkel", "anfangswinkel")
 _SMOOTH = ("smooth", "frictionless", "glatt", "reibungsfrei")
 
 
@@ -49,7 +50,8 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
         return
     given = cast("Entry", entry)
     if section == "bodies":
-        given = with_velocity(w, place, with_axes(w, place, with_shape(w, name, given)))
+        given = with_shape(w, name, with_spin(w, place, given))
+        given = with_velocity(w, place, with_axes(w, place, given))
     elif section == "loads" and not w.space:
         given = with_direction(w, place, given)
     is_said = any(isinstance(given.get(key), str) for key in SAYS_KIND)
@@ -74,12 +76,26 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
     if section in JOINED:
         given = {**given, word: with_points(w, name, kind, given[word])}
         given = _with_what_the_word_says(w, name, given, word, kind)
+        given = _without_start(w, place, given, word) if kind.kind == _DRIVER else given
     if section == "bodies":
         given = _with_options_beside(w, place, given, word, kind, beside)
         given = {key: by_axes(value) if key != word else value for key, value in given.items()}
     w.data[section][name] = given
     if at != section:
         w.move(section, name, at)
+
+
+def _without_start(w: Written, place: Place, given: Entry, word: str) -> Entry:
+    """`drive: {crank: {angle: 60 deg, speed: w}}`: the angle at which a driver begins is that of the body."""
+    fields = kinds_of("connections")[_DRIVER].from_plain(given[word])
+    key = next((key for key in fields if folded(key) in _BEGINS), None)
+    bodies, name = w.data.get("bodies"), fields.get("body")
+    body = cast("Entry", bodies).get(str(name)) if isinstance(bodies, dict) else None
+    if key is None or not isinstance(body, dict) or "angle" in body:
+        return given
+    w.data["bodies"] = {**cast("Entry", bodies), str(name): {**cast("Entry", body), "angle": fields[key]}}
+    w.moved["bodies", str(name), "angle"] = (*w.stood((*place, word)), key)
+    return {**given, word: {each: value for each, value in fields.items() if each != key}}
 
 
 def _with_what_the_word_says(w: Written, name: str, given: Entry, word: str, kind: type[Spec]) -> Entry:
@@ -174,6 +190,24 @@ def _without_kind(w: Written, section: str, name: str, entry: Any) -> None:
                 w.data[section][name] = {kind: said}
                 w.moved[section, name, kind] = w.stood((section, name))
                 return
+    if section in JOINED and inner and isinstance(entry, dict):
+        _by_name(w, section, name, word, cast("Entry", inner))
+
+
+def _by_name(w: Written, section: str, name: str, word: str, fields: Entry) -> None:
+    """An entry that is called by a word for a kind and names no other is one of that kind, also where its fields are
+    wrong: it is told which."""
+    kind = written_kind(word, fields, kinds_of(section), space=w.space)
+    if kind is None or any(kind_of(w, section, key, value)[1] is not None for key, value in fields.items()):
+        return
+    spec = kinds_of(section)[kind]
+    known = {f.alias or n for n, f in spec.model_fields.items()}
+    read = spec.from_plain(fields)
+    if any(key in known or key in spec.more_words or spec.meant(key) or key in spec.elsewhere for key in read):
+        beside = {key: value for key, value in w.data[section][name].items() if key not in fields}
+        w.data[section][name] = {word: fields, **beside}
+        w.moved[section, name, word] = w.stood((section, name))
+        put_entry_in_order(w, section, name, w.data[section][name])
 
 
 def _with_own_inside(

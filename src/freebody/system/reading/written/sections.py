@@ -26,6 +26,7 @@ from freebody.system.reading.written.lists import name_items, with_names
 from freebody.system.reading.written.spelling import spell_entry
 
 _BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no connection
+_BODY, _DRIVER = "body", "driver"
 _PLURALS = ("s", "e", "en", "n", "")
 _FLOOR, _LEVEL = "floor", "y"  # `ground: {y: 0}`
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
@@ -147,7 +148,12 @@ def _of_name(w: Written, word: str, name: str, entry: Any) -> Any:
     if isinstance(entry, str) and isinstance(bodies, dict) and entry in bodies and word not in kinds_of("loads"):
         return {word: entry}
     whole = {name: entry}
-    is_led = isinstance(bodies, dict | list) and name in bodies and not isinstance(entry, dict | list)
+    is_body = isinstance(bodies, dict | list) and name in bodies
+    if is_body and isinstance(entry, dict) and word not in kinds_of("loads"):
+        led = {_BODY: name, **cast("Entry", entry)}
+        if word in (_DRIVER, *kinds_of("connections")[_DRIVER].also) and not is_its_own:
+            return {word: led}
+    is_led = is_body and not isinstance(entry, dict | list)
     if is_led and any(takes_as(word, whole, kinds_of(at), space=w.space) for at in JOINED):
         return {word: whole}
     return _as_kind(w, word, entry)

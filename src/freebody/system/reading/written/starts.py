@@ -3,6 +3,8 @@
 start: {position of ball: [0, h]}          bodies: {ball: {..., position: [0, h]}}
 start: {ball: {velocity: [v, 0]}}          bodies: {ball: {..., velocity: [v, 0]}}
 start: {ball.velocity: {speed: v, angle: alpha}}
+start: {wheel.angular_velocity: w}         bodies: {wheel: {..., angular_velocity: w}}
+start: {velocity: 0}                       nothing: it is at rest
 """
 
 from __future__ import annotations
@@ -15,6 +17,8 @@ from freebody.system.reading.written.form import Entry, Written
 
 _OF_BODY = re.compile(r"(?P<what>[^\W\d][\w ]*?) (?:of|von) (?P<body>\w+)|(?P<body_first>\w+)\.(?P<what_then>\w+)")
 _OPTIONS = ("position", "place", "at", "velocity", "initial_position", "initial_velocity", "ort", "geschwindigkeit")
+_TURNING = ("angular_velocity", "angular_speed", "spin", "omega")
+_AT_REST = ("velocity", "speed", "initial_velocity", "initial_speed", "v0", *_TURNING, "initial_angular_velocity")
 _VELOCITY = "velocity"
 
 
@@ -23,7 +27,9 @@ def start_of_bodies(w: Written) -> None:
     start, bodies = w.data.get("start"), w.data.get("bodies")
     if not isinstance(start, dict) or not isinstance(bodies, dict):
         return
-    for key, value in [*cast("Entry", start).items()]:
+    start = {key: said for key, said in cast("Entry", start).items() if not _says_at_rest(w, key, said)}
+    w.data["start"] = start
+    for key, value in [*start.items()]:
         name, options = _options(key, value, cast("Entry", bodies))
         body: Any = cast("Entry", bodies).get(name)
         if options and isinstance(body, dict) and not options.keys() & cast("Entry", body).keys():
@@ -34,6 +40,14 @@ def start_of_bodies(w: Written) -> None:
             w.data["start"] = start
 
 
+def _says_at_rest(w: Written, key: str, value: Any) -> bool:
+    """`velocity: 0`: rates that nobody gives are zero, or those of the least kinetic energy."""
+    measures = w.data.get("measures")
+    is_named = isinstance(measures, dict) and key in measures
+    zero = str(value).strip().partition(" ")[0]
+    return folded(key) in _AT_REST and not is_named and zero in ("0", "0.0") and not isinstance(value, bool)
+
+
 def _options(key: str, value: Any, bodies: Entry) -> tuple[str, Entry]:
     """The body that an entry speaks of, and what it says of it."""
     if key in bodies and isinstance(value, dict):
@@ -42,6 +56,8 @@ def _options(key: str, value: Any, bodies: Entry) -> tuple[str, Entry]:
     if said is None:
         return "", {}
     name, what = said["body"] or said["body_first"], folded(said["what"] or said["what_then"])
+    if what in _TURNING and isinstance(value, str | int | float) and name in bodies:
+        return name, {_TURNING[0]: value}
     if what not in _OPTIONS or not isinstance(value, list | dict):
         return "", {}
     return name, _flat({what: value})
