@@ -62,18 +62,26 @@ _BOTH_ENDS = ("bodies", "between", "ends", "connects")
 _PULLEYS = ("pulley", "pulleys", "around", "via", "passes_over", "runs_over")
 
 
+def _as_list(value: Any) -> list[Any]:
+    return cast("list[Any]", value) if isinstance(value, list) else [value]
+
+
 def _with_ends(given: dict[str, Any]) -> dict[str, Any]:
     """`{between: [a, b], pulley: p}` as from one end over what is on the way to the other."""
     read = dict(given)
     ends = next((word for word in _BOTH_ENDS if isinstance(given.get(word), list)), None)
     both = cast("list[Any]", given[ends]) if ends is not None else []
-    if ends is not None and len(both) == 2 and all(isinstance(end, str) for end in both):
-        if not given.keys() & {"from", "to", "path"}:
-            read |= {"from": both[0], "to": both[1]}
-            del read[ends]
+    is_free = not given.keys() & {"from", "to", "path"}
+    if ends is not None and is_free and len(both) == 2 and all(isinstance(end, str) for end in both):
+        read |= {"from": both[0], "to": both[1]}
+        del read[ends]
     over = next((word for word in _PULLEYS if isinstance(given.get(word), str | list)), None)
     if over is not None and not given.keys() & {"over", "under", "path"}:
         read["over"] = read.pop(over)
+    if {"from", "to", "over", "under"} <= read.keys() and "path" not in read:  # in the order in which it is written
+        way = [f"{key} {each}" for key in read if key in ("over", "under") for each in _as_list(read[key])]
+        rest = {key: each for key, each in read.items() if key not in ("from", "to", "over", "under")}
+        return {"path": [read["from"], *way, read["to"]], **rest}
     return {key: [each] if key == "over" and isinstance(each, str) else each for key, each in read.items()}
 
 
@@ -115,6 +123,7 @@ class String(Connection, kind="string"):
     )
     also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil", "Faden", "Schnur")
     elsewhere: ClassVar[Mapping[str, str]] = {
+        "radius": Message("it is wound on a circle of another radius than the rim as: to: wound on yoyo radius r"),
         "length": Message(
             "it is as long as where its ends and the bodies on its way are put (at) makes it; two points at a fixed "
             "distance are a link: {{from: A, to: B, length: L}}"

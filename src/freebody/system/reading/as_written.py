@@ -31,6 +31,7 @@ from freebody.system.reading.written.lists import name_items
 from freebody.system.reading.written.oscillators import stretch_springs
 from freebody.system.reading.written.planetary import with_planetary
 from freebody.system.reading.written.pulleys import hold_pulleys
+from freebody.system.reading.written.scalars import spread_scalars
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
 from freebody.system.reading.written.spelling import ground_for_world, spell_entry, spell_sections
 from freebody.system.reading.written.stacks import lay_in_stacks
@@ -40,7 +41,19 @@ from freebody.system.reading.written.vectors import without_brackets
 
 _NAMED = (*JOINED, "bodies", "parameters", "measures", "start")
 # sections of what is no formula
-_IN_WORDS = ("title", "name", "about", "description", "source", "questions", "find", "ask", "wanted", "drawing", "style")
+_IN_WORDS = (
+    "title",
+    "name",
+    "about",
+    "description",
+    "source",
+    "questions",
+    "find",
+    "ask",
+    "wanted",
+    "drawing",
+    "style",
+)
 _AT_REST = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
 _IN_SPACE = ("3d", "3", "yes", "spatial")
 
@@ -85,6 +98,7 @@ def _put_in_order(w: Written) -> None:
     with_distances(w)
     roughen_lines(w)
     ground_as_line(w)
+    spread_scalars(w)
     hold_pulleys(w)
     stretch_springs(w)
     lay_in_stacks(w)

@@ -283,6 +283,12 @@ class BodySections:
                 hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=fields)
                 if key in SPATIAL_OPTIONS:
                     hint = Message(" It is for models in space: write space: true.")
+                if key in ("acceleration", "Beschleunigung"):
+                    law = {"driver": {"measure": f"x of {name}", "follows": f"({value})*t^2/2"}}
+                    hint = Message(
+                        " A motion that is prescribed is a driver: connections: {{{entry}}}",
+                        entry=flow_text({f"drive_of_{name}": law})[1:-1],
+                    )
                 if key == "massless":
                     hint = Message(" A body is massless where no mass is given, as in {{disk: {{radius: 0.1 m}}}}.")
                 if key == "angle":

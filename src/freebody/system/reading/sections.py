@@ -37,7 +37,7 @@ MEANT_SECTIONS: Mapping[str, str] = {
     **dict.fromkeys(("coordinates", "variables", "outputs"), "measures"),
     **dict.fromkeys(("constants", "symbols", "values", "given"), "parameters"),
     **dict.fromkeys(("find", "ask", "wanted"), "questions"),
-    **dict.fromkeys(("elements", "parts"), "bodies"),
+    **dict.fromkeys(("elements", "parts", "masses", "objects", "components"), "bodies"),
     **dict.fromkeys(("name",), "title"),
     **{"Parameter": "parameters", "gegeben": "parameters", "Körper": "bodies", "verbindungen": "connections"},
     **{"Verbindungen": "connections", "Gelenke": "connections", "Lager": "connections", "Boden": "ground"},

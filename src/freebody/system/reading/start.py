@@ -18,7 +18,6 @@ from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.system.reading.source import Source
 
-
 _OF_ONE = {  # what people write of the one body that they think of
     **dict.fromkeys(("velocity", "speed", "initial_velocity", "initial_speed", "v0", "v"), "rate(x of {body})"),
     **dict.fromkeys(("angular_velocity", "omega", "initial_angular_velocity"), "rate(angle of {body})"),

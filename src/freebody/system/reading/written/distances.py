@@ -14,16 +14,16 @@ from typing import Any, cast
 
 from freebody.language.expression import name_problem
 from freebody.language.sentences import Message
-from freebody.language.units import LENGTH
+from freebody.language.units import LENGTH, STIFFNESS
 from freebody.measures.geometry import GROUND
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import Spec
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.written.dimensions import dimension_said
-from freebody.system.reading.written.form import JOINED, Entry, Written, kinds_of
+from freebody.system.reading.written.form import JOINED, Entry, Written, are_mappings, kinds_of
 from freebody.system.reading.written.points import is_joint
 
-_AT = ("at", "position", "distance", "x", "location", "place")
+_AT = ("at", "position", "distance", "x", "location", "place", "on")
 _FROM, _TO = ("from", "start", "begin", "x1"), ("to", "end", "x2", "until")
 _OWNERS = ("on", "body", "of")
 _ROD, _SPREAD, _GUIDED = "rod", "distributed", "pin"
@@ -31,7 +31,7 @@ _ROD, _SPREAD, _GUIDED = "rod", "distributed", "pin"
 
 def with_distances(w: Written) -> None:
     """Makes points of rods of the distances at which connections and loads are said to be."""
-    if w.space or not (rods := _rods(w)):
+    if w.space or not are_mappings(w, "bodies", *JOINED) or not (rods := _rods(w)):
         return
     for section in JOINED:
         entries = w.data.get(section)
@@ -39,6 +39,8 @@ def with_distances(w: Written) -> None:
             for word, value in [*cast("Entry", entry).items()] if isinstance(entry, dict) else ():
                 kind = written_kind(word, value, kinds_of(section), space=False)
                 fields = cast("Entry", value) if isinstance(value, dict) else {}
+                if kind == _SPREAD and dimension_said(w, value) == STIFFNESS:
+                    fields = {"intensity": value}  # a force for each length
                 if kind is not None and fields:
                     read = _Places(w, name, rods).read(fields, kinds_of(section)[kind])
                     if read != fields:
@@ -69,9 +71,17 @@ class _Places:
         if rod is None:
             return fields
         ends = [next((key for key in words if self._is_far(fields.get(key))), None) for words in (_FROM, _TO)]
-        if kind.kind == _SPREAD and ends[0] is not None and ends[1] is not None and "between" not in fields:
+        first, last = ends
+        if kind.kind == _SPREAD and first is not None and last is not None and "between" not in fields:
             rest = {key: each for key, each in fields.items() if key not in (*ends, *_OWNERS)}
-            return {**rest, "between": [self._point(rod, fields[key], way) for key, way in zip(ends, ("from", "to"), strict=True)]}
+            return {
+                **rest,
+                "between": [self._point(rod, fields[first], "from"), self._point(rod, fields[last], "to")],
+            }
+        if kind.kind == _SPREAD and "between" not in fields and not any(key in fields for key in (*_FROM, *_TO)):
+            rest = {key: each for key, each in fields.items() if key not in _OWNERS}
+            self.w.assumed.append(Message("{load} acts along all of {rod}", load=self.name, rod=rod))
+            return {**rest, "between": [f"{rod}.start", f"{rod}.end"]}
         at = next((key for key in _AT if self._is_far(fields.get(key))), None)
         if at is None or name_problem(self.name) is not None:
             return fields
@@ -86,6 +96,8 @@ class _Places:
     def _rod(self, fields: Entry) -> str | None:
         """The one rod that is named, or the only one of the file where no body is."""
         named = [rod for rod in self.rods if any(self._names(each, rod) for each in fields.values())]
+        if "between" in fields and "at" not in fields:
+            return None
         bodies = self.w.data["bodies"]
         others = [body for body in bodies if any(self._names(each, body) for each in fields.values())]
         alone = [*self.rods] if not others and len(self.rods) == 1 == len(bodies) else []

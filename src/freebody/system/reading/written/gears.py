@@ -3,9 +3,9 @@
     a: {gear: {teeth: 20}}                     a: {gear: {teeth: 20, module: module}}
     b: {gear: {teeth: 60}}                     parameters: {module: mm}   (a symbol without a value)
 
-What drives what depends on the teeth alone; how large the wheels are stands in the answers as the module. Axles of gears
-that mesh, of which no place is told, are put side by side as far apart as the teeth have them: r1 + r2, in a ring gear
-r1 - r2.
+What drives what depends on the teeth alone; how large the wheels are stands in the answers as the module. Axles of
+gears that mesh, of which no place is told, are put side by side as far apart as the teeth have them: r1 + r2, in a
+ring gear r1 - r2.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from freebody.language.units import LENGTH, MASS
 from freebody.model.shapes.base import Shape
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.written.dimensions import dimension_said
-from freebody.system.reading.written.form import Entry, Written
+from freebody.system.reading.written.form import Entry, Written, are_mappings
 
 _UNIT, _PIN, _MESH = "mm", "pin", "gear_mesh"
 
@@ -48,6 +48,8 @@ def place_axles(w: Written) -> None:
     """Puts the axles of gears that mesh, each a point of the ground without a place, side by side."""
     ground = w.data.get("ground")
     points = cast("Entry", ground).get("points") if isinstance(ground, dict) else None
+    if not are_mappings(w, "ground", "bodies", "connections"):
+        return
     radii = dict(_radii(w))
     axles = {gear: point for gear, point in _axles(w) if gear in radii}
     if w.space or points or len({*axles.values()}) < max(2, len(axles)) or len(_own_points(w)) > len(axles):
@@ -131,7 +133,8 @@ def _gears(w: Written, *, every: bool = False) -> Iterator[tuple[str, Entry]]:
 
 def _with_m(w: Written, fields: Entry) -> Entry:
     """`m: 4 mm` is the module, `m: 2 kg` the mass."""
-    meant = {LENGTH: "module", MASS: "mass"}.get(dimension_said(w, fields.get("m")))
+    dimension = dimension_said(w, fields.get("m"))
+    meant = None if dimension is None else {LENGTH: "module", MASS: "mass"}.get(dimension)
     if meant is None or meant in fields:
         return fields
     return {meant if key == "m" else key: each for key, each in fields.items()}

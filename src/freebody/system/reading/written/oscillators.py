@@ -1,12 +1,13 @@
 """Masses on springs along one line, of which the file says no lengths and no places.
 
-    mass: {mass: m}                                    mass: {particle: {mass: m}}, guide_of_mass: {slider: {along: right}}
-    spring: {between: [wall, mass], k: k}              ground: {points: {wall: [-l_spring, 0]}}, spring: {..., length: l_spring}
-    start: {x: x0}                                     measures: {x: x of mass}, start: {x: x0}
+    mass: {mass: m}                           guide_of_mass: {slider: {body: mass, along: right}}
+    spring: {between: [wall, mass], k: k}     ground: {points: {wall: [-l_spring, 0]}}, spring: {..., length: l_spring}
+    start: {x: x0}                            measures: {x: x of mass}, start: {x: x0}
 
 Where all springs are relaxed the masses stand one behind the other, so far apart as the springs are long: l_spring is a
-parameter without a value, which drops out of what depends on displacements alone. The first mass is at the origin there, so
-that its x is its displacement. Sources: Thomson, Theory of Vibration, sec. 2.2; Meirovitch, Fundamentals of Vibrations, ch. 5.
+parameter without a value, which drops out of what depends on displacements alone. The first mass is at the origin
+there, so that its x is its displacement. Sources: Thomson, Theory of Vibration, sec. 2.2; Meirovitch, Fundamentals of
+Vibrations, ch. 5.
 """
 
 from __future__ import annotations
@@ -17,15 +18,16 @@ from typing import Any, cast
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
-from freebody.model.names import SURROUNDINGS
+from freebody.model.names import is_of_surroundings
 from freebody.model.written_kinds import written_kind
-from freebody.system.reading.written.form import Entry, Written, kinds_of, shape_of
+from freebody.system.reading.written.form import Entry, Written, are_mappings, kinds_of, shape_of
 from freebody.system.reading.written.pulleys import is_named
 
 _SPRING, _DAMPER, _GRAVITY, _SLIDER, _CONTACT = "spring", "damper", "gravity", "slider", "contact"
 _SHAPES = ("particle", "rectangle")
 _LENGTHS = ("length", "preload", "only")
 _PUT = ("at", "near", "angle", "fixed", "velocity", "points")
+_SECTIONS = ("connections", "ground", "parameters", "measures", "start")
 _LEVEL = ("right", "left", "horizontal", "floor", "table", "x")
 _PLACES = ("x", "displacement", "position", "initial_displacement", "initial_position", "x0", "x_0", "auslenkung")
 _SPEEDS = ("v", "velocity", "speed", "initial_velocity", "initial_speed", "v0", "v_0", "geschwindigkeit")
@@ -35,7 +37,7 @@ _OWN = ("initial_displacement", "displacement", "x0", "auslenkung")  # that a bo
 def stretch_springs(w: Written) -> None:
     """Puts masses on springs without lengths side by side, with the lengths of the springs left open."""
     bodies, loads = w.data.get("bodies"), w.data.get("loads")
-    if w.space or not isinstance(bodies, dict) or not isinstance(loads, dict):
+    if w.space or not isinstance(bodies, dict) or not isinstance(loads, dict) or not are_mappings(w, *_SECTIONS):
         return
     springs = {name: ends for name, ends in _pairs(w, _SPRING) if ends}
     chain = _Chain(w, cast("Entry", bodies), springs)
@@ -90,7 +92,9 @@ class _Chain:
 
     def _is_guided(self, name: str) -> bool | None:
         """Whether something guides a mass along a level line; None where it is held otherwise."""
-        holding = [each for each in cast("Entry", self.w.data.get("connections") or {}).values() if is_named(name, {0: each})]
+        holding = [
+            each for each in cast("Entry", self.w.data.get("connections") or {}).values() if is_named(name, {"": each})
+        ]
         if not holding:
             return False
         texts = [text for each in holding for text in re.findall(r"\w+", str(each))]
@@ -107,7 +111,9 @@ class _Chain:
 
     def _follow(self, ends: set[str]) -> bool:
         """Finds the way from mass to mass, and to what does not move."""
-        first = next((name for name in self.masses if any({name} | ends >= {*pair} for pair in self.springs.values())), "")
+        first = next(
+            (name for name in self.masses if any({name} | ends >= {*pair} for pair in self.springs.values())), ""
+        )
         if not first:
             return False
         parallel: dict[frozenset[str], str] = {}
@@ -180,7 +186,11 @@ class _Chain:
         """Of a single mass: its displacement and its speed at the start, by the measure x."""
         w = self.w
         given = w.data.get("measures") or {}
-        if given or "x" in cast("Entry", w.data.get("parameters") or {}) or not isinstance(w.data.get("start") or {}, dict):
+        if (
+            given
+            or "x" in cast("Entry", w.data.get("parameters") or {})
+            or not isinstance(w.data.get("start") or {}, dict)
+        ):
             return
         w.data["measures"] = {"x": f"x of {name}"}
         start: Entry = {}
@@ -203,8 +213,8 @@ def _is_surroundings(w: Written, end: str) -> bool:
     point = end.removeprefix(f"{GROUND}.")
     ground = w.data.get("ground")
     points = cast("Entry", ground).get("points") if isinstance(ground, dict) else None
-    is_free = not isinstance(points, dict) or point not in points
-    return is_free and (end.startswith(f"{GROUND}.") or point in SURROUNDINGS or folded(point) in SURROUNDINGS)
+    is_free = (not isinstance(points, dict) or point not in points) and point not in (ground or {})
+    return is_free and (end.startswith(f"{GROUND}.") or is_of_surroundings(point))
 
 
 def _is_unplaced(entry: Any) -> bool:

@@ -2,9 +2,10 @@
 
     planetary: {sun: {teeth: 24}, planet: {teeth: 18}, ring: {teeth: 60, fixed: true}, carrier: {}}
 
-All but the planet turn about one axis, the planet on the carrier; its teeth, where they are left out, are those that fit
-between sun and ring: z_R = z_S + 2 z_P (Willis, Principles of Mechanism, 1841; Norton, Design of Machinery, sec. 9.6). The
-module is one for all, where none is said a symbol. `fixed: ring` beside the parts says which of them stands still.
+All but the planet turn about one axis, the planet on the carrier; its teeth, where they are left out, are those that
+fit between sun and ring: z_R = z_S + 2 z_P (Willis, Principles of Mechanism, 1841; Norton, Design of Machinery, sec.
+9.6). The module is one for all, where none is said a symbol. `fixed: ring` beside the parts says which of them stands
+still.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Any, cast
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
-from freebody.system.reading.written.form import Entry, Written
+from freebody.system.reading.written.form import Entry, Written, are_mappings
 
 _SECTIONS = ("planetary", "planetary_gear", "planetary_gears", "planetary_gear_set", "epicyclic", "epicyclic_gear")
 _GERMAN_SECTIONS = ("planetengetriebe", "umlaufgetriebe")
@@ -28,6 +29,7 @@ _MODULE, _TEETH = ("module", "modul", "m"), ("teeth", "z", "number_of_teeth", "n
 _HELD = ("fixed", "held", "stationary", "fest")
 _COPIES = ("copies", "number", "n", "count", "anzahl")
 _MASSES = ("mass", "inertia")
+_AMONG = ("bodies", "connections", "parameters")
 _AXIS = "O"
 
 
@@ -35,7 +37,7 @@ def with_planetary(w: Written) -> None:
     """Puts a planetary gear that is a section of its own among the bodies and connections, as far as they are free."""
     key = next((key for key in w.data if folded(str(key)) in (*_SECTIONS, *_GERMAN_SECTIONS)), None)
     given = w.data.get(key) if key is not None else None
-    if w.space or key is None or not isinstance(given, dict):
+    if w.space or key is None or not isinstance(given, dict) or not are_mappings(w, *_AMONG):
         return
     given = cast("Entry", given)
     called = {part: name for name in given if (part := _PARTS.get(folded(str(name)))) is not None}
@@ -57,7 +59,11 @@ def with_planetary(w: Written) -> None:
     if module is None:
         module = "module"
         w.data["parameters"] = {**cast("Entry", w.data.get("parameters") or {}), module: "mm"}
-        w.assumed.append(Message("the module of {names} is left open: {module}", names=", ".join([*called.values()][:3]), module=module))
+        w.assumed.append(
+            Message(
+                "the module of {names} is left open: {module}", names=", ".join([*called.values()][:3]), module=module
+            )
+        )
     own = {called[part]: _body(part, fields.get(part, {}), teeth, module, held=is_held[part]) for part in called}
     w.data = {each: value for each, value in w.data.items() if each != key}
     w.data |= {"bodies": {**own, **cast("Entry", bodies)}, "connections": {**joined, **cast("Entry", connections)}}

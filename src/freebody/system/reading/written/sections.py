@@ -11,13 +11,15 @@ from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.language.folded import folded
-from freebody.model.written_kinds import words_also
+from freebody.model.written_kinds import words_also, written_kind
 from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, ROUGH, SAYS_KIND, SECTIONS
 from freebody.system.reading.written.form import (
     JOINED,
     SAYS_NAME,
     Entry,
     Written,
+    as_option,
+    keys_beside,
     kinds_of,
     section_of,
     takes_as,
@@ -56,8 +58,10 @@ def take_in_sections(w: Written) -> None:
             continue
         if key in OF_GROUND or (key in _PLACES and _are_places(value)):
             _take_in(w, "ground", {key if key in OF_GROUND else "points": value}, key, (key,))
-        elif (joined := _joined_as(w, key, value)) is not None:
+        elif (joined := _joined_as(w, key, value) or _called_as(w, key, value)) is not None:
             _take_in(w, joined, {key: {key: value}}, key, (key,))
+        elif _says_a_body(w, key, value):
+            _take_in(w, "bodies", {key: value}, key, (key,))
 
 
 def lines_of_ground(w: Written) -> None:
@@ -182,6 +186,25 @@ def _joined_as(w: Written, key: str, value: Any) -> str | None:
         if takes_as(key, value, kinds_of(section), space=w.space):
             return section
     return None
+
+
+def _called_as(w: Written, key: str, value: Any) -> str | None:
+    """The section of the connection or the load by which a section is called, some of whose fields it has: which of
+    them are wrong is told where it stands."""
+    for section in JOINED if isinstance(value, dict) else ():
+        kind = written_kind(key, value, kinds_of(section), space=w.space)
+        read = {} if kind is None else kinds_of(section)[kind].from_plain(value)
+        if kind is not None and any(field in kinds_of(section)[kind].model_fields for field in read):
+            return section
+    return None
+
+
+def _says_a_body(w: Written, key: str, value: Any) -> bool:
+    """Whether a section is one body: it is called by a word for a shape that takes what it says."""
+    fields = cast("Entry", value) if isinstance(value, dict) else {}
+    options = keys_beside("bodies", space=w.space)
+    own = {field: each for field, each in fields.items() if not as_option(field, options)}
+    return bool(own) and takes_as(key.rstrip("_0123456789") or key, own, kinds_of("bodies"), space=w.space)
 
 
 def _take_in(w: Written, section: str, own: Entry, key: str, place: Place) -> None:

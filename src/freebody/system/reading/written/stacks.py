@@ -4,8 +4,9 @@ c1: {contact: [top, bottom], friction: mu}      c1: {slider: {body: top, on: bot
 c2: {contact: [bottom, floor]}
 c1: {contact: [block, plank], friction: mu}     c1: {contact: [block, plank.top], friction: mu}     (plank a rectangle)
 
-Of two point masses the one that lies on a line of the ground bears the other one, which slides along that line and stays on
-it: a point mass has no edge that it could tip about or slide off. What strikes another one (`restitution`) is no stack.
+Of two point masses the one that lies on a line of the ground bears the other one, which slides along that line and
+stays on it: a point mass has no edge that it could tip about or slide off. What strikes another one (`restitution`)
+is no stack.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Any, cast
 
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
-from freebody.system.reading.written.form import Entry, Written, shape_of
+from freebody.system.reading.written.form import Entry, Written, are_mappings, shape_of
 from freebody.system.reading.written.pulleys import of_kind
 
 _POINT, _BOX, _SLIDER, _CONTACT = "particle", "rectangle", "slider", "contact"
@@ -24,7 +25,7 @@ _LEVEL = ("floor", "table", "road", "ground")  # lines that need not be declared
 def lay_in_stacks(w: Written) -> None:
     """Lays point masses on what bears them."""
     bodies, connections = w.data.get("bodies"), w.data.get("connections")
-    if w.space or not isinstance(bodies, dict) or not isinstance(connections, dict):
+    if w.space or not isinstance(bodies, dict) or not isinstance(connections, dict) or not are_mappings(w, "ground"):
         return
     contacts = dict(of_kind(cast("Entry", connections), _CONTACT))
     pairs = {name: cast("list[Any]", each["between"]) for name, each in contacts.items() if _is_pair(each)}
@@ -45,7 +46,9 @@ def lay_in_stacks(w: Written) -> None:
                 fields = {"body": upper[0], "on": lower[0], "along": along[lower[0]], **rough}
                 w.data["connections"][name] = {_SLIDER: fields}
                 told = Message(
-                    "{upper} lies on {lower}: both are point masses, and {upper} stays on it", upper=upper[0], lower=lower[0]
+                    "{upper} lies on {lower}: both are point masses, and {upper} stays on it",
+                    upper=upper[0],
+                    lower=lower[0],
                 )
                 w.assumed.append(told)
             elif _has_height(bodies.get(lower[0])):
@@ -76,7 +79,10 @@ def _borne_by_lines(w: Written, pairs: list[list[Any]]) -> dict[str, Any]:
         del name
         if fields.get("body") in bodies and "on" not in fields:
             found.setdefault(str(fields["body"]), known.get(str(fields.get("along")), fields.get("along", "right")))
-    return {body: way.get("along", way.get("angle", "right")) if isinstance(way, dict) else way for body, way in found.items()}
+    return {
+        body: way.get("along", way.get("angle", "right")) if isinstance(way, dict) else way
+        for body, way in found.items()
+    }
 
 
 def _is_point(entry: Any) -> bool:

@@ -13,6 +13,8 @@ import re
 from typing import Any, cast
 
 from freebody.language.folded import folded
+from freebody.language.units import ANGULAR_VELOCITY
+from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import Entry, Written
 
 _OF_BODY = re.compile(r"(?P<what>[^\W\d][\w ]*?) (?:of|von) (?P<body>\w+)|(?P<body_first>\w+)\.(?P<what_then>\w+)")
@@ -30,13 +32,13 @@ def start_of_bodies(w: Written) -> None:
     start = {key: said for key, said in cast("Entry", start).items() if not _says_at_rest(w, key, said)}
     w.data["start"] = start
     for key, value in [*start.items()]:
-        name, options = _options(key, value, cast("Entry", bodies))
+        name, options = _options(w, key, value, cast("Entry", bodies))
         body: Any = cast("Entry", bodies).get(name)
         if options and isinstance(body, dict) and not options.keys() & cast("Entry", body).keys():
             bodies = {**cast("Entry", bodies), name: {**cast("Entry", body), **options}}
             w.moved |= {("bodies", name, option): ("start", key) for option in options}
             w.data["bodies"] = bodies
-            start = {each: said for each, said in cast("Entry", start).items() if each != key}
+            start = {each: said for each, said in start.items() if each != key}
             w.data["start"] = start
 
 
@@ -48,10 +50,12 @@ def _says_at_rest(w: Written, key: str, value: Any) -> bool:
     return folded(key) in _AT_REST and not is_named and zero in ("0", "0.0") and not isinstance(value, bool)
 
 
-def _options(key: str, value: Any, bodies: Entry) -> tuple[str, Entry]:
+def _options(w: Written, key: str, value: Any, bodies: Entry) -> tuple[str, Entry]:
     """The body that an entry speaks of, and what it says of it."""
     if key in bodies and isinstance(value, dict):
         return key, _flat(cast("Entry", value))
+    if key in bodies and not w.space and dimension_said(w, value) == ANGULAR_VELOCITY:
+        return key, {_TURNING[0]: value}
     said = _OF_BODY.fullmatch(key)
     if said is None:
         return "", {}

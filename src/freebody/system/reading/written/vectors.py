@@ -33,6 +33,7 @@ _DIRECTIONS = ("direction", "Richtung", "launch_angle", "at_angle")
 _MIDDLE = ("center", "centre", "Mittelpunkt")
 _TURNS, _POINT = ("angle", "Winkel"), "particle"
 _WAYS = {"right": (1, 0), "left": (-1, 0), "up": (0, 1), "down": (0, -1)}
+_RESTING = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
 _FORCE, _SPIN = "force", "angular_velocity"
 _AXES = ("fx", "fy")
 _ALONG = ("along", "direction", "angle", "Richtung")
@@ -104,6 +105,13 @@ def with_axes(w: Written, place: Place, entry: Entry) -> Entry:
     """`{x: 1 m, y: 2 m, vx: 3 m/s}` of a body as its place and velocity; an axis that is left out is zero there."""
     axes = "xyz" if w.space else "xy"
     read = entry
+    if str(entry.get("start")).lower() in _RESTING:
+        read = entry = {key: each for key, each in entry.items() if key != "start"}
+    ends = [key for key in ("start", "end") if isinstance(entry.get(key), list)]
+    if ends and "at" not in entry and not w.space:
+        w.moved[*place, "at"] = w.stood(place)
+        read = {key: each for key, each in entry.items() if key not in ends} | {"at": {key: entry[key] for key in ends}}
+        entry = read
     speeds = [key for key in ("v", *SPEEDS) if _is_scalar(entry.get(key))]
     if _is_scalar(entry.get("x")) and not _is_scalar(entry.get("y")) and len(speeds) == 1:
         w.moved[*place, "velocity"] = (*w.stood(place), speeds[0])  # it moves along x
