@@ -141,6 +141,22 @@ SAME = {
         "bodies: {b: {rod: {length: L}}, yoke: {particle: {mass: m}}}\nconnections: {p: {pin: [ground.p, b.start]}, "
         "slot: {slot: {pin: b.end, 'on': yoke, along: vertical}}}",
     ),
+    "a slope that is rough under what rolls": (
+        "ground: {slope: {angle: -alpha, friction: mu}}\nbodies: {b: {solid_cylinder: {mass: m, radius: R}}}\n"
+        "connections: {c: {rolling: [b, slope]}}",
+        "ground: {lines: {slope: {angle: -alpha}}}\nbodies: {b: {disk: {mass: m, radius: R}}}\n"
+        "connections: {c: {contact: {between: [b, slope], friction: mu}}}",
+    ),
+    "a point mass on the slope of a wedge": (
+        "bodies: {b: {mass: m, 'on': low.slope}, low: {wedge: {mass: M, angle: alpha, length: a}, 'on': floor}}",
+        "bodies: {b: {particle: {mass: m}}, low: {wedge: {mass: M, angle: alpha, length: a}}}\n"
+        "connections: {b_on_low_face: {slider: {body: b, along: low.face}}, low_on_floor: {contact: [low, floor]}}",
+    ),
+    "a force at a place of a body": (
+        "bodies: {b: {disk: {mass: m, radius: R}}}\nloads: {P: {force: F, 'on': b, at: [0, -r], direction: right}}",
+        "bodies: {b: {disk: {mass: m, radius: R}, points: {P: [0, -r]}}}\n"
+        "loads: {P: {force: {at: b.P, along: right, magnitude: F}}}",
+    ),
     "a free end that is pulled": (
         "bodies: {load: {mass: m}, pulley: {disk: {radius: R}}}\nconnections: {p: {pin: pulley}, "
         "rope: [load, pulley, hand]}\nloads: {P: {force: F, at: hand, direction: down}}",
@@ -190,6 +206,35 @@ connections: {p: {pin: a}, q: {pin: b}, s: {pin: c}, one: {gears: [a, b]}, two: 
     system = fb.System.from_text(text)
     assert not system.warnings
     assert "the axles p, q, s stand side by side, as far apart as the gears mesh" in map(str, system.assumptions)
+
+
+def test_a_train_of_gears_turns_in_bearings_that_nobody_writes() -> None:
+    system = fb.System.from_text(
+        "bodies: {a: {gear: {teeth: 12}}, b: {gear: {teeth: 36}}, c: {gear: {teeth: 24}}}\nmeshes: [[a, b], [b, c]]\n"
+        "drive: {a: 900 rpm}\nquestions: [ratio of angular velocity of c to angular velocity of a]\n"
+    )
+    assert float(system.solve()["q1"].value) == pytest.approx(12 / 24)
+    assert "nothing holds a, b, c: each turns in a bearing that stands still" in map(str, system.assumptions)
+
+
+def test_a_four_bar_by_its_lengths_is_that_of_its_pins() -> None:
+    by_lengths = """
+links: {ground: 10 cm, crank: 3 cm, coupler: 9 cm, rocker: 7 cm}
+start: {crank_angle: 60 deg}
+"""
+    by_pins = """
+ground: {points: {A: [0, 0], D: [10 cm, 0]}}
+bodies: {crank: {rod: {length: 3 cm}}, coupler: {rod: {length: 9 cm}}, rocker: {rod: {length: 7 cm}}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  B: {pin: [crank.end, coupler.start]}
+  C: {pin: [coupler.end, rocker.end]}
+  D: {pin: [ground.D, rocker.start]}
+start: {angle of crank: 60 deg}
+"""
+    one, other = (fb.System.from_text(text) for text in (by_lengths, by_pins))
+    assert one.constraint_rows == other.constraint_rows
+    assert one.start == other.start
 
 
 def test_masses_in_a_row_on_springs_have_the_frequencies_of_the_chain() -> None:

@@ -123,6 +123,10 @@ class String(Connection, kind="string"):
     )
     also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil", "Faden", "Schnur")
     elsewhere: ClassVar[Mapping[str, str]] = {
+        "angle": Message(
+            "its direction follows from where its ends are put, e.g. from: [-1 m*cos(alpha), 1 m*sin(alpha)] to a body "
+            "at the origin"
+        ),
         "radius": Message("it is wound on a circle of another radius than the rim as: to: wound on yoyo radius r"),
         "length": Message(
             "it is as long as where its ends and the bodies on its way are put (at) makes it; two points at a fixed "

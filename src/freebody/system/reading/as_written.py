@@ -24,7 +24,7 @@ from freebody.system.reading.written.beams import with_beam
 from freebody.system.reading.written.distances import with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
-from freebody.system.reading.written.gears import place_axles, with_modules
+from freebody.system.reading.written.gears import bear_gears, place_axles, with_modules
 from freebody.system.reading.written.held import ground_as_line, hold_bodies, roughen_lines
 from freebody.system.reading.written.linkages import with_linkage
 from freebody.system.reading.written.lists import name_items
@@ -33,7 +33,7 @@ from freebody.system.reading.written.planetary import with_planetary
 from freebody.system.reading.written.pulleys import hold_pulleys
 from freebody.system.reading.written.scalars import spread_scalars
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
-from freebody.system.reading.written.spelling import ground_for_world, spell_entry, spell_sections
+from freebody.system.reading.written.spelling import ground_for_world, sides_as_called, spell_entry, spell_sections
 from freebody.system.reading.written.stacks import lay_in_stacks
 from freebody.system.reading.written.starts import start_of_bodies
 from freebody.system.reading.written.trusses import with_truss
@@ -88,6 +88,7 @@ def _put_in_order(w: Written) -> None:
     take_in_sections(w)
     lines_of_ground(w)
     ground_for_world(w)
+    sides_as_called(w)
     for section in ("bodies", *JOINED):
         entries = w.data.get(section)
         for name, entry in list(cast("Entry", entries).items()) if isinstance(entries, dict) else ():
@@ -103,4 +104,5 @@ def _put_in_order(w: Written) -> None:
     stretch_springs(w)
     lay_in_stacks(w)
     with_modules(w)
+    bear_gears(w)
     place_axles(w)

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from typing import Any, cast
 
+from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, STIFFNESS
@@ -45,6 +46,28 @@ def with_distances(w: Written) -> None:
                     read = _Places(w, name, rods).read(fields, kinds_of(section)[kind])
                     if read != fields:
                         w.data[section][name] = {**cast("Entry", entry), word: read}
+
+
+def place_on_body(w: Written, name: str, entry: Entry) -> Entry:
+    """`{force: F, on: spool, at: [0, -r]}`, of a load called by a name: coordinates beside a body are those of a point
+    of it, also among the fields behind its kind."""
+    bodies = w.data.get("bodies")
+    if not isinstance(bodies, dict) or name_problem(name) is not None:
+        return entry
+    for key, each in entry.items():
+        if isinstance(each, dict) and (read := place_on_body(w, name, cast("Entry", each))) is not each:
+            return {**entry, key: read}
+    body, place = entry.get("on", entry.get("body")), entry.get("at")
+    own = cast("Entry", bodies).get(str(body))
+    points = own.get("points") or {} if isinstance(own, dict) else None
+    if not isinstance(place, list) or not isinstance(points, dict) or name in points:
+        return entry
+    w.data["bodies"] = {**cast("Entry", bodies), str(body): {**cast("Entry", own), "points": {**points, name: place}}}
+    told = Message(
+        "{load} acts at {place} of {body}, from its reference point", load=name, place=flow_text(place), body=str(body)
+    )
+    w.assumed.append(told)
+    return {"at": f"{body}.{name}", **{key: each for key, each in entry.items() if key not in ("on", "body", "at")}}
 
 
 def _rods(w: Written) -> dict[str, str]:

@@ -23,6 +23,7 @@ from freebody.model.spec import Spec
 from freebody.model.written_kinds import put_inside, takes, written_kind
 from freebody.system.reading.sections import CLOSES, ROUGH, SAYS_KIND
 from freebody.system.reading.written.dimensions import dimension_said
+from freebody.system.reading.written.distances import place_on_body
 from freebody.system.reading.written.form import (
     JOINED,
     Entry,
@@ -65,6 +66,7 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
         given = with_shape(w, name, with_spin(w, place, given))
         given = with_velocity(w, place, with_axes(w, place, given))
     elif section == "loads" and not w.space:
+        given = place_on_body(w, name, given)
         given = with_direction(w, place, given)
     is_said = any(isinstance(given.get(key), str) for key in SAYS_KIND)
     if section == "connections":
@@ -98,7 +100,7 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
         given = {**given, word: with_points(w, name, kind, given[word])}
         given = _with_what_the_word_says(w, name, given, word, kind)
         given = _without_start(w, place, given, word) if kind.kind == _DRIVER else given
-        given = _rolling_with_friction(w, name, given, word) if kind.kind == _ROLLING else given
+        given = rolling_with_friction(w, name, given, word) if kind.kind == _ROLLING else given
     if section == "bodies":
         given = _with_options_beside(w, place, given, word, kind, beside)
         given = {key: by_axes(value) if key != word else value for key, value in given.items()}
@@ -166,7 +168,7 @@ def _one_for_each(w: Written, name: str, given: Entry, word: str) -> bool:
     return True
 
 
-def _rolling_with_friction(w: Written, name: str, given: Entry, word: str) -> Entry:
+def rolling_with_friction(w: Written, name: str, given: Entry, word: str) -> Entry:
     """`{rolling: {body: wheel, on: floor}, mu: 0.3}`: what has a coefficient of friction rolls as long as that does."""
     fields = kinds_of("connections")[_ROLLING].from_plain(given[word])
     beside = {key: each for key, each in given.items() if key not in (word, CLOSES)}

@@ -71,6 +71,26 @@ def place_axles(w: Written) -> None:
     )
 
 
+def bear_gears(w: Written) -> None:
+    """Gives the gears of a train of which nothing says how any is held bearings of their own, each at its place."""
+    if w.space or not are_mappings(w, "bodies", "connections"):
+        return
+    pairs = [(first, second) for first, second, _internal in _meshing(w)]
+    gears = list(dict.fromkeys(name for pair in pairs for name in pair))
+    known = dict(_radii(w))
+    others = [fields for kind, fields in _joining(w) if kind not in (_MESH, "driver")]
+    is_held = any(re.search(rf"(?<![\w.]){re.escape(gear)}\b", str(others)) for gear in gears)
+    bodies = cast("Entry", w.data.get("bodies") or {})
+    if not gears or is_held or not {*gears} <= known.keys() or any({"at", "fixed"} & {*bodies[gear]} for gear in gears):
+        return
+    own = {f"bearing_of_{gear}": {_PIN: [f"ground.bearing_of_{gear}", gear]} for gear in gears}
+    w.data["connections"] = {**cast("Entry", w.data["connections"]), **own}
+    w.moved |= {("connections", f"bearing_of_{gear}"): w.stood(("bodies", gear)) for gear in gears}
+    w.assumed.append(
+        Message("nothing holds {names}: each turns in a bearing that stands still", names=", ".join(gears))
+    )
+
+
 def _own_points(w: Written) -> set[str]:
     """The points of the ground that connections and loads name."""
     texts = str([w.data.get(section) for section in ("connections", "loads", "measures")])

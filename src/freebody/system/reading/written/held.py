@@ -19,11 +19,13 @@ from freebody.measures.geometry import GROUND
 from freebody.model.spec import Spec
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.sections import ROUGH
+from freebody.system.reading.written.entries import rolling_with_friction
 from freebody.system.reading.written.form import Entry, Written, as_option, keys_beside, shape_of
 
 _ON = ("on", "lies_on", "rests_on")
 _ATTACHED = ("attached_to", "fixed_to", "welded_to", "glued_to", "mounted_on", "fixed_at", "befestigt_an")
 _HINGED = ("hinged_to", "pinned_to", "pivoted_to", "hinged_at", "pinned_at", "pivoted_at", "gelenkig_an")
+_ROLLING = "rolling"
 _CONTACT, _PIN, _WELD, _POINT = "contact", "pin", "weld", "particle"
 _OF_TOUCHING = {"friction", "restitution"}
 
@@ -105,6 +107,10 @@ def roughen_lines(w: Written) -> None:
                 word, own, kind = found
                 added = {key: value for key, value in kind.from_plain(rough).items() if key not in own}
                 connections[called] = {**connections[called], word: {**own, **added}}
+            elif isinstance(connections[called], dict) and len(connections[called]) == 1:
+                ((word, _value),) = connections[called].items()
+                if written_kind(word, _value, Connection.kinds, space=False) == _ROLLING:
+                    connections[called] = rolling_with_friction(w, called, {**connections[called], **rough}, word)
         if touching:
             left = {key: value for key, value in said.items() if key not in rough}
             lines = {k: left if k == name else v for k, v in cast("Entry", lines).items() if k != name or left}

@@ -29,7 +29,7 @@ from freebody.system.reading.written.spelling import spell_entry
 
 _BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no connection
 _BODY, _DRIVER = "body", "driver"
-_PLURALS = ("s", "e", "en", "n", "")
+_PLURALS = ("s", "es", "e", "en", "n", "")
 _FLOOR, _LEVEL = "floor", "y"  # `ground: {y: 0}`
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 

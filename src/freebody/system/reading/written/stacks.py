@@ -19,6 +19,7 @@ from freebody.system.reading.written.form import Entry, Written, are_mappings, s
 from freebody.system.reading.written.pulleys import of_kind
 
 _POINT, _BOX, _SLIDER, _CONTACT = "particle", "rectangle", "slider", "contact"
+_FACE, _WAY = "face", "s"
 _LEVEL = ("floor", "table", "road", "ground")  # lines that need not be declared
 
 
@@ -34,13 +35,25 @@ def lay_in_stacks(w: Written) -> None:
     while again:
         again = False
         for name, pair in [*pairs.items()]:
-            upper = [each for each in pair if each not in along]
-            lower = [each for each in pair if each in along]
+            upper = [each for each in pair if each not in along and each.partition(".")[2] != _FACE]
+            lower = [
+                each
+                for each in pair
+                if each in along or (each.partition(".")[2] == _FACE and each.partition(".")[0] in along)
+            ]
             if len(upper) != 1 or len(lower) != 1 or not _is_point(bodies.get(upper[0])):
                 continue
             del pairs[name]
             again = True
             rough = {key: each for key, each in contacts[name].items() if key == "friction"}
+            if lower[0] not in along:  # the face of a wedge, which leads what lies on it
+                w.data["connections"][name] = {_SLIDER: {"body": upper[0], "along": lower[0], **rough}}
+                w.assumed.append(
+                    Message("{upper} stays on {lower}, along which it slides", upper=upper[0], lower=lower[0])
+                )
+                if not w.data.get("measures") and _WAY not in (w.data.get("parameters") or {}):
+                    w.data["measures"] = {_WAY: f"travel of {upper[0]} along {lower[0]} from {lower[0]}"}
+                continue
             along[upper[0]] = along[lower[0]]
             if _is_point(bodies.get(lower[0])):
                 fields = {"body": upper[0], "on": lower[0], "along": along[lower[0]], **rough}

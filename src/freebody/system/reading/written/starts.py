@@ -30,6 +30,7 @@ def start_of_bodies(w: Written) -> None:
     if not isinstance(start, dict) or not isinstance(bodies, dict):
         return
     start = {key: said for key, said in cast("Entry", start).items() if not _says_at_rest(w, key, said)}
+    start = {_angle_of(key, said, cast("Entry", bodies)): said for key, said in start.items()}
     w.data["start"] = start
     for key, value in [*start.items()]:
         name, options = _options(w, key, value, cast("Entry", bodies))
@@ -40,6 +41,12 @@ def start_of_bodies(w: Written) -> None:
             w.data["bodies"] = bodies
             start = {each: said for each, said in start.items() if each != key}
             w.data["start"] = start
+
+
+def _angle_of(key: str, value: Any, bodies: Entry) -> str:
+    """`crank_angle: 60 deg` as the angle of the body."""
+    body = key.removesuffix("_angle").removesuffix(" angle")
+    return f"angle of {body}" if body != key and body in bodies and isinstance(value, str | int | float) else key
 
 
 def _says_at_rest(w: Written, key: str, value: Any) -> bool:
