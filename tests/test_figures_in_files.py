@@ -237,6 +237,16 @@ start: {angle of crank: 60 deg}
     assert one.start == other.start
 
 
+def test_two_point_masses_that_collide_stay_on_their_line() -> None:
+    # with e = 1 and equal masses they change their velocities
+    system = fb.System.from_text(
+        "bodies: {a: {mass: 1 kg, position: [0, 0], velocity: [3 m/s, 0]}, b: {mass: 1 kg, position: [1 m, 0]}}\n"
+        "collisions: [{between: [a, b], restitution: 1}]\nquestions: [velocity of b after the impact]\n"
+    )
+    assert "a, b strike each other on one line, on which they stay" in map(str, system.assumptions)
+    assert float(system.solve()["q1"].value[0]) == pytest.approx(3.0)
+
+
 def test_masses_in_a_row_on_springs_have_the_frequencies_of_the_chain() -> None:
     # k(2 -1; -1 1)/m: omega^2 = (3 -+ sqrt 5)/2 k/m
     system = fb.System.from_text(
@@ -294,7 +304,10 @@ def test_a_ladder_without_an_angle_asks_for_it() -> None:
         ("bodies: {b: {disk: {mass: m, radius: R}}}\nstart: {velocity: v}", "start: {rate(x of b): v}"),
         ("bodies: {b: {mass: m}}\nconnections: {c: {bullet sticks to b}}", "weld: [bullet, rod.end], closes: at start"),
         ("bodies: {b: {mass: m}}\nconnections: {c: {bead_on: b}}", "link: [ring, bead, R]"),
-        ("bodies: {t: {mass: m, acceleration: a}}", "drive_of_t: {driver: {measure: x of t, follows: (a)*t^2/2}}"),
+        (
+            "bodies: {t: {mass: m, acceleration: a}}",
+            "guide_of_t: {slider: {body: t, along: right}}, drive_of_t: {driver: {measure: x of t, follows: (a)*t^2/2",
+        ),
         (
             "bodies: {b: {rod: {length: L}}, p: {mass: m, position: b.end}}",
             "where b.end is follows from what joins both, a weld or a pin",

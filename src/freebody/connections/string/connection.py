@@ -124,8 +124,8 @@ class String(Connection, kind="string"):
     also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil", "Faden", "Schnur")
     elsewhere: ClassVar[Mapping[str, str]] = {
         "angle": Message(
-            "its direction follows from where its ends are put, e.g. from: [-1 m*cos(alpha), 1 m*sin(alpha)] to a body "
-            "at the origin"
+            "its direction follows from where its ends are put, e.g. from: [-1 m*cos(alpha), 1 m*sin(alpha)], with at: "
+            "[0, 0] in the body to which it leads"
         ),
         "radius": Message("it is wound on a circle of another radius than the rim as: to: wound on yoyo radius r"),
         "length": Message(

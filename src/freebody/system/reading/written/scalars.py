@@ -29,7 +29,7 @@ _WAYS = {
 _WAYS |= {"vertical": ("0", "1"), "y": ("0", "1")}
 _LEVEL = ("floor", "table", "road", "ground")
 _KINDS = ("slider", "contact", "rolling")
-_PLACES = ("at", *(word for word, fields in MEANT.items() if fields == ("at",)))
+PLACES_OF_BODIES = ("at", *(word for word, fields in MEANT.items() if fields == ("at",)))
 
 
 def spread_scalars(w: Written) -> None:
@@ -41,7 +41,7 @@ def spread_scalars(w: Written) -> None:
         if not isinstance(entry, dict) or shape_of(entry) is None:
             continue
         read = dict(cast("Entry", entry))
-        for field, words in (("velocity", SPEEDS), ("at", _PLACES)):
+        for field, words in (("velocity", SPEEDS), ("at", PLACES_OF_BODIES)):
             key = next((key for key in words if key in read and _is_scalar(read[key])), None)
             if key is None or (field == "at" and not _is_number(read[key])):
                 continue
