@@ -103,8 +103,10 @@ def _wind(w: Written, string: str, fields: Entry) -> None:
 
 def _is_free(w: Written, body: str) -> bool:
     """Whether one rope alone names a wheel: what else runs round it shows that its axle is meant."""
-    ropes = [name for kind in _ROPES for name, fields in of_kind(w.data["connections"], kind) if is_named(body, fields)]
-    return len(ropes) == 1
+    ropes = [
+        fields for kind in _ROPES for _name, fields in of_kind(w.data["connections"], kind) if is_named(body, fields)
+    ]
+    return len(ropes) == 1 and not any(is_named(body, {key: ropes[0].get(key)}) for key in ("over", "under", "path"))
 
 
 def _has_hub(entry: Any) -> bool:

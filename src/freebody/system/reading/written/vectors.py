@@ -20,7 +20,7 @@ from freebody.language.units import ANGULAR_VELOCITY
 from freebody.model.shapes.base import Shape
 from freebody.model.written_kinds import takes, written_kind
 from freebody.system.reading.written.dimensions import dimension_said
-from freebody.system.reading.written.form import Entry, Written, kinds_of
+from freebody.system.reading.written.form import Entry, Written, kinds_of, shape_of
 
 _IN_BRACKETS = re.compile(r"\s*\((?P<inside>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*")
 _COMMA = re.compile(r",(?![^(]*\))")
@@ -107,7 +107,9 @@ def with_axes(w: Written, place: Place, entry: Entry) -> Entry:
     read = entry
     if str(entry.get("start")).lower() in _RESTING:
         read = entry = {key: each for key, each in entry.items() if key != "start"}
-    ends = [key for key in ("start", "end") if isinstance(entry.get(key), list)]
+    shape = shape_of(entry)
+    named = () if shape is None else getattr(shape, "ends", ())
+    ends = [key for key in named if isinstance(entry.get(key), list)]
     if ends and "at" not in entry and not w.space:
         w.moved[*place, "at"] = w.stood(place)
         read = {key: each for key, each in entry.items() if key not in ends} | {"at": {key: entry[key] for key in ends}}
