@@ -235,7 +235,7 @@ MISTAKES = {
         "{measure: gap, force: -F} pulls with F, with measures: {gap: distance from A to B}",
     ),
     "the ends of a rope": (
-        f"{BLOCK}connections: {{r: {{rope: {{ends: [ground.A, block]}}}}}}",
+        f"{BLOCK}connections: {{r: {{rope: {{ends: [ground.A, block, ground.B]}}}}}}",
         "string has no ends: its way is from one end over pulleys to the other: {from: a, over: [pulley], to: b}",
     ),
     "units written together": (

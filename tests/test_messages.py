@@ -553,7 +553,11 @@ def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, 
             "{through: [0, 0]}",
             "a line needs a direction, e.g. {along: right}, {angle",
         ),
-        ("contact: {between: [crate, floor],", "rolling: {body: bob, on: floor,", "write contact: {between: [wheel"),
+        (
+            "contact: {between: [crate, floor],",
+            "rolling: {body: bob, on: floor, rolling_resistance: 1 mm,",
+            "a contact takes it",
+        ),
     ],
 )
 def test_what_people_write_first_is_led_to_what_is_meant(old: str, new: str, said: str) -> None:

@@ -247,13 +247,21 @@ def warned(text: str) -> list[tuple[str, str]]:
         (TURNED.replace("SPEED", "{value: 30, unit: 1/min}").replace("WAY", "W*t"), "hertz", "Write 30 rpm if"),
         (RUBBED.replace("LAW", "-M*phi").replace("5 rad/s", "-30 1/min"), "hertz", "-30 1/min is a speed in turns"),
         (SLOPE.replace("ANGLE", "20 deg, mu: 0.1"), "unused", "mu is used nowhere in the model"),
-        (PULLEY.replace("AXLE", ""), "loose pulley", "hold it, e.g. axle: {pin: [ground.A, pulley]}"),
+        (
+            PULLEY.replace("AXLE", "").replace("[block", "[ground.A"),
+            "loose pulley",
+            "hold it, e.g. axle: {pin: [ground.A, pulley]}",
+        ),
         (
             ON_A_CART.replace("PLACE", "30 cm"),
             "on a point",
             "cart is a particle, so crate balances on a point and tips about it",
         ),
-        (DRUM.replace("END", "drum"), "tied at the axle", "write wound on drum in place of drum; else drum.center"),
+        (
+            DRUM.replace("from: END, to: load", "path: [drum, load]"),
+            "tied at the axle",
+            "write wound on drum in place of drum; else drum.center",
+        ),
         (SPATIAL_DRUM.replace("END", "drum"), "tied at the axle", "write wound on drum in place of drum"),
         (HEAVY, "tied at the axle", "write wound_on: drum in place of drum"),
         (WALL.replace("PLACE", "0.45 m"), "inside a wall", "{contact: {between: [ball, wall]}}"),

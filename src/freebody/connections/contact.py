@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import itertools
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import look_at_fit
@@ -116,6 +116,13 @@ class Contact(Connection, kind="contact"):
         if len(named) == 1 and "between" not in given:  # {rod.end: floor}
             ((first, second),) = named
             given = {"between": [first, second], **{key: each for key, each in given.items() if key != first}}
+        alone = [key for key, each in given.items() if each is None and ("." in key or key not in cls.model_fields)]
+        if len(alone) == 1:  # {rod.end, on: floor}
+            given = {"body": alone[0], **{key: each for key, each in given.items() if key != alone[0]}}
+        first = given.get("between")
+        if isinstance(first, str) or (isinstance(first, list) and len(cast("list[Any]", first)) == 1):
+            one = first if isinstance(first, str) else cast("list[Any]", first)[0]  # {contact: wheel, on: floor}
+            given = {"body": one, **{key: each for key, each in given.items() if key != "between"}}
         two = [given[word] for word in _WHAT_TOUCHES if isinstance(given.get(word), str)]
         if len(two) != 2 or "between" in given or "among" in given:
             return given

@@ -79,7 +79,8 @@ parameters: {w: 2 rad/s}
             known = {*cls.model_fields, *cls.elsewhere}
             if len(given) == 1 and not given.keys() & known:
                 ((name, speed),) = given.items()
-                given = {"body": name, "speed": speed} if name.isidentifier() else given
+                own = speed if isinstance(speed, dict) else {"speed": speed}
+                given = {"body": name, **super().from_plain(own)} if name.isidentifier() else given
         return given
 
     def rows(self, names: Names) -> list[ConstraintRow]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection
@@ -27,6 +27,14 @@ class Link(Connection, kind="link"):
 
     called: ClassVar[tuple[str, ...]] = ("rod", "bar", "strut")
     also: ClassVar[tuple[str, ...]] = ("bar", "strut", "rod")
+
+    instead: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("bead", "bead_on", "bead_on_wire", "threaded", "threaded_on", "slides_on", "on_wire", "wire"),
+        Message(
+            "a bead on a ring keeps its distance from the middle: link: [ring, bead, R]; on a straight rod it is a "
+            "slot: {{pin: bead, on: rod, along: rod}}, on a curve a curved_rail: {{body: bead, y: x^2/a}}"
+        ),
+    )
 
     first: str
     second: str

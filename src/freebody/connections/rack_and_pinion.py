@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 from freebody.connections.base import Connection
 from freebody.connections.standing import ground_guide_of, is_parallel, number_of, stands_at, starts_at
@@ -50,6 +50,13 @@ bodies: {gear: {disk: {mass: 1 kg, radius: 1 m}}, bar: {rectangle: {mass: 1 kg, 
 connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}},
   it: {rack_and_pinion: {pinion: gear, rack: bar}}}
 """
+
+    def as_meant(self, names: Names) -> Self:
+        """With the pinion first, which is the one that has a radius."""
+        pinion, rack = names.bodies.get(self.pinion), names.bodies.get(self.rack)
+        if pinion is None or rack is None or pinion.radius is not None or rack.radius is None:
+            return self
+        return self.model_copy(update={"pinion": self.rack, "rack": self.pinion})
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         pinion, rack = names.body(self.pinion, "pinion"), names.body(self.rack, "rack")

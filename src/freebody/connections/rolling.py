@@ -49,6 +49,7 @@ _RIMS = (DISK, RING)
 
 
 _ROLLS = ("wheel", "disk", "ball", "cylinder", "roller", "sphere")  # what people call the body that rolls
+_PURE = ("without_slipping", "without_slip", "no_slip", "no_slipping", "pure", "pure_rolling")
 _BELOW = ("ground", "floor", "surface", "line", "road", "incline")
 
 
@@ -67,6 +68,15 @@ class Rolling(Connection, kind="rolling"):
     other one and touches it in a point (3 rows), on the side on which both are put. On a curve see
     rolling_on_curve, on a surface z = f(x, y) rolling_on_surface."""
 
+    also: ClassVar[tuple[str, ...]] = (
+        "rolls",
+        "roll",
+        "rolls_on",
+        "rolling_contact",
+        "rolls_without_slipping",
+        "rollt",
+    )
+
     body: str
     on: str | None = None
     inside: str | None = None
@@ -80,6 +90,7 @@ class Rolling(Connection, kind="rolling"):
         "of a disk or a ring on planes and spheres, a cone on planes only"
     )
     more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        **dict.fromkeys(_PURE, ()),
         **dict.fromkeys(_ROLLS, ("body",)),
         **dict.fromkeys(_BELOW, ("on",)),
     }
@@ -87,7 +98,7 @@ class Rolling(Connection, kind="rolling"):
     @classmethod
     def from_plain(cls, value: object) -> dict[str, Any]:
         """`{wheel: w, ground: floor}` as what rolls and on what."""
-        given = super().from_plain(value)
+        given = {key: each for key, each in super().from_plain(value).items() if key not in _PURE or each is not True}
         for field, words in (("body", _ROLLS), ("on", _BELOW)):
             word = next((word for word in words if isinstance(given.get(word), str)), None)
             if word is not None and field not in given:

@@ -20,18 +20,24 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_SLOTTED = ("slot_in", "slot_of", "slotted", "slotted_in", "in_slot_of")  # what people call the body with the slot
+
+
 class Slot(Connection, kind="slot"):
     """`slot: {pin: rod.end, along: up}`; `on` is the slotted body (default the ground), `through` a point of
     the slot's centre line. Holds the displacement across the slot (1 row). `friction`: the force that resists is mu
     times the normal force. A support on rollers is `roller: {at: beam.end, on: floor}`, or `along: right`."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
-    also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller", "Loslager")
+    also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller", "roller_support", "Loslager")
 
     said_by_word: ClassVar[Mapping[str, Mapping[str, str]]] = {
-        word: {"along": "right"} for word in ("roller", "Loslager")
+        word: {"along": "right"} for word in ("roller", "roller_support", "Loslager")
     }
-    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {"of": ("pin",)}
+    more_words: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        "of": ("pin",),
+        **dict.fromkeys(_SLOTTED, ("on",)),
+    }
 
     meeting = ("through", "pin")
 
@@ -55,6 +61,9 @@ connections: {it: {slot: {pin: rod.end, along: right}}}
     def from_plain(cls, value: object) -> dict[str, Any]:
         """A support on rollers is `{at: beam.end, on: floor}`: what it is on is the direction in which it is free."""
         given = super().from_plain(value)
+        slotted = next((word for word in _SLOTTED if isinstance(given.get(word), str)), None)
+        if slotted is not None and "on" not in given:
+            given["on"] = given.pop(slotted)
         if "of" in given and "pin" not in given:
             given["pin"] = given.pop("of")
         if "on" in given and "along" not in given:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from freebody.connections.base import Connection, coincidence
@@ -29,8 +29,18 @@ class Weld(Connection, kind="weld"):
     x]; without any it stays as both are `turned` at the start, else parallel to the first (6 rows)."""
 
     called: ClassVar[tuple[str, ...]] = ("clamp", "fixed support", "wall")
-    also: ClassVar[tuple[str, ...]] = ("clamp", "fixed", "rigid", "welded", "glued", "Einspannung", "starr")
+    also: ClassVar[tuple[str, ...]] = (
+        *("clamp", "clamped", "fixed", "rigid", "welded", "glued", "built_in", "fixed_support", "cantilever"),
+        *("Einspannung", "eingespannt", "starr"),
+    )
 
+    instead: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("sticks", "stick", "sticks_to", "embeds", "embedded", "lodges", "stays_in", "inelastic", "bleibt_stecken"),
+        Message(
+            "what strikes and stays is a weld that closes: weld: [bullet, rod.end], closes: at start, which also says "
+            "where it is then"
+        ),
+    )
     meeting = ("first", "second")
 
     first: str

@@ -35,6 +35,12 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_ONLY = {
+    **dict.fromkeys(("compression", "in compression", "push", "pushes", "pressure", "Druck"), "compressed"),
+    **dict.fromkeys(("tension", "in tension", "extension", "pull", "pulls", "Zug"), "stretched"),
+}
+
+
 class Spring(Load, kind="spring"):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
     natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself.
@@ -122,6 +128,12 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
             force += divide(multiply(preload, 1 + one * Call("sign", VALUE)), two)
         border = OneSided(distance, natural, stretch, negate(acting), pulls)
         return [AppliedLoad("", stretch, negate(force), one_sided=border)]
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """`only: compression` as `only: compressed`."""
+        given = super().from_plain(value)
+        return given | ({"only": _ONLY[said]} if (said := str(given.get("only"))) in _ONLY else {})
 
     @property
     def drawn_sign(self) -> int:

@@ -435,6 +435,11 @@ class Formulas(Noting):
             if not items and isinstance(value, (str, int, float)):
                 example = f"[{', '.join(str(each) for each in (value, *[0] * (len(self.origin) - 1)))}]"
                 hint = Message(", e.g. {example}", example=example)
+                if isinstance(value, str) and "." in value and value.replace(".", "_").isidentifier():
+                    hint = Message(
+                        ": where {point} is follows from what joins both, a weld or a pin, and from that alone",
+                        point=value,
+                    )
             self.problem(
                 Message(
                     "expected {wanted}, found {value}{hint}",

@@ -209,6 +209,13 @@ SURROUNDINGS = frozenset((
     "Gestell", "Lager", "Fundament",
 ))  # fmt: skip
 
+
+def is_of_surroundings(name: str) -> bool:
+    """Whether a name is that of something that does not move: `wall`, also `left_wall` or `wall2`."""
+    words = [word.rstrip("0123456789") for word in name.split("_")]
+    return name in SURROUNDINGS or any(word in SURROUNDINGS for word in (words[0], words[-1]))
+
+
 # What people call the ground where no body is called so, and points that bodies have by other names.
 _THE_GROUND = frozenset(("world", "gestell", "frame", "base", "fundament", "foundation", "umgebung"))
 _SAME_POINTS: Mapping[str, str] = {
@@ -338,7 +345,7 @@ class Names(Formulas):
         body_name, _, point_name = text.strip().partition(".")
         if body_name not in self.bodies and not point_name and self._is_ground_point(body_name):
             body_name, point_name = GROUND, body_name
-        if body_name not in self.bodies and not point_name and body_name in SURROUNDINGS:
+        if body_name not in self.bodies and not point_name and is_of_surroundings(body_name):
             body_name, point_name = GROUND, body_name
         if body_name not in self.bodies and point_name and folded(body_name) in _THE_GROUND:
             told = Message("{name} is no body of the model: it is the ground", name=body_name)

@@ -41,6 +41,8 @@ PAIRS = (
     "pulleys",
     "zwischen",
 )  # words for a list, of as many as there are fields for it
+FRICTION = ("friction_coefficient", "coefficient_of_friction", "coeff_of_friction", "friction_factor")
+RESTITUTION = ("coefficient_of_restitution", "restitution_coefficient", "e_restitution")
 # What people write for a field, whatever has it.
 MEANT: Mapping[str, tuple[str, ...]] = {
     "from": ("first", "start", "reacts_on"),
@@ -57,8 +59,8 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(("natural_length", "free_length", "unstretched_length"), ("length",)),
     **dict.fromkeys(("center", "com", "centre_of_mass"), ("center_of_mass",)),
     **dict.fromkeys(("initial_position", "start"), ("at",)),
-    **dict.fromkeys(("k", "constant", "spring_constant", "spring_rate"), ("stiffness",)),
-    **dict.fromkeys(("c", "damping_constant", "coefficient"), ("damping",)),
+    **dict.fromkeys(("k", "constant", "spring_constant"), ("stiffness",)),
+    **dict.fromkeys(("c", "coefficient"), ("damping",)),
     **dict.fromkeys(("value", "F"), ("magnitude", "strength", "intensity")),
     "force": ("magnitude",),
     "torque": ("magnitude",),
@@ -73,12 +75,17 @@ MEANT: Mapping[str, tuple[str, ...]] = {
     "speed": ("velocity", "angular_velocity"),
     **dict.fromkeys(("initial_velocity", "v0", "v", "Anfangsgeschwindigkeit"), ("velocity",)),
     **dict.fromkeys(("omega", "initial_angular_velocity", "spin"), ("angular_velocity", "speed")),
-    "initial_angle": ("angle",),
+    **dict.fromkeys(("initial_angle", "initial_orientation"), ("angle",)),
     "weight": ("mass",),
     "orientation": ("angle",),
     "rotation": ("angle",),
-    "mu": ("friction",),
-    "e": ("restitution",),
+    **dict.fromkeys(("mu", *FRICTION), ("friction",)),
+    **dict.fromkeys(("e", *RESTITUTION), ("restitution",)),
+    **dict.fromkeys(("moment_of_inertia", "mass_moment_of_inertia"), ("inertia",)),
+    **dict.fromkeys(("damping_coefficient", "damping_constant"), ("damping",)),
+    **dict.fromkeys(("spring_stiffness", "spring_rate"), ("stiffness",)),
+    **dict.fromkeys(("number_of_teeth", "n_teeth"), ("teeth",)),
+    **dict.fromkeys(("initial_speed", "start_velocity"), ("velocity",)),
     **dict.fromkeys(("r", "R"), ("radius",)),
     **dict.fromkeys(("m", "M"), ("mass", "magnitude")),
     **dict.fromkeys(("l", "L"), ("length",)),
@@ -125,6 +132,8 @@ MEANT: Mapping[str, tuple[str, ...]] = {
 }
 # Of these the words that can mean nothing else where there is such a field: they are read as it.
 SAME: frozenset[str] = frozenset((
+    *FRICTION, *RESTITUTION, "moment_of_inertia", "mass_moment_of_inertia", "damping_coefficient", "spring_stiffness",
+    "number_of_teeth", "n_teeth", "initial_speed", "start_velocity", "initial_orientation",
     "from", "to", "first", "second", "on", "at", "direction", "angle", "axis", "along", "value", "magnitude", "omega",
     "mu", "e", "g", "center", "com", "k", "spring_constant", "spring_rate", "c", "damping_constant",
     "rest_length", "natural_length", "free_length", "unstretched_length",

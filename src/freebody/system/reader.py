@@ -37,6 +37,7 @@ from freebody.system.reading.ground import (
 from freebody.system.reading.hanging import hang_what_is_struck
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
+from freebody.system.reading.lying import tell_what_lies_level
 from freebody.system.reading.measures import add_place_of_the_only_body, add_turned_at_start, read_measures
 from freebody.system.reading.nodes import with_pins_of_nodes
 from freebody.system.reading.parameters import read_parameters
@@ -116,6 +117,7 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     names.struck_when = {name: event.text for name, event in (*closing.items(), *striking.items())}
     names.struck_at_start = frozenset(closed | {name for name in names.impulses if name not in striking})
     hang_what_is_struck(names, held, start)
+    tell_what_lies_level(names, held)
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     add_place_of_the_only_body(names, held, offered)
     add_turned_at_start(names)

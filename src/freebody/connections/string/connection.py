@@ -58,6 +58,33 @@ if TYPE_CHECKING:
 _SLIPS = {"slip": True, "slips": True, "no_slip": False, "slipping": True}
 
 
+_BOTH_ENDS = ("bodies", "between", "ends", "connects")
+_PULLEYS = ("pulley", "pulleys", "around", "via", "passes_over", "runs_over")
+
+
+def _as_list(value: Any) -> list[Any]:
+    return cast("list[Any]", value) if isinstance(value, list) else [value]
+
+
+def _with_ends(given: dict[str, Any]) -> dict[str, Any]:
+    """`{between: [a, b], pulley: p}` as from one end over what is on the way to the other."""
+    read = dict(given)
+    ends = next((word for word in _BOTH_ENDS if isinstance(given.get(word), list)), None)
+    both = cast("list[Any]", given[ends]) if ends is not None else []
+    is_free = not given.keys() & {"from", "to", "path"}
+    if ends is not None and is_free and len(both) == 2 and all(isinstance(end, str) for end in both):
+        read |= {"from": both[0], "to": both[1]}
+        del read[ends]
+    over = next((word for word in _PULLEYS if isinstance(given.get(word), str | list)), None)
+    if over is not None and not given.keys() & {"over", "under", "path"}:
+        read["over"] = read.pop(over)
+    if {"from", "to", "over", "under"} <= read.keys() and "path" not in read:  # in the order in which it is written
+        way = [f"{key} {each}" for key in read if key in ("over", "under") for each in _as_list(read[key])]
+        rest = {key: each for key, each in read.items() if key not in ("from", "to", "over", "under")}
+        return {"path": [read["from"], *way, read["to"]], **rest}
+    return {key: [each] if key == "over" and isinstance(each, str) else each for key, each in read.items()}
+
+
 class String(Connection, kind="string"):
     """`string: {from: left, over: [pulley], to: right}`; longer ways as a list, with hubs and drums:
     `string: {path: [wound on drum radius r at right, under moving, over fixed, ground.A]}`.
@@ -96,6 +123,11 @@ class String(Connection, kind="string"):
     )
     also: ClassVar[tuple[str, ...]] = ("rope", "cord", "cable", "thread", "Seil", "Faden", "Schnur")
     elsewhere: ClassVar[Mapping[str, str]] = {
+        "angle": Message(
+            "its direction follows from where its ends are put, e.g. from: [-1 m*cos(alpha), 1 m*sin(alpha)], with at: "
+            "[0, 0] in the body to which it leads"
+        ),
+        "radius": Message("it is wound on a circle of another radius than the rim as: to: wound on yoyo radius r"),
         "length": Message(
             "it is as long as where its ends and the bodies on its way are put (at) makes it; two points at a fixed "
             "distance are a link: {{from: A, to: B, length: L}}"
@@ -105,7 +137,7 @@ class String(Connection, kind="string"):
             Message("what it is wound on is one of its ends, with its side: to: wound on yoyo at right"),
         ),
         **dict.fromkeys(
-            ("bodies", "between", "ends", "pulley", "pulleys", "around"),
+            (*_BOTH_ENDS, *_PULLEYS),
             Message("its way is from one end over pulleys to the other: {{from: a, over: [pulley], to: b}}"),
         ),
     }
@@ -180,7 +212,7 @@ connections:
                 return {"from": items[0], "over": items[1:-1], "to": items[-1]}
             between = [item if " " in item.strip() else f"over {item}" for item in items[1:-1]]
             return {"path": [items[0], *between, items[-1]]}
-        given = super().from_plain(value)
+        given = _with_ends(super().from_plain(value))
         if "turns" in given and "wrap" not in given:
             given["wrap"] = f"({given.pop('turns')})*2*pi"
         slips = [given.pop(word) is is_so for word, is_so in _SLIPS.items() if isinstance(given.get(word), bool)]

@@ -46,6 +46,7 @@ class Disk(Gyrating, kind="disk"):
         ),
     }
     also: ClassVar[tuple[str, ...]] = (
+        *("solid_disk", "solid_disc", "solid_cylinder", "sheave"),
         "disc",
         "cylinder",
         "pulley",

@@ -20,7 +20,7 @@ class Ring(Gyrating, kind="ring"):
     inside. `hub: r` is the radius of a second circle about its middle, on which a rope is wound."""
 
     called: ClassVar[tuple[str, ...]] = ("hoop", "wheel", "pipe")
-    also: ClassVar[tuple[str, ...]] = ("hoop",)
+    also: ClassVar[tuple[str, ...]] = ("hoop", "thin_ring", "thin_hoop", "rim")
 
     mass: Formula = 0
     radius: Formula | None = None

@@ -25,7 +25,8 @@ class Rod(Shape, kind="rod"):
 
     called: ClassVar[tuple[str, ...]] = ("bar", "beam", "ladder", "link", "crank", "stick", "pole", "arm")
     also: ClassVar[tuple[str, ...]] = (
-        *("bar", "beam", "ladder", "crank", "stick", "pole", "arm"),
+        *("bar", "beam", "ladder", "crank", "stick", "pole", "arm", "lever", "boom", "girder", "coupler", "rocker"),
+        *("connecting_rod", "conrod", "jib", "mast", "Hebel", "Ausleger", "Träger", "Koppel", "Schwinge"),
         *("Stab", "Balken", "Leiter", "Kurbel", "Stange", "Pleuel"),
     )
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 class Sphere(Shape, kind="sphere"):
     """A homogeneous ball; I = 2/5 m R^2 about any axis through its centre."""
 
-    also: ClassVar[tuple[str, ...]] = ("Kugel",)
+    also: ClassVar[tuple[str, ...]] = ("Kugel", "solid_sphere", "solid_ball")
 
     called: ClassVar[tuple[str, ...]] = ("ball",)
 

@@ -21,20 +21,39 @@ from typing import cast
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.system.reading.written.beams import with_beam
+from freebody.system.reading.written.distances import with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
-from freebody.system.reading.written.gears import with_modules
+from freebody.system.reading.written.gears import bear_gears, place_axles, with_modules
 from freebody.system.reading.written.held import ground_as_line, hold_bodies, roughen_lines
 from freebody.system.reading.written.linkages import with_linkage
 from freebody.system.reading.written.lists import name_items
+from freebody.system.reading.written.oscillators import stretch_springs
+from freebody.system.reading.written.planetary import with_planetary
+from freebody.system.reading.written.pulleys import hold_pulleys
+from freebody.system.reading.written.scalars import spread_scalars
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
-from freebody.system.reading.written.spelling import ground_for_world, spell_entry, spell_sections
+from freebody.system.reading.written.spelling import ground_for_world, sides_as_called, spell_entry, spell_sections
+from freebody.system.reading.written.stacks import lay_in_stacks
 from freebody.system.reading.written.starts import start_of_bodies
 from freebody.system.reading.written.trusses import with_truss
 from freebody.system.reading.written.vectors import without_brackets
 
 _NAMED = (*JOINED, "bodies", "parameters", "measures", "start")
-_IN_WORDS = ("title", "about", "source", "questions", "find", "ask", "wanted")  # sections of what is no formula
+# sections of what is no formula
+_IN_WORDS = (
+    "title",
+    "name",
+    "about",
+    "description",
+    "source",
+    "questions",
+    "find",
+    "ask",
+    "wanted",
+    "drawing",
+    "style",
+)
 _AT_REST = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
 _IN_SPACE = ("3d", "3", "yes", "spatial")
 
@@ -58,6 +77,7 @@ def _put_in_order(w: Written) -> None:
         w.assumed.append(told)
     with_beam(w)
     with_linkage(w)
+    with_planetary(w)
     if str(w.data.get("start")).lower() in _AT_REST:
         del w.data["start"]
     rename_sections(w)
@@ -68,6 +88,7 @@ def _put_in_order(w: Written) -> None:
     take_in_sections(w)
     lines_of_ground(w)
     ground_for_world(w)
+    sides_as_called(w)
     for section in ("bodies", *JOINED):
         entries = w.data.get(section)
         for name, entry in list(cast("Entry", entries).items()) if isinstance(entries, dict) else ():
@@ -75,6 +96,13 @@ def _put_in_order(w: Written) -> None:
             put_entry_in_order(w, section, name, spelt)
         if section == "bodies":
             hold_bodies(w)
+    with_distances(w)
     roughen_lines(w)
     ground_as_line(w)
+    spread_scalars(w)
+    hold_pulleys(w)
+    stretch_springs(w)
+    lay_in_stacks(w)
     with_modules(w)
+    bear_gears(w)
+    place_axles(w)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from typing import Any, cast
@@ -283,6 +284,15 @@ class BodySections:
                 hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=fields)
                 if key in SPATIAL_OPTIONS:
                     hint = Message(" It is for models in space: write space: true.")
+                if key in ("acceleration", "Beschleunigung"):
+                    law = {"driver": {"measure": f"x of {name}", "follows": f"({value})*t^2/2"}}
+                    entries: dict[str, Any] = {f"drive_of_{name}": law}
+                    if re.search(rf"\b{re.escape(name)}\b", str(self.source.mapping("connections"))) is None:
+                        entries = {f"guide_of_{name}": {"slider": {"body": name, "along": "right"}}, **entries}
+                    hint = Message(
+                        " A motion that is prescribed is a driver: connections: {{{entry}}}",
+                        entry=flow_text(entries)[1:-1],
+                    )
                 if key == "massless":
                     hint = Message(" A body is massless where no mass is given, as in {{disk: {{radius: 0.1 m}}}}.")
                 if key == "angle":

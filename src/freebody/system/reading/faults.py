@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, cast
 
@@ -81,6 +82,16 @@ def _is_of_turning(value: Any) -> bool:
         return False
 
 
+def _instead_of(kind: type[Spec], key: str) -> str | None:
+    """What to write for a key that is another kind's, also by a word for it."""
+    return next((kind.elsewhere[word] for word in (key, *MEANT.get(key, ())) if word in kind.elsewhere), None)
+
+
+def _known(kind: type[Spec], fields: Mapping[str, Any]) -> list[str]:
+    """Which of some fields a kind has."""
+    return [key for key in fields if key in kind.model_fields or kind.meant(key) or key in kind.more_words]
+
+
 class Faults:
     """What is told of a description that cannot be read."""
 
@@ -121,11 +132,12 @@ class Faults:
             return Message("say of which kind it is, e.g. {name}: {example}", name=name, example=example)
         if isinstance(value, str | int | float) and kinds is Load.kinds:
             return Message("say where it acts and which way, e.g. {name}: {value} down at BODY", name=name, value=value)
+        known = sorted(able, key=lambda kind: -len(_known(kinds[kind], fields)))
         return Message(
             "give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {names}",
             name=name,
-            hint=able[0],
-            names=", ".join(able),
+            hint=known[0],
+            names=", ".join(known if _known(kinds[known[0]], fields) else able),
         )
 
     def _no_kind(self, section: str, kind: str, fields: Any, kinds: Mapping[str, type[Spec]]) -> Message:
@@ -140,7 +152,8 @@ class Faults:
             )
         everything = {**kinds, **others}
         words = {folded(word): told for each in everything.values() for word, told in each.instead.items()}
-        if (told := words.get(folded(kind))) is not None:
+        spoken = (folded(kind), *re.split(r"[\W_]+", folded(kind)))
+        if (told := next((words[word] for word in spoken if word in words), None)) is not None:
             return Message("{kind} is no kind of {what}: {told}", kind=kind, what=what, told=told)
         taking = sorted(
             name
@@ -276,6 +289,10 @@ class Faults:
         inside = self.belongs_inside(kind, word, entry, beside)
         for key in entry:
             if key not in (word, *beside, *inside):
+                if (instead := _instead_of(kind, key)) is not None:
+                    told = Message("{what} has no {key}: {instead}", what=kind.kind, key=key, instead=instead)
+                    self.names.problem(told, key)
+                    continue
                 told = Message(
                     "{what} has no {key}; {kind} takes {names}{example}",
                     what=name,

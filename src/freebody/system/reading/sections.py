@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from freebody.model.friction import AT_REST, IN_MOTION
+from freebody.model.spec import FRICTION, RESTITUTION
 
 SECTIONS = (
     "freebody",
@@ -36,7 +37,7 @@ MEANT_SECTIONS: Mapping[str, str] = {
     **dict.fromkeys(("coordinates", "variables", "outputs"), "measures"),
     **dict.fromkeys(("constants", "symbols", "values", "given"), "parameters"),
     **dict.fromkeys(("find", "ask", "wanted"), "questions"),
-    **dict.fromkeys(("elements", "parts"), "bodies"),
+    **dict.fromkeys(("elements", "parts", "masses", "objects", "components"), "bodies"),
     **dict.fromkeys(("name",), "title"),
     **{"Parameter": "parameters", "gegeben": "parameters", "Körper": "bodies", "verbindungen": "connections"},
     **{"Verbindungen": "connections", "Gelenke": "connections", "Lager": "connections", "Boden": "ground"},
@@ -53,7 +54,10 @@ MEANT_SECTIONS: Mapping[str, str] = {
     **dict.fromkeys(("description",), "about"),
 }
 OF_LINES = ("through", "along", "angle", "solid", "x", "y")  # the fields of a line
-ROUGH = ("friction", "mu", "Reibung", "Reibungszahl", *AT_REST, *IN_MOTION, "restitution", "e")  # of what touches
+ROUGH = (  # of what touches
+    *("friction", "mu", "Reibung", "Reibungszahl", *FRICTION, *AT_REST, *IN_MOTION),
+    *("restitution", "e", *RESTITUTION),
+)
 OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
 
 SAYS_KIND = ("type", "kind", "shape")  # in an entry

@@ -202,6 +202,10 @@ class Source(Faults, GroundPoints):
                 self.names.problem(message, *path, *where)
             return None
 
+    def _word_of(self, key: str, fields: Any, kinds: Mapping[str, type[Spec]]) -> str | None:
+        """The kind that a key of an entry stands for; of several for which it may, none."""
+        return key if key in kinds else written_kind(key, fields, kinds, space=self.names.space)
+
     def specs(self, section: str, kinds: Mapping[str, type[SpecT]], beside: Collection[str] = ()) -> dict[str, SpecT]:
         """The descriptions of a section by name. beside: keys that an entry may have beside its kind."""
         found: dict[str, SpecT] = {}
@@ -212,8 +216,11 @@ class Source(Faults, GroundPoints):
                 if isinstance(value, dict):
                     entry = cast("dict[str, Any]", value)
                     value = {key: fields for key, fields in entry.items() if key not in beside}
-                    if len(own := [key for key in value if key in kinds]) == 1 < len(value):
-                        self._beside_a_kind(name, kinds[own[0]], own[0], entry, beside)
+                    own = [key for key in value if key in kinds] or [
+                        key for key, fields in value.items() if self._word_of(key, fields, kinds) is not None
+                    ]
+                    if len(own) == 1 < len(value) and (word := self._word_of(own[0], value[own[0]], kinds)):
+                        self._beside_a_kind(name, kinds[word], own[0], entry, beside)
                         continue
                 if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
                     self.names.problem(self._kind_wanted(name, value, kinds))

@@ -6,7 +6,9 @@ import re
 from collections.abc import Container, Mapping
 from dataclasses import replace
 
+from freebody.language.document.writer import flow_text
 from freebody.language.expression import Expr, name_problem
+from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
@@ -15,6 +17,12 @@ from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.system.reading.source import Source
+
+_OF_ONE = {  # what people write of the one body that they think of
+    **dict.fromkeys(("velocity", "speed", "initial_velocity", "initial_speed", "v0", "v"), "rate(x of {body})"),
+    **dict.fromkeys(("angular_velocity", "omega", "initial_angular_velocity"), "rate(angle of {body})"),
+    **dict.fromkeys(("position", "displacement", "initial_position", "initial_displacement"), "x of {body}"),
+}
 
 
 def _is_mode(source: Source, key: str) -> bool:
@@ -56,6 +64,9 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
                     f"measures: {{{coordinate}_{of_body}: {of} of {of_body}}}, start: {{{coordinate}_{of_body}: ...}}"
                 )
                 hint = Message(" Say what it is, e.g. {example}", example=example)
+            elif body and (said := _OF_ONE.get(folded(key))) is not None:
+                example = f"{said.format(body=body)}: {flow_text(value)}"
+                hint = Message(" Say of what, e.g. start: {{{example}}}", example=example)
             elif not known and body and not name_problem(name):
                 of = f"angle of {body} from down" if names.bodies[body].turns else f"x of {body}"
                 example = f"measures: {{{name}: {of}}}"

@@ -48,6 +48,11 @@ class Written:
         self.data[to] = {**cast("Entry", there), name: self.data[section].pop(name)}
 
 
+def are_mappings(w: Written, *sections: str) -> bool:
+    """Whether sections are there as mappings, or not at all: anything else is told where it is read."""
+    return all(isinstance(w.data.get(section) or {}, dict) for section in sections)
+
+
 def keys_beside(section: str, *, space: bool) -> tuple[str, ...]:
     """What an entry of a section may have beside its kind."""
     if section == "bodies":

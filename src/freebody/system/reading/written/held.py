@@ -2,6 +2,7 @@
 
 crate: {block: {mass: m}, on: slope, mu: 0.2}      connections: {crate_on_slope: {contact: [crate, slope], mu: 0.2}}
 drum: {disk: {radius: R}, pivot: [0, 1 m]}         connections: {drum_pivot: {pin: [[0, 1 m], drum]}}
+tip: {particle: {mass: m}, attached_to: rod.end}   connections: {tip_attached: {weld: [rod.end, tip]}}
 lines: {slope: {angle: 30 deg, friction: mu}}      the friction of everything that touches the slope
 
 What is round may slide or roll where it lies, and what is not may be held at any of its points: such a file is told.
@@ -13,14 +14,19 @@ import re
 from typing import Any, cast
 
 from freebody.connections.base import Connection
+from freebody.language.folded import folded
 from freebody.measures.geometry import GROUND
 from freebody.model.spec import Spec
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.sections import ROUGH
+from freebody.system.reading.written.entries import rolling_with_friction
 from freebody.system.reading.written.form import Entry, Written, as_option, keys_beside, shape_of
 
 _ON = ("on", "lies_on", "rests_on")
-_CONTACT, _PIN = "contact", "pin"
+_ATTACHED = ("attached_to", "fixed_to", "welded_to", "glued_to", "mounted_on", "fixed_at", "befestigt_an")
+_HINGED = ("hinged_to", "pinned_to", "pivoted_to", "hinged_at", "pinned_at", "pivoted_at", "gelenkig_an")
+_ROLLING = "rolling"
+_CONTACT, _PIN, _WELD, _POINT = "contact", "pin", "weld", "particle"
 _OF_TOUCHING = {"friction", "restitution"}
 
 
@@ -56,6 +62,10 @@ def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dic
             on, called = value.rsplit(".", 1)[-1], f"{name}_on_{value.replace('.', '_')}"
             is_told = any(_names(each, name) and _names(each, on) for each in connections.values())
             found[key] = called, {} if is_told else {_CONTACT: {"between": [name, value], **rough}}, rough
+        elif folded(key) in _ATTACHED and isinstance(value, str) and (is_round or shape.kind == _POINT):
+            found[key] = f"{name}_attached", {_WELD: [value, name]}, {}
+        elif folded(key) in _HINGED and isinstance(value, str) and (is_round or shape.kind == _POINT):
+            found[key] = f"{name}_hinged", {_PIN: [value, name]}, {}
         elif written_kind(key, None, Connection.kinds, space=False) == _PIN and is_round and _is_place(value):
             found[key] = f"{name}_{key}", {_PIN: [value, name]}, {}
     return found
@@ -97,6 +107,10 @@ def roughen_lines(w: Written) -> None:
                 word, own, kind = found
                 added = {key: value for key, value in kind.from_plain(rough).items() if key not in own}
                 connections[called] = {**connections[called], word: {**own, **added}}
+            elif isinstance(connections[called], dict) and len(connections[called]) == 1:
+                ((word, _value),) = connections[called].items()
+                if written_kind(word, _value, Connection.kinds, space=False) == _ROLLING:
+                    connections[called] = rolling_with_friction(w, called, {**connections[called], **rough}, word)
         if touching:
             left = {key: value for key, value in said.items() if key not in rough}
             lines = {k: left if k == name else v for k, v in cast("Entry", lines).items() if k != name or left}

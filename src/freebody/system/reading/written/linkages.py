@@ -15,9 +15,11 @@ from typing import Any, cast
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-from freebody.system.reading.written.form import Entry, Written
+from freebody.system.reading.written.form import Entry, Written, are_mappings
 
 _LINKS = ("links", "Glieder")
+_FRAMES = ("ground", "frame", "fixed", "base", "ground_link", "fixed_link", "gestell")
+_HINGED = ("A", "B", "C", "D")
 _PLACES = ("points", "nodes", "joints", "Punkte")
 _HELD = ("ground", "fixed", "supports", "joints", "pivots")
 _ON_GROUND = re.compile(r"\b(ground|grounded|fixed|frame|world|gestell|pin|pinned|support)\b")
@@ -27,6 +29,7 @@ _ENDS = (("from", "to"), ("start", "end"), ("first", "second"), ("von", "nach"))
 
 def with_linkage(w: Written) -> None:
     """Puts links between points among the bodies, with pins where they meet; whatever else there is stays as it is."""
+    _with_four_bars(w)
     links = next((key for key in _LINKS if isinstance(w.data.get(key), dict)), None)
     places = next((key for key in _PLACES if isinstance(w.data.get(key), dict)), None)
     if w.space or links is None or places is None or w.data.get("bodies"):
@@ -54,6 +57,61 @@ def with_linkage(w: Written) -> None:
     w.moved |= {("connections", node): (places, node) for node in pins}
     w.moved |= {("ground", "points", node): (places, node) for node in held}
     w.assumed.append(Message("the links are rods that are hinged where they meet: {nodes}", nodes=", ".join(pins)))
+
+
+def _with_four_bars(w: Written) -> None:
+    """`links: {ground: 10 cm, crank: 3 cm, coupler: 9 cm, rocker: 7 cm}`: a loop of four by their lengths, the three
+    that move in the order in which they are hinged to each other, from the origin to the other point of the ground."""
+    key = next((key for key in _LINKS if isinstance(w.data.get(key), dict)), None)
+    if key is None or w.space or not are_mappings(w, "bodies", "ground", "connections") or w.data.get("bodies"):
+        return
+    given = {name: _length(entry) for name, entry in cast("Entry", w.data[key]).items()}
+    fixed = [name for name in given if folded(name) in _FRAMES]
+    moving = [name for name in given if name not in fixed]
+    pins: Entry = dict(zip(_HINGED, _ends_of(moving), strict=False))
+    taken = {*cast("Entry", w.data.get("connections") or {})}
+    if len(fixed) != 1 or len(moving) != 3 or None in given.values() or any(map(name_problem, moving)):
+        return
+    if taken & pins.keys() or (w.data.get("ground") or {}):
+        return
+    ends = {_HINGED[0]: [0, 0], _HINGED[-1]: [given[fixed[0]], 0]}
+    w.data = {name: each for name, each in w.data.items() if name != key}
+    w.data |= {"ground": {"points": ends}, "bodies": {name: {"rod": {"length": given[name]}} for name in moving}}
+    w.data["connections"] = {**cast("Entry", w.data.get("connections") or {}), **pins}
+    w.moved |= {("bodies", name): (key, name) for name in moving} | {("connections", pin): (key,) for pin in pins}
+    w.assumed.append(
+        Message(
+            "{first} is hinged to the ground at {A}, {last} at {D}, and {middle} joins both",
+            first=moving[0],
+            middle=moving[1],
+            last=moving[2],
+            A=_HINGED[0],
+            D=_HINGED[-1],
+        )
+    )
+
+
+def _ends_of(moving: list[str]) -> list[Entry]:
+    """The pins of three rods in a row between two points of the ground."""
+    if len(moving) != 3:
+        return []
+    first, middle, last = moving
+    pairs = [
+        [f"ground.{_HINGED[0]}", f"{first}.start"],
+        [f"{first}.end", f"{middle}.start"],
+        [f"{middle}.end", f"{last}.end"],
+        [f"ground.{_HINGED[-1]}", f"{last}.start"],
+    ]
+    return [{"pin": pair} for pair in pairs]
+
+
+def _length(entry: Any) -> Any:
+    """`3 cm`, or `{length: 3 cm}`."""
+    fields = cast("Entry", entry) if isinstance(entry, dict) else {"length": entry}
+    lengths = [
+        each for name, each in fields.items() if name in ("length", "L", "l") and isinstance(each, str | int | float)
+    ]
+    return lengths[0] if len(lengths) == len(fields) == 1 else None
 
 
 def _link(entry: Any, nodes: Entry) -> tuple[tuple[str, str], Entry] | None:

@@ -13,6 +13,7 @@ from typing import Any, cast
 
 from freebody.language.folded import folded
 from freebody.measures.geometry import GROUND
+from freebody.model.names import is_of_surroundings
 from freebody.model.spec import Spec
 from freebody.system.reading.written.form import Entry, Written, shape_of
 from freebody.system.reading.written.vectors import by_axes
@@ -22,6 +23,7 @@ PLACES = ("point", "at", "Punkt")
 _GROUND = ("boden", "gestell", "fundament", "erde", "frame", "base")
 _HELD = "pin"  # the field of a point that is guided
 _JOINED = ("first", "second")
+_ENDS = ("from", "to", "first", "second")
 
 
 def with_points(w: Written, name: str, kind: type[Spec], value: Any) -> Any:
@@ -39,8 +41,8 @@ def with_points(w: Written, name: str, kind: type[Spec], value: Any) -> Any:
     fields = {key: _named(w, each) for key, each in cast("Entry", value).items()}
     if is_joint(kind):
         fields = {key: _on_ground(w, each) for key, each in fields.items()}
-        return _joined(w, fields)
-    fields = of_owner(w, fields)
+        return _joined(w, name, fields)
+    fields = _of_body(w, kind, _beside_ground(w, of_owner(w, fields)))
     known = kind.model_fields.keys()
     if _HELD in known and _HELD not in fields and "body" not in known:
         return {_HELD if key in _OWNERS and key not in known else key: each for key, each in fields.items()}
@@ -80,7 +82,33 @@ def of_owner(w: Written, fields: Entry) -> Entry:
     return {key: point if key == owners[0] else each for key, each in fields.items() if key != places[0]}
 
 
-def _joined(w: Written, fields: Entry) -> Entry:
+def _of_body(w: Written, kind: type[Spec], fields: Entry) -> Entry:
+    """`{ball: slope}` of what rolls or touches: the body and what it is on."""
+    known = kind.model_fields.keys()
+    named = [
+        key for key, each in fields.items() if key in _bodies(w) and isinstance(each, str) and each not in _bodies(w)
+    ]
+    if len(named) != 1 or not {"body", "on"} <= known or {"body", "on"} & fields.keys():
+        return fields
+    rest = {key: each for key, each in fields.items() if key != named[0]}
+    return {"body": named[0], "on": fields[named[0]], **rest}
+
+
+def _beside_ground(w: Written, fields: Entry) -> Entry:
+    """`{from: wall, at: [0, b], to: boom.end}` as `{from: [0, b], to: boom.end}`."""
+    ends = [key for key in _ENDS if isinstance(each := fields.get(key), str) and _is_of_ground(w, each)]
+    places = [key for key in PLACES if isinstance(fields.get(key), list)]
+    if len(ends) != 1 or len(places) != 1:
+        return fields
+    return {key: fields[places[0]] if key == ends[0] else each for key, each in fields.items() if key != places[0]}
+
+
+def _is_of_ground(w: Written, name: str) -> bool:
+    is_known = name in (*_bodies(w), *_ground_points(w))
+    return not is_known and (name == GROUND or folded(name) in _GROUND or is_of_surroundings(name))
+
+
+def _joined(w: Written, name: str, fields: Entry) -> Entry:
     """Where a joint is: a point of the ground, or one of the body that it holds to the ground."""
     at = next((key for key in PLACES if key in fields), None)
     if at is None:
@@ -95,7 +123,9 @@ def _joined(w: Written, fields: Entry) -> Entry:
             return {**rest, key: [on_ground if end == GROUND else end for end in ends]}
         if each == GROUND and (is_place or _is_name(w, place)):
             return {**rest, key: on_ground}
-    if len(rest) == 1 and next(iter(rest)) in _OWNERS:
+    if not rest and isinstance(place, str) and place.partition(".")[0] in _bodies(w):
+        return {"first": f"{GROUND}.{name}", "second": place}
+    if len(rest) == 1 and next(iter(rest)) in (*_OWNERS, *_JOINED):
         (body,) = rest.values()
         if is_place:
             return {"first": on_ground, "second": body}

@@ -11,13 +11,15 @@ from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.language.folded import folded
-from freebody.model.written_kinds import words_also
+from freebody.model.written_kinds import words_also, written_kind
 from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, ROUGH, SAYS_KIND, SECTIONS
 from freebody.system.reading.written.form import (
     JOINED,
     SAYS_NAME,
     Entry,
     Written,
+    as_option,
+    keys_beside,
     kinds_of,
     section_of,
     takes_as,
@@ -26,7 +28,8 @@ from freebody.system.reading.written.lists import name_items, with_names
 from freebody.system.reading.written.spelling import spell_entry
 
 _BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no connection
-_PLURALS = ("s", "e", "en", "n", "")
+_BODY, _DRIVER = "body", "driver"
+_PLURALS = ("s", "es", "e", "en", "n", "")
 _FLOOR, _LEVEL = "floor", "y"  # `ground: {y: 0}`
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 
@@ -55,8 +58,10 @@ def take_in_sections(w: Written) -> None:
             continue
         if key in OF_GROUND or (key in _PLACES and _are_places(value)):
             _take_in(w, "ground", {key if key in OF_GROUND else "points": value}, key, (key,))
-        elif (joined := _joined_as(w, key, value)) is not None:
+        elif (joined := _joined_as(w, key, value) or _called_as(w, key, value)) is not None:
             _take_in(w, joined, {key: {key: value}}, key, (key,))
+        elif _says_a_body(w, key, value):
+            _take_in(w, "bodies", {key: value}, key, (key,))
 
 
 def lines_of_ground(w: Written) -> None:
@@ -147,7 +152,12 @@ def _of_name(w: Written, word: str, name: str, entry: Any) -> Any:
     if isinstance(entry, str) and isinstance(bodies, dict) and entry in bodies and word not in kinds_of("loads"):
         return {word: entry}
     whole = {name: entry}
-    is_led = isinstance(bodies, dict | list) and name in bodies and not isinstance(entry, dict | list)
+    is_body = isinstance(bodies, dict | list) and name in bodies
+    if is_body and isinstance(entry, dict) and word not in kinds_of("loads"):
+        led = {_BODY: name, **cast("Entry", entry)}
+        if word in (_DRIVER, *kinds_of("connections")[_DRIVER].also) and not is_its_own:
+            return {word: led}
+    is_led = is_body and not isinstance(entry, dict | list)
     if is_led and any(takes_as(word, whole, kinds_of(at), space=w.space) for at in JOINED):
         return {word: whole}
     return _as_kind(w, word, entry)
@@ -176,6 +186,25 @@ def _joined_as(w: Written, key: str, value: Any) -> str | None:
         if takes_as(key, value, kinds_of(section), space=w.space):
             return section
     return None
+
+
+def _called_as(w: Written, key: str, value: Any) -> str | None:
+    """The section of the connection or the load by which a section is called, some of whose fields it has: which of
+    them are wrong is told where it stands."""
+    for section in JOINED if isinstance(value, dict) else ():
+        kind = written_kind(key, value, kinds_of(section), space=w.space)
+        read = {} if kind is None else kinds_of(section)[kind].from_plain(value)
+        if kind is not None and any(field in kinds_of(section)[kind].model_fields for field in read):
+            return section
+    return None
+
+
+def _says_a_body(w: Written, key: str, value: Any) -> bool:
+    """Whether a section is one body: it is called by a word for a shape that takes what it says."""
+    fields = cast("Entry", value) if isinstance(value, dict) else {}
+    options = keys_beside("bodies", space=w.space)
+    own = {field: each for field, each in fields.items() if not as_option(field, options)}
+    return bool(own) and takes_as(key.rstrip("_0123456789") or key, own, kinds_of("bodies"), space=w.space)
 
 
 def _take_in(w: Written, section: str, own: Entry, key: str, place: Place) -> None:

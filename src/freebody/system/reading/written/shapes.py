@@ -24,6 +24,8 @@ from freebody.system.reading.written.vectors import SPEEDS
 
 _TURNS = ("angular_velocity", "angle", "turned", "points", "lines", "outline")
 _ALIKE = 0.7  # of a word to that of a field: a slip of the pen
+_DISK = "disk"
+_LENGTH = "length"  # what says that alone is a rod
 _FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of them
 
 
@@ -44,11 +46,22 @@ def with_shape(w: Written, name: str, entry: Entry) -> Entry:
         return entry
     kinds = [kind for kind in Shape.kinds.values() if w.space or not kind.space_only]
     own = {key: value for key, value in fields.items() if any(_knows(kind, key) for kind in kinds)}
-    able = [kind for kind in kinds if kind.also and own and _takes_exactly(kind, own)]
+    if own.keys() < fields.keys() and takes_as(word, own, Shape.kinds, space=w.space):
+        return _with(
+            w, name, entry, word, own
+        )  # what it is called says its shape, and what no shape has stays beside it
+    taking = [kind for kind in kinds if own and _takes_exactly(kind, own)]
+    able = [kind for kind in taking if kind.also] or taking
+    if len(able) > 1 and "radius" in own and ("mass" not in own or "inertia" in own):
+        able = [
+            kind for kind in able if kind.kind == _DISK
+        ]  # what is round and light, or of a known inertia, moves alike
     whole = [kind for kind in able if len(kind.model_fields) == len(own)]
-    if len(own) < _FEWEST:
-        able = [kind for kind in whole if not _is_more_than_a_point(w, name, entry)]
-    if len(able) != 1 or _is_called_otherwise(name, able[0]):
+    if len(own) < _FEWEST and [kind.kind for kind in able] != [_DISK]:
+        is_long = _LENGTH in {_LENGTH if _LENGTH in kind.meant(key) else key for kind in able for key in own}
+        plainest = sorted(able, key=lambda kind: len(kind.model_fields))[:1] if is_long else []
+        able = plainest or [kind for kind in whole if not _is_more_than_a_point(w, name, entry)]
+    if len(able) != 1 or _is_called_otherwise(w, name, able[0]):
         return entry
     shape = able[0].kind
     w.assumed.append(
@@ -95,9 +108,9 @@ def _is_more_than_a_point(w: Written, name: str, entry: Entry) -> bool:
     return (bool(turns) and not is_thrown) or named is not None
 
 
-def _is_called_otherwise(name: str, shape: type[Spec]) -> bool:
+def _is_called_otherwise(w: Written, name: str, shape: type[Spec]) -> bool:
     """Whether its name is a word for another shape."""
     called = folded(name).strip("_0123456789")
-    kinds = [kind for kind in Shape.kinds.values() if kind is not shape]
+    kinds = [kind for kind in Shape.kinds.values() if kind is not shape and (w.space or not kind.space_only)]
     others = (word for kind in kinds for word in (kind.kind, *kind.also, *kind.called))
     return called not in map(folded, (*shape.also, *shape.called)) and called in map(folded, others)

@@ -15,13 +15,14 @@ from freebody.language.folded import folded
 from freebody.model.friction import AT_REST, IN_MOTION
 from freebody.model.spec import MEANT
 from freebody.system.reading.sections import CLOSES, MEANT_SECTIONS, OF_GROUND, SAYS_KIND, SECTIONS
-from freebody.system.reading.written.form import JOINED, Entry, Written, keys_beside, kinds_of
+from freebody.system.reading.written.form import JOINED, Entry, Written, keys_beside, kinds_of, shape_of
 
 _NAMED_INSIDE = ("points", "lines", "planes", "at", "near", "measures")  # what holds names
 _FEWEST = 3  # letters of a word
 _OTHER_WORDS = {"typ": "type", "art": "type"}
 _JOINT = "_joint"
 _WORLD = "world"
+_FACE, _SLOPES = "face", ("slope", "incline", "hypotenuse", "inclined_face")
 
 
 def spell_sections(w: Written) -> None:
@@ -51,6 +52,30 @@ def ground_for_world(w: Written) -> None:
         for section in JOINED:
             if section in w.data:
                 w.data[section] = _with_ground(w.data[section])
+
+
+def sides_as_called(w: Written) -> None:
+    """`on: wedge.slope`: the slope of a wedge is its face, where the file names none so."""
+    bodies = w.data.get("bodies")
+    wedges = [
+        name
+        for name, entry in (cast("Entry", bodies).items() if isinstance(bodies, dict) else ())
+        if (shape := shape_of(entry)) is not None
+        and _FACE in getattr(shape, "open_lengths", {}).get("length", ())
+        and not any(word in str(entry.get(key)) for word in _SLOPES for key in ("points", "lines"))
+    ]
+    called = {f"{name}.{word}": f"{name}.{_FACE}" for name in wedges for word in _SLOPES}
+    for section in ("bodies", *JOINED) if called else ():
+        if section in w.data:
+            w.data[section] = _called(w.data[section], called)
+
+
+def _called(value: Any, names: dict[str, str]) -> Any:
+    if isinstance(value, dict):
+        return {key: _called(each, names) for key, each in cast("Entry", value).items()}
+    if isinstance(value, list):
+        return [_called(each, names) for each in cast("list[Any]", value)]
+    return names.get(value, value) if isinstance(value, str) else value
 
 
 def _with_ground(value: Any) -> Any:

@@ -1,6 +1,8 @@
 """Vectors as people write them, as the components that are read.
 
 position: (0, h)                           position: [0, h]
+position: 0, h                             position: [0, h]
+between: block, floor                      between: [block, floor]
 velocity: {x: v, y: 0}                     velocity: [v, 0]
 speed: v, direction: alpha                 velocity: [(v)*cos(alpha), (v)*sin(alpha)]
 force: [0, -F]  (at a point)               along: up, magnitude: -F
@@ -14,18 +16,25 @@ from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.language.folded import folded
+from freebody.language.units import ANGULAR_VELOCITY
 from freebody.model.shapes.base import Shape
 from freebody.model.written_kinds import takes, written_kind
-from freebody.system.reading.written.form import Entry, Written, kinds_of
+from freebody.system.reading.written.dimensions import dimension_said
+from freebody.system.reading.written.form import Entry, Written, kinds_of, shape_of
 
 _IN_BRACKETS = re.compile(r"\s*\((?P<inside>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*")
 _COMMA = re.compile(r",(?![^(]*\))")
+_NAME = re.compile(r"[^\W\d]\w*(?:\.\w+)?")
+_FORMULA = re.compile(r"-?[\w.]+(?:\s*[-+*/^]\s*[\w.()]+|\([^()]*\)| [^\W\d][\w/^]*)*")
+_UNSPOKEN = re.compile(r"^-?(?:[\d.]+|[^\W\d]\w*$|.*[-+*/^(])")  # a number first, one name, or a calculation
+_DECIMALS = re.compile(r"-?\d+,\d+\b.*")  # 9,81 m/s^2
 SPEEDS = ("speed", "velocity", "initial_velocity", "v0", "Geschwindigkeit", "Anfangsgeschwindigkeit")
 _DIRECTIONS = ("direction", "Richtung", "launch_angle", "at_angle")
 _MIDDLE = ("center", "centre", "Mittelpunkt")
 _TURNS, _POINT = ("angle", "Winkel"), "particle"
 _WAYS = {"right": (1, 0), "left": (-1, 0), "up": (0, 1), "down": (0, -1)}
-_FORCE = "force"
+_RESTING = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
+_FORCE, _SPIN = "force", "angular_velocity"
 _AXES = ("fx", "fy")
 _ALONG = ("along", "direction", "angle", "Richtung")
 _FORCES = ("force", "vector", "components", "value", "magnitude", "F", "Kraft")
@@ -40,8 +49,32 @@ def without_brackets(value: Any) -> Any:
         is_cut = len(texts) in (2, 3) and _begins(texts[0]) and isinstance(texts[-1], str) and texts[-1].endswith(")")
         return without_brackets(", ".join(map(str, texts))) if is_cut else [without_brackets(each) for each in texts]
     said = _IN_BRACKETS.fullmatch(value) if isinstance(value, str) else None
-    parts = [] if said is None else [part.strip() for part in _COMMA.split(said["inside"])]
+    if said is None:
+        return _listed(value) if isinstance(value, str) else value
+    parts = [part.strip() for part in _COMMA.split(said["inside"])]
     return parts if len(parts) in (2, 3) and all(parts) else value
+
+
+def _listed(text: str) -> str | list[str]:
+    """`0, 3 m` and `block, floor` as lists: names, or formulas and quantities, with commas between them; the text
+    itself where it says anything else, such as a sentence."""
+    parts = [part.strip() for part in _outer_commas(text)]
+    able = len(parts) > 1 and all(_NAME.fullmatch(part) for part in parts)
+    able = able or (len(parts) in (2, 3) and all(_FORMULA.fullmatch(part) and _UNSPOKEN.search(part) for part in parts))
+    is_decimal = len(parts) == 2 and parts[0].lstrip("-").isdigit() and _DECIMALS.fullmatch(text.strip())
+    return parts if able and not is_decimal else text
+
+
+def _outer_commas(text: str) -> list[str]:
+    """The text in parts between commas that stand in no brackets."""
+    parts, depth = [""], 0
+    for sign in text:
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(sign, 0)
+        if sign == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += sign
+    return parts
 
 
 def _begins(value: Any) -> bool:
@@ -72,6 +105,15 @@ def with_axes(w: Written, place: Place, entry: Entry) -> Entry:
     """`{x: 1 m, y: 2 m, vx: 3 m/s}` of a body as its place and velocity; an axis that is left out is zero there."""
     axes = "xyz" if w.space else "xy"
     read = entry
+    if str(entry.get("start")).lower() in _RESTING:
+        read = entry = {key: each for key, each in entry.items() if key != "start"}
+    shape = shape_of(entry)
+    named = () if shape is None else getattr(shape, "ends", ())
+    ends = [key for key in named if isinstance(entry.get(key), list)]
+    if ends and "at" not in entry and not w.space:
+        w.moved[*place, "at"] = w.stood(place)
+        read = {key: each for key, each in entry.items() if key not in ends} | {"at": {key: entry[key] for key in ends}}
+        entry = read
     speeds = [key for key in ("v", *SPEEDS) if _is_scalar(entry.get(key))]
     if _is_scalar(entry.get("x")) and not _is_scalar(entry.get("y")) and len(speeds) == 1:
         w.moved[*place, "velocity"] = (*w.stood(place), speeds[0])  # it moves along x
@@ -94,6 +136,15 @@ def _has_center(w: Written, word: str, value: Any) -> bool:
     """Whether a shape has a centre of its own to give."""
     kind = written_kind(word, value, Shape.kinds, space=w.space)
     return kind is not None and "center_of_mass" in Shape.kinds[kind].model_fields
+
+
+def with_spin(w: Written, place: Place, entry: Entry) -> Entry:
+    """`speed: 1500 rpm` of a body of the plane is how fast it turns."""
+    said = [key for key in SPEEDS if key in entry and dimension_said(w, entry[key]) == ANGULAR_VELOCITY]
+    if w.space or len(said) != 1 or _SPIN in entry:
+        return entry
+    w.moved[*place, _SPIN] = (*w.stood(place), said[0])
+    return {_SPIN if key == said[0] else key: each for key, each in entry.items()}
 
 
 def with_velocity(w: Written, place: Place, entry: Entry) -> Entry:
