@@ -38,7 +38,7 @@ def root_without_root(x: Ratio, is_negative: Callable[[Ratio], bool | None]) -> 
 def _of_numbers(field: Field, x: Roots) -> Ratio | None:
     """sqrt(a + b sqrt(n)) as sqrt(p) + b sqrt(n)/(2 sqrt(p)), or with q in the place of p where its root is shorter:
     no other root is made beside that of n, which may be the product of both."""
-    (n,) = [k for k in x if k > 1] if len(x) == 2 else [0]
+    n = max(x) if len(x) == 2 and min(x) == 1 else 0  # of sqrt(2) + sqrt(3) no number stands beside one root
     a, b = x.get(1, Fraction(0)), x.get(n, Fraction(0))
     d = rational_root(a * a - b * b * n) if n and a > 0 else None
     if d is None:

@@ -14,6 +14,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
+from freebody.tolerances import ROUND_OFF
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 
@@ -35,6 +36,7 @@ def _open_places(setup: Setup, answers: Sequence[Answer]) -> Iterator[str]:
             continue
         with suppress(CannotAnswer, ArithmeticError, KeyError):
             x = _number(setup, started[c.index])
+            x = 0.0 if abs(x) < ROUND_OFF else x
             at = f"{round(math.degrees(x), 2):g} deg" if c.is_angle else f"{x:.4g} m"
             yield Message(
                 "nothing says what {name} is at the start: values are those at {name} = {at}", name=c.name, at=at
