@@ -73,8 +73,8 @@ def test_a_floor_and_a_wall_take_their_own_shares() -> None:
 
 
 def test_an_unknown_name_is_refused_with_those_there_are() -> None:
-    with pytest.raises(fb.ModelError, match="there is no connection or load brak"):
-        asked(WHEEL, "energy lost in brak until rate(theta) = 0")
+    with pytest.raises(fb.ModelError, match="there is no connection or load clutch"):
+        asked(WHEEL, "energy lost in clutch until rate(theta) = 0")
 
 
 def test_nothing_is_lost_where_the_event_is_the_start() -> None:

@@ -120,7 +120,8 @@ class Contact(Connection, kind="contact"):
         if len(alone) == 1:  # {rod.end, on: floor}
             given = {"body": alone[0], **{key: each for key, each in given.items() if key != alone[0]}}
         first = given.get("between")
-        if isinstance(first, str) or (isinstance(first, list) and len(cast("list[Any]", first)) == 1):
+        is_one = isinstance(first, str) or (isinstance(first, list) and len(cast("list[Any]", first)) == 1)
+        if is_one and any(word in given for word in _WHAT_TOUCHES):
             one = first if isinstance(first, str) else cast("list[Any]", first)[0]  # {contact: wheel, on: floor}
             given = {"body": one, **{key: each for key, each in given.items() if key != "between"}}
         two = [given[word] for word in _WHAT_TOUCHES if isinstance(given.get(word), str)]

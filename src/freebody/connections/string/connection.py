@@ -62,10 +62,6 @@ _BOTH_ENDS = ("bodies", "between", "ends", "connects")
 _PULLEYS = ("pulley", "pulleys", "around", "via", "passes_over", "runs_over")
 
 
-def _as_list(value: Any) -> list[Any]:
-    return cast("list[Any]", value) if isinstance(value, list) else [value]
-
-
 def _with_ends(given: dict[str, Any]) -> dict[str, Any]:
     """`{between: [a, b], pulley: p}` as from one end over what is on the way to the other."""
     read = dict(given)
@@ -78,10 +74,6 @@ def _with_ends(given: dict[str, Any]) -> dict[str, Any]:
     over = next((word for word in _PULLEYS if isinstance(given.get(word), str | list)), None)
     if over is not None and not given.keys() & {"over", "under", "path"}:
         read["over"] = read.pop(over)
-    if {"from", "to", "over", "under"} <= read.keys() and "path" not in read:  # in the order in which it is written
-        way = [f"{key} {each}" for key in read if key in ("over", "under") for each in _as_list(read[key])]
-        rest = {key: each for key, each in read.items() if key not in ("from", "to", "over", "under")}
-        return {"path": [read["from"], *way, read["to"]], **rest}
     return {key: [each] if key == "over" and isinstance(each, str) else each for key, each in read.items()}
 
 

@@ -43,9 +43,9 @@ def hold_pulleys(w: Written) -> None:
     connections = cast("Entry", w.data["connections"])
     for string, fields in [*of_kind(connections, _STRING)]:
         ends = [str(fields.get(end, "")).partition(".")[0] for end in ("from", "to")]
-        if not all(end in bodies for end in ends):
+        if not all(end in bodies for end in ends) or ends[0] == ends[1]:
             continue
-        over = [body for body in _listed(fields.get("over")) if _is_round(bodies.get(body))]
+        over = [body for body in _listed(fields.get("over")) if _is_round(bodies.get(body)) and body not in ends]
         for body in over:
             others = {name: each for name, each in connections.items() if name != string}
             loads = cast("Entry", w.data.get("loads") or {})
