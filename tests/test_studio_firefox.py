@@ -210,10 +210,10 @@ def test_a_model_in_space_is_drawn(firefox: Firefox, tmp_path: Path) -> None:
 
 @pytest.mark.essential
 def test_it_fits_on_320_pixels(page: Firefox) -> None:
-    page.size(480, 900)
-    page.zoom(1.5)
+    page.size(320, 900)  # no window is so narrow: 450 or 500 pixels at the least, by its version
+    page.zoom(page.evaluate("return innerWidth") / 320)  # and of zooms there are steps: 317 pixels of 500
     try:
-        page.wait_for("innerWidth === 320")
+        page.wait_for("innerWidth >= 300 && innerWidth <= 320")
         for k in range(3):
             pane(page, k)
             assert_it_fits(page, f"pane {k}")
