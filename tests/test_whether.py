@@ -87,6 +87,10 @@ def test_where_it_is_so_is_told_and_where_it_is_not() -> None:
     assert "Ja, mit den gegebenen Zahlen" in told["de"]
 
 
+def test_what_is_so_in_both_of_two_parts_is_so_whatever_the_parameters_are() -> None:
+    assert posed(TRUCK, "whether crate leaves bed").conditions == ("no, whatever the parameters are",)
+
+
 def test_what_cannot_slip_is_said_to_be_declared_so() -> None:
     found = posed(SPOOL, "whether the spool rolls without slipping")
     assert any("never slips" in note for note in found.notes)

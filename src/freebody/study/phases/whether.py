@@ -24,7 +24,7 @@ from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
-from freebody.symbolic.validity import texts
+from freebody.symbolic.validity import texts, validity
 
 _LOOKED_AT = 12  # sets of numbers that are simulated, where fewer have come out
 _RELATIONS = {">": np.greater, ">=": np.greater_equal, "!=": np.not_equal}
@@ -87,7 +87,7 @@ def answer(tree: PhaseTree, question: Question, happening: Happening) -> Answer:
 def _reserve(cases: Sequence[HappeningCase]) -> Ratio | None:
     """What is positive where it is so, where one inequality alone tells."""
     for so, sign in ((True, 1), (False, -1)):
-        conditions = [case.conditions for case in cases if case.is_so is so]
+        conditions = [validity(case.conditions) for case in cases if case.is_so is so]
         if len(conditions) == 1 and len(conditions[0]) == 1:
             return sign * conditions[0][0].element
     return None
@@ -115,6 +115,8 @@ def _looked_at(tree: PhaseTree, parts: Sequence[tuple[HappeningCase, Chosen]]) -
 
 def _lines(cases: Sequence[HappeningCase]) -> Iterator[str]:
     """Where it is so, and where it is not."""
+    if _is_either_way(cases):
+        cases = [HappeningCase(cases[0].is_so, ())]
     for so, told in ((True, Message("yes")), (False, Message("no")), (None, Message("not told"))):
         for case in cases:
             if case.is_so is not so:
@@ -124,3 +126,14 @@ def _lines(cases: Sequence[HappeningCase]) -> Iterator[str]:
                 yield Message("{what} if {conditions}", what=told, conditions=joined(needed))
             else:
                 yield Message("{what}, whatever the parameters are", what=told)
+
+
+def _is_either_way(cases: Sequence[HappeningCase]) -> bool:
+    """Whether it is the same in two parts, of which one is all that the other leaves."""
+    if len(cases) != 2 or cases[0].is_so is not cases[1].is_so:
+        return False
+    needed = [validity(case.conditions) for case in cases]
+    if any(len(conditions) != 1 for conditions in needed):
+        return False
+    (one,), (other,) = needed
+    return {one.relation, other.relation} == {">", ">="} and (one.element + other.element).is_zero()
