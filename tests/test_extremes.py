@@ -429,13 +429,9 @@ measures: {phi: angle of first}
 """
 
 
-def test_a_time_ratio_without_a_formula_has_a_number() -> None:
-    """The ram turns back as the lever does nearly, sin of half its swing being r/d: (pi + 2 a)/(pi - 2 a)."""
-    found = posed(SHAPER_RAM, "time ratio of s")
-    a = math.asin(120 / 250)
-    assert found.expression is None
-    assert isinstance(found.value, float)
-    assert math.isclose(found.value, (math.pi + 2 * a) / (math.pi - 2 * a), rel_tol=1e-4)
+def test_the_time_ratio_of_a_ram_is_that_of_its_lever() -> None:
+    """The ram turns back where the lever does, sin of half its swing being r/d: (pi + 2 a)/(pi - 2 a)."""
+    is_formula(SHAPER_RAM, "time ratio of s", "(pi + 2*asin(r/d))/(pi - 2*asin(r/d))", (1.0,))
 
 
 def test_at_a_change_point_nothing_is_said_to_grow_without_bound_alone() -> None:
