@@ -118,7 +118,8 @@ def equilibria(
         with model.samples.taking() as taken:
             values = bound_at(model, zero, start) | zero
             rest_there = _judged(model, values, _on_their_side(model, forces, values))
-        if rest_there is not None:
+        # what the model takes for granted was put aside meanwhile
+        if rest_there is not None and _is_on_branch(model, StateOfRest(model, values)):
             others.append(rest_there)
             assumed.append(taken)
     if first is None and not others:
