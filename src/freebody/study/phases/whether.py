@@ -77,7 +77,7 @@ def answer(tree: PhaseTree, question: Question, happening: Happening) -> Answer:
         expression,
         value,
         unit="1" if reserve is None else unit_of(expression, system),
-        conditions=tuple(_lines(cases)),
+        conditions=tuple(_lines(cases, is_all=not tree.lost)),
         notes=notes,
         evidence=check.evidence(),
         verdict=verdict,
@@ -113,10 +113,10 @@ def _looked_at(tree: PhaseTree, parts: Sequence[tuple[HappeningCase, Chosen]]) -
     yield from sorted((one for one in turns if one is not None), key=lambda one: one[1] != 0)
 
 
-def _lines(cases: Sequence[HappeningCase]) -> Iterator[str]:
-    """Where it is so, and where it is not."""
+def _lines(cases: Sequence[HappeningCase], *, is_all: bool) -> Iterator[str]:
+    """Where it is so, and where it is not. is_all: whether a motion was found for all parameters that were tried."""
     if _is_either_way(cases):
-        cases = [HappeningCase(cases[0].is_so, ())]
+        cases = [HappeningCase(cases[0].is_so, (), is_proved=all(case.is_proved for case in cases))]
     for so, told in ((True, Message("yes")), (False, Message("no")), (None, Message("not told"))):
         for case in cases:
             if case.is_so is not so:
@@ -124,8 +124,10 @@ def _lines(cases: Sequence[HappeningCase]) -> Iterator[str]:
             needed = texts(case.conditions)
             if needed:
                 yield Message("{what} if {conditions}", what=told, conditions=joined(needed))
-            else:
+            elif is_all and all(each.is_proved for each in cases):
                 yield Message("{what}, whatever the parameters are", what=told)
+            else:
+                yield Message("{what}, in all motions that were found", what=told)
 
 
 def _is_either_way(cases: Sequence[HappeningCase]) -> bool:
