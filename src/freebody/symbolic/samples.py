@@ -34,6 +34,7 @@ class Samples:
         self.field = unknowns.field
         self.points = tuple(points)
         self.assumed: list[Ratio] = []  # elements taken to be positive, as they are at the first sample
+        self._n_settled = 0  # of these: those that every question takes
         self.start_symbols: dict[int, Ratio] = {}  # by coordinate
         self.has_loops = True  # so long as coordinates are being chosen nothing is known of loops
         self._without_rate: set[int] = set()  # speeds of measures without a rate at a sample
@@ -64,6 +65,31 @@ class Samples:
         finally:
             taken += [x for x in self.assumed if x not in before]
             self.assumed = before
+
+    # -- what is kept from one question to the next -------------------------------------------
+    def settle(self) -> None:
+        """What is assumed by now is so for every question."""
+        self._n_settled = len(self.assumed)
+
+    def forget(self) -> None:
+        """What one question took to be positive is no condition of the next."""
+        del self.assumed[self._n_settled :]
+
+    @contextmanager
+    def carrying(self) -> Generator[list[Ratio]]:
+        """What is assumed inside beyond what every question takes, whatever was assumed before: so that a value that is
+        kept carries what it stands on, and not what happened to be asked earlier."""
+        before, self.assumed, carried = self.assumed, self.assumed[: self._n_settled], list[Ratio]()
+        try:
+            yield carried
+        finally:
+            carried += self.assumed[self._n_settled :]
+            self.assumed = before
+
+    def take(self, x: Ratio) -> None:
+        """An element is taken to be positive."""
+        if all(x != other for other in self.assumed):
+            self.assumed.append(x)
 
     # -- numbers of the generators ------------------------------------------------------------
     def read_again(self) -> None:
@@ -275,9 +301,7 @@ class Samples:
             return False
         values = self.at_starts(x)
         negative = bool(values) and values[0] < 0
-        assumed = -x if negative else x
-        if all(assumed != other for other in self.assumed):
-            self.assumed.append(assumed)
+        self.take(-x if negative else x)
         return negative
 
     def _is_length(self, x: Ratio) -> bool:

@@ -60,7 +60,8 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
     system = tree.system
     turned = question.quantity.wanted is not None or isinstance(question.quantity, Whether)
     instead = None if turned else partial(number_with_changes, system, question, is_single=tree.is_single)
-    return answered(system, question, lambda: _by_cases_or_at_rest(tree, question), instead)
+    with tree.for_one_question():
+        return answered(system, question, lambda: _by_cases_or_at_rest(tree, question), instead)
 
 
 def _by_cases_or_at_rest(tree: PhaseTree, question: Question) -> Answer:

@@ -19,11 +19,13 @@ from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.study.phases.placed import Given, Placed
 from freebody.study.setup import Setup
+from freebody.symbolic.carried import carried_property
 from freebody.symbolic.conditions import relation_text
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import ClosedFormMotion
 from freebody.symbolic.phases.energy_motion import course_of
 from freebody.symbolic.phases.friction import acts_either_way, named_rows, resultant, solve_loads, with_loads
+from freebody.symbolic.samples import Samples
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -93,9 +95,14 @@ class Phase:
         self.rows = named_rows(system)
         for name, way in mode.ways:
             aside = self.state.acceleration(across_the_way(in_planes[name], way))
-            if not self.model.samples.vanishes(aside):
+            if not self.samples.vanishes(aside):
                 contact = in_planes[name].row.connection
                 raise CannotAnswer(Message("the slip of {contact} turns, and its friction with it", contact=contact))
+        self.samples.settle()
+
+    @property
+    def samples(self) -> Samples:
+        return self.model.samples
 
     @property
     def dropped(self) -> frozenset[str]:
@@ -143,7 +150,7 @@ class Phase:
             raise self._course.with_traceback(None)  # or each time would add where it was raised
         return self._course
 
-    @cached_property
+    @carried_property
     def _course(self) -> ClosedFormMotion | CannotAnswer:
         """Also that there is none is found once: a phase is asked for its motion many times."""
         rubbing = [self.dry_friction[name].row.measure for name, state in self.mode.states.items() if state]
@@ -206,7 +213,7 @@ class Phase:
         """What multiplies the coefficient of a friction; 1 where the coefficient is a force itself."""
         if not rub.load:
             return self.model.field.one
-        return resultant(self.model, rub, self.rows, self.model.samples.is_negative)
+        return resultant(self.model, rub, self.rows, self.samples.is_negative)
 
     def coefficient(self, rub: DryFriction, direction: int, *, at_rest: bool) -> Ratio:
         g = self.model.geometry
@@ -230,9 +237,10 @@ class Phase:
         return -state * self.coefficient(rub, state, at_rest=False) * self.load(rub)
 
     # -- what the phase lives on --------------------------------------------------------------
-    @cached_property
+    @carried_property
     def watches(self) -> tuple[PhaseWatch, ...]:
         """Everything that stays positive while the phase lasts."""
+        _ = self._course  # what it takes to be positive along the motion is watched
         found: list[PhaseWatch] = []
         states = self.mode.states
         for name in [row.name for row in self.base.constraint_rows if row.unilateral] + list(self.bounds):
@@ -264,12 +272,12 @@ class Phase:
             room = v.sign * (self.state.value(v.measure) - self.model.geometry.scalar(v.limit))
             end = v.end or Message("it is no longer so that {purpose}", purpose=v.purpose)
             found.append(PhaseWatch("is left", end, room, purpose=v.purpose))
-        for x in map(self.model.express, self.model.samples.assumed):
+        for x in map(self.model.express, self.samples.assumed):
             if self.model.field.ingredients(x) & {c.index for c in self.model.coordinates}:
                 found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x))  # and with it the formulas
         return tuple(found)
 
-    @cached_property
+    @carried_property
     def pressed(self) -> dict[str, Ratio]:
         """The loads of the frictions that may be pressed either way, by name: positive while they are on this side."""
         names = [name for name in self.mode.states if name not in self.dropped]

@@ -6,7 +6,8 @@ random parameter sets (`Sets`), and the inequalities that told them apart are th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -81,6 +82,16 @@ class PhaseTree(Home):
         for signs, sets in self.by_sign(rates, self.indices):
             self._begin(rates, signs, sets)
         self.roots.sort(key=lambda node: int(node.sets[0]))
+        self.home.model.samples.settle()
+
+    @contextmanager
+    def for_one_question(self) -> Generator[None]:
+        """What is taken to be positive inside is no condition of what is asked next."""
+        try:
+            yield
+        finally:
+            for samples in (self.home.model.samples, *(node.phase.samples for node in self.nodes())):
+                samples.forget()
 
     @property
     def is_single(self) -> bool:
