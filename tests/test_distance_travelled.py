@@ -117,3 +117,23 @@ def test_the_path_of_a_throw_is_measured_in_numbers() -> None:
 def test_the_length_of_a_path_is_derived() -> None:
     told = is_derived(DROPPED, "length of the path of P until y = 0")
     assert "its path has the length" in " ".join(told["en"].split())
+
+
+BACKSPIN = """
+parameters: {m: 0.17 kg, r: 28 mm, mu: 0.2, v: 2 m/s, w: 20 rad/s, g: 9.81 m/s^2}
+ground: {lines: {table: {along: right}}}
+bodies: {ball: {sphere: {mass: m, radius: r}, velocity: [v, 0], angular_velocity: w}}
+connections: {cloth: {contact: {between: [ball, table], friction: mu}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_what_turns_back_for_some_parameters_only_has_its_way_where_it_goes_on() -> None:
+    """A ball with backspin w rolls after 2 (v + r w)/(7 mu g), then with (5 v - 2 r w)/7: it comes as far as half the
+    sum of both speeds times this time, unless it rolls back."""
+    way = "distance travelled along travel of ball along table until rolling begins"
+    found = is_formula(BACKSPIN, way, "2*(6*v - r*w)*(v + r*w)/(49*mu*g)")
+    assert [str(c) for c in found.conditions] == ["5·v ≥ 2·r·w"]
+    back = posed(BACKSPIN.replace("20 rad/s", "400 rad/s"), way)
+    assert back.expression is None
+    assert "turns back" in str(back.reason)

@@ -474,6 +474,23 @@ def test_what_opens_at_once_begins_where_it_touched() -> None:
     assert any(str(c).startswith("m < k·(h - R - l)/g") for c in lifts.conditions)
 
 
+HOOP = """
+parameters: {m: 2 kg, r: 0.2 m, b: 20 deg, s: 3 m, mu: 0.25, g: 9.81 m/s^2}
+ground: {lines: {ramp: {along: -b}}}
+bodies: {hoop: {ring: {mass: m, radius: r}}}
+connections: {roll: {contact: {between: [hoop, ramp], friction: mu}}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_what_nobody_put_on_its_line_touches_it_where_the_line_begins() -> None:
+    """A hoop rolls down with g sin(b)/2. Its middle begins at r (sin(b), cos(b)): over the point that the line goes
+    through, where the simulation has it, too."""
+    is_formula(HOOP, "speed of hoop when travel of hoop along ramp has moved 3 m", "sqrt(3*g*sin(b))")
+    is_formula(HOOP, "time when travel of hoop along ramp has moved s", "2*sqrt(s/(g*sin(b)))")
+    is_formula(HOOP, "x of hoop at t = 2 s", "(r + g*cos(b))*sin(b)")
+
+
 DRAWN_OFF_IN_SPACE = """
 space: true
 parameters: {m: 2 kg, R: 0.2 m, h: 1 m, k: 200 N/m, l: 0.5 m, g: 9.81 m/s^2}

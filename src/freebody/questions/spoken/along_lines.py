@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, free_symbols
@@ -10,7 +10,7 @@ from freebody.language.notation import to_python
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Components
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, strings
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -32,17 +32,45 @@ def at_point(names: Names, who: str, point: str) -> list[str]:
 
 def slid(names: Names, who: str) -> list[str]:
     """The ways of a body along the straight lines that it touches with friction, from the body that has the line."""
-    found: list[str] = []
-    for joint in joining.rough(names, who) if who in names.bodies else ():
+    return _touched(names, who, joining.rough(names, who))
+
+
+def unmeasured(names: Names, who: str) -> list[str]:
+    """The way of the body that is named, or of the only one that moves, where no measure of the file is one: along the
+    line of the ground that guides it, along the line that it touches, or straight up where it hangs."""
+    if lookup.places(names, who):
+        return []
+    own = alone(names, who)
+    guided = [f"travel of {body} along {along}" for body in own for along in joining.guides(names, body)]
+    on_lines = [
+        way
+        for body in own
+        for way in _touched(names, body, [joint for joint in names.connections if joining.touches(names, joint, body)])
+    ]
+    hung = [f"height of {body}" for body in own if body in strings.hanging(names)]
+    return guided or on_lines or hung
+
+
+def alone(names: Names, who: str) -> list[str]:
+    """The body that is named, or the only one that moves."""
+    moving = lookup.moving(names)
+    return [body for body in moving if who == body or (not who and len(moving) == 1)]
+
+
+def _touched(names: Names, who: str, joints: Iterable[str]) -> list[str]:
+    """The ways of a body along the straight lines that it touches in some contacts: those of its point that touches, or
+    its own, where several stand on one line."""
+    ends_on: dict[str, list[str]] = {}
+    for joint in joints if who in names.bodies else ():
         ends = joining.ends_of(names, joint)
         own = [end for end in ends if end.partition(".")[0] == who]
         for end in ends:
             body, _, line = end.rpartition(".")
             if own and body in ("", GROUND) and line in names.bodies[GROUND].lines:
-                found.append(f"travel of {own[0]} along {line}")
+                ends_on.setdefault(line, []).append(own[0])
             elif own and body in names.bodies and body != who and line in names.bodies[body].lines:
-                found.append(f"travel of {own[0]} along {end} from {body}")
-    return found
+                ends_on.setdefault(f"{end} from {body}", []).append(own[0])
+    return [f"travel of {own[0] if len({*own}) == 1 else who} along {line}" for line, own in ends_on.items()]
 
 
 def is_along(names: Names, measure: str, body: str) -> bool:

@@ -111,26 +111,10 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
         yield [f"{of[-1]} = {value}"]
     elif (doing and doing <= {"move", "slide", "roll", "fly", "reach"}) or not doing:
         went = [lookup.gone_either_way(names, way, value) for way in lookup.went(names, who)]
-        yield went or [f"{way} has moved {value}" for way in _unmeasured_ways(names, who)]
-
-
-def _unmeasured_ways(names: Names, who: str) -> list[str]:
-    """The way of a body along the line of the ground that guides it, or straight up where it hangs, where no measure
-    of the file is one."""
-    if lookup.places(names, who):
-        return []
-    own = _alone(names, who)
-    guided = [f"travel of {body} along {along}" for body in own for along in joining.guides(names, body)]
-    return guided or [f"height of {body}" for body in own if body in strings.hanging(names)]
+        yield went or [f"{way} has moved {value}" for way in along_lines.unmeasured(names, who)]
 
 
 def _unmeasured_angles(names: Names, who: str) -> list[str]:
     """The angle by which a body in the plane turns, where no measure of the file is one."""
-    turning = [body for body in _alone(names, who) if body in lookup.turning(names)]
+    turning = [body for body in along_lines.alone(names, who) if body in lookup.turning(names)]
     return [] if names.space or lookup.angles(names, who) else [f"angle of {body}" for body in turning]
-
-
-def _alone(names: Names, who: str) -> list[str]:
-    """The body that is named, or the only one that moves."""
-    moving = lookup.moving(names)
-    return [body for body in moving if who == body or (not who and len(moving) == 1)]

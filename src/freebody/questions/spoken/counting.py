@@ -186,7 +186,8 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
             f"change of {way} until rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)
         ]
         if not lookup.went(names, of) and (who := of or next(iter(lookup.massive(names)), "")) in names.bodies:
-            ways = [f"{axis} of {who}" for axis in joining.guided_along(names, who)] or along_lines.slid(names, who)
+            ways = [f"{axis} of {who}" for axis in joining.guided_along(names, who)]
+            ways = ways or along_lines.unmeasured(names, who)
             yield [f"change of {way} until {who} stops" for way in ways[:1]]
 
 
@@ -355,7 +356,8 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
             ways = [] if is_path else _without_heights(names, who, lookup.went(names, who))
             went = [f"{counted} {name}" for name in ways]
             is_plain = counted == "change of" and not went and who in lookup.moving(names)
-            yield went or [f"change of {axis} of {who}" for axis in joining.guided_along(names, who) if is_plain]
+            went = went or [f"change of {axis} of {who}" for axis in joining.guided_along(names, who) if is_plain]
+            yield went or ([] if is_path else [f"{counted} {way}" for way in along_lines.unmeasured(names, who)])
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
         yield [f"work of {who}"]
     elif asked == ["work of friction"]:

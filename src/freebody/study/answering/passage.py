@@ -194,11 +194,17 @@ class FormulaPassage:
         return gone[0].field.lowest_terms(sum(gone[1:], gone[0]))
 
     def _gone_in(self, phase: FormulaPhase, measure: Measure, both_ways: CannotAnswer, depends: Message) -> Ratio:
-        rates = [self.numbers(x) for x in phase.rates(measure)]
-        if np.nanmin(rates[0] * rates[1], initial=0.0) < -_ROUND_OFF:
+        """How far a measure has gone in one phase. Where it turns back for some parameters, and not for the first, that
+        it goes on at the end as at the beginning is taken to be so."""
+        begins, ends = (self.numbers(x) for x in phase.rates(measure))
+        goes_on = ~(begins * ends < -_ROUND_OFF)
+        if not goes_on[:1].all():
             raise both_ways
+        if not goes_on.all():
+            rate = phase.end.rate(measure)
+            phase.begin.model.samples.take(rate if begins[0] > 0 else -rate)
         x = phase.at_end(measure) - phase.at_begin(measure)
-        values = self.numbers(x)
+        values = self.numbers(x)[goes_on]
         signs = set(np.sign(values[np.abs(values) > _TURNED]).tolist())
         if len(signs) > 1:
             raise CannotAnswer(depends)

@@ -187,12 +187,15 @@ def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
 
 
 def put_where_they_touch(system: System, touching: frozenset[str], moving: frozenset[str]) -> System:
-    """The system with the places of bodies that nobody has put and whose contact parts, or collides, at once: there the
-    contact no longer holds them, yet they begin where it is closed. Raises CannotAnswer where that has no formula."""
-    opening = [b for b in system.bounds if b.name in moving and b.starts_closed]
+    """The system with the places of bodies that nobody has put. Where their contact parts, or collides, at once, it no
+    longer holds them, yet they begin where it is closed: raises CannotAnswer where that has no formula. Where it stays
+    closed, what rests on a line of the ground by it alone may be anywhere along it, and is put where the engine puts
+    it: by the least move."""
+    closed = [b for b in system.bounds if b.name in touching and b.starts_closed]
     loose = {body.name for body in system.moving if body.start.at is None}
-    loose &= {name for bound in opening for name in bound.row.measure.bodies()}
-    if not loose or system.space:
+    parting = {name for b in closed if b.name in moving for name in b.row.measure.bodies()} & loose
+    staying = {name for b in closed for name in b.row.measure.bodies()} & loose - parting - _bound_otherwise(system)
+    if system.space or not parting | staying:
         return system
     still = {
         body.name: replace(body, start=replace(body.start, velocity=None, angular_velocity=None))
@@ -201,18 +204,26 @@ def put_where_they_touch(system: System, touching: frozenset[str], moving: froze
     resting = replace(system, bodies={**system.bodies, **still}, start_rates={}, impulses=())
     held = Setup(in_mode(resting, ContactMode.of(touching, {}))[0], 2)
     bodies = dict(system.bodies)
-    for name in sorted(loose):
+    for name in sorted(parting | staying):
         place: tuple[Expr, ...] | None = _place_at_start(held, name)
-        if any(free_symbols(x) - system.parameters.keys() for x in place or ()):
-            own = [bound for bound in opening if name in bound.row.measure.bodies()]
-            free = Setup(in_mode(resting, ContactMode.of(touching - moving, {}))[0], 2)
+        is_open = any(free_symbols(x) - system.parameters.keys() for x in place or ())
+        if is_open:
+            own = [bound for bound in closed if name in bound.row.measure.bodies()]
+            free = Setup(in_mode(resting, ContactMode.of(touching - {b.name for b in own}, {}))[0], 2)
             place = _moved_across(free, name, own[0]) if len(own) == 1 else None
-        if place is None:
+        if place is None and name in parting:
             told = Message("{body} touches at the start and moves apart at once; say where it is then (at)", body=name)
             raise CannotAnswer(told)
-        body = bodies[name]
-        bodies[name] = replace(body, start=replace(body.start, at=(body.default_point, place)))
+        if place is not None and (is_open or name in parting):
+            body = bodies[name]
+            bodies[name] = replace(body, start=replace(body.start, at=(body.default_point, place)))
     return replace(system, bodies=bodies)
+
+
+def _bound_otherwise(system: System) -> set[str]:
+    """Bodies whose place follows from more than what they touch: from a connection, or a value at the start."""
+    rows = {name for row in system.constraint_rows for name in row.measure.bodies()}
+    return rows | {name for measure in system.start for name in system.measures[measure].bodies()}
 
 
 def _place_at_start(setup: Setup, name: str) -> tuple[Expr, ...]:
