@@ -37,15 +37,17 @@ def slid(names: Names, who: str) -> list[str]:
 
 def unmeasured(names: Names, who: str) -> list[str]:
     """The way of the body that is named, or of the only one that moves, where no measure of the file is one: along the
-    line of the ground that guides it, along the line that it touches, or straight up where it hangs."""
+    line of the ground that guides it, along a line at rest that it touches, or straight up where it hangs."""
     if lookup.places(names, who):
         return []
     own = alone(names, who)
     guided = [f"travel of {body} along {along}" for body in own for along in joining.guides(names, body)]
+    at_rest = {body for body in names.bodies if body == GROUND or names.bodies[body].fixed}
     on_lines = [
         way
         for body in own
         for way in _touched(names, body, [joint for joint in names.connections if joining.touches(names, joint, body)])
+        if " from " not in way or way.rpartition(" from ")[2] in at_rest
     ]
     hung = [f"height of {body}" for body in own if body in strings.hanging(names)]
     return guided or on_lines or hung

@@ -394,15 +394,29 @@ class RangeSearch(TruthInNumbers):
         if self.wanted.end:
             end = found[0][0] if self.wanted.end == "least" else found[-1][1]
             if end.value is None:
-                raise CannotAnswer(self._without_end())
+                raise CannotAnswer(self._without_end(len(found) > 1))
             return end.value
         ends = [end.value for interval in found for end in interval if end.value is not None]
         ends = [x for k, x in enumerate(ends) if all(x != other for other in ends[:k])]
         return ends[0] if len(ends) == 1 else tuple(ends)
 
-    def _without_end(self) -> str:
+    def _without_end(self, has_gaps: bool) -> str:
+        """has_gaps: whether it is so in several intervals."""
+        name = self.parameter.name
+        if self.wanted.end == "least" and has_gaps:
+            return Message(
+                "there is no least value: it is so for all small ones, not for those that follow, and again beyond; "
+                "ask for the range of {name}",
+                name=name,
+            )
         if self.wanted.end == "least":
             return Message("there is no least value: it is so for all small ones")
+        if has_gaps:
+            return Message(
+                "there is no largest value: it is so for the largest ones, not for all below, and again for smaller "
+                "ones; ask for the range of {name}",
+                name=name,
+            )
         if self.parameter.acute:
             return Message("there is no largest value: it is so for all acute angles up to 90°")
         if self.parameter.is_share:
