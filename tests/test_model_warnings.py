@@ -462,3 +462,20 @@ def test_a_body_that_is_only_touched_and_comes_to_lie_aslant_is_told() -> None:
     assert "could as well not be turned" in str(warning.problem.message)
     said = LEANING.replace("    points: {foot", "    turned: 0 deg about z\n    points: {foot")
     assert not fb.System.from_text(said).warnings
+
+
+UNDER = """
+parameters: {m: 4 kg, b: 10 deg, mu: 0.2, g: 9.81 m/s^2}
+ground: {lines: {ramp: {along: DIRECTION}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {face: {contact: {between: [block, ramp], friction: mu}}}
+loads: {w: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(("direction", "n"), [("180 deg - b", 1), ("-b", 0), ("up", 0)])
+def test_what_hangs_under_its_line_is_told(direction: str, n: int) -> None:
+    """A line is solid on the right: one that points to the left has its open side below."""
+    found = [w for w in fb.System.from_text(UNDER.replace("DIRECTION", direction)).warnings if w.kind == "under a line"]
+    assert len(found) == n
+    assert all("turn ramp round" in w.text() for w in found)
