@@ -191,7 +191,8 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         return None  # what is held already
     if bodies and not joining.is_rough(names) and _is_subject(state):
         return None  # that one of several bodies stays where it is
-    if (joint := joining.slipping(names, [name for _, name in state.names])) is not None:
+    is_lifted = verbs <= {"rise", "start"} and "rise" in verbs  # not along what it touches
+    if not is_lifted and (joint := joining.slipping(names, [name for _, name in state.names])) is not None:
         lasts = verbs <= {"slide", "start", "move"} and "slide" in verbs
         is_between = len(state.names) > 1 and verbs == {"hold"} and not state.has("not")
         return f"{joint} does not slip" if lasts or is_between else None
