@@ -478,3 +478,24 @@ start: {theta: 0, rate(theta): 0}
 def test_the_square_of_a_force_is_stationary_where_a_product_of_waves_vanishes() -> None:
     """S = m (3 (g cos + a sin) - 2 g): S S' = 0, a polynomial of the fourth degree in tan(theta/2) with two factors."""
     is_formula(VAN, "greatest size of reaction of hinge on rod", "m*(3*sqrt(a^2 + g^2) - 2*g)")
+
+
+SCOTCH_YOKE = """
+parameters: {r: 60 mm, m: 4 kg, w: 30 rad/s}
+bodies: {crank: {rod: {length: r}}, yoke: {body: {mass: m, lines: {slot: {along: up}}}}}
+connections:
+  main: {pin: [ground.O, crank.start]}
+  guide: {slider: {body: yoke, along: right, through: ground.O}}
+  slot: {slot: {pin: crank.end, along: yoke.slot}}
+  motor: {driver: {measure: th, speed: w}}
+measures: {th: angle of crank, x: x of yoke}
+"""
+
+
+def test_where_a_size_is_greatest_is_on_both_sides() -> None:
+    """x = r cos(w t): the yoke is fastest upwards and downwards of the crank, and not slowest at one of them; the power
+    m x' x'' of the drive has its ends at odd eighths of the turn."""
+    speed = is_formula(SCOTCH_YOKE, "greatest speed of yoke", "r*w")
+    assert [str(n) for n in speed.notes] == ["largest at th = 90° and th = -90°"]
+    torque = is_formula(SCOTCH_YOKE, "greatest driving torque of motor over a turn", "m*r^2*w^2/2")
+    assert [str(n) for n in torque.notes] == ["least at th = 135° and th = -45°", "largest at th = -135° and th = 45°"]

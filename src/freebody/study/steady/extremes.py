@@ -26,7 +26,7 @@ from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.answering.sizes import is_size
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed
-from freebody.study.steady.of_sizes import greatest_of, signed
+from freebody.study.steady.of_sizes import further, greatest_of, signed
 from freebody.study.steady.phase import Phase, is_timed, over_a_period, phase_of
 from freebody.study.steady.round_turn import REACHED_OFTEN, DrawnTurn, over_a_turn
 from freebody.study.steady.superposed import Superposed, superposed, superposed_of
@@ -43,12 +43,14 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
 
-def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
-    """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
+def extremes(setup: Setup, question: Question, q: Extremes, *, is_of_size: bool = False) -> Finding:
+    """(least, largest). is_of_size: both are looked at for the greatest size alone, and it is told where that is.
+    Raises CannotAnswer where they have no closed form, or there is none."""
     model = setup.model
     if q.what == "greatest" and (one := signed(setup, q.of)) is not None:
         with suppress(CannotAnswer):
-            return greatest_of(setup, extremes(setup, question, replace(q, of=one, what="extremes")))
+            both = extremes(setup, question, replace(q, of=one, what="extremes"), is_of_size=True)
+            return greatest_of(setup, both)
     value = followed(setup, q.of)
     if isinstance(value, tuple):
         raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))
@@ -70,7 +72,11 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
         evidence = over_a_period(setup, question.text, q.of, turning, (least.value, largest.value), conditions)
     else:
         evidence = over_a_turn(setup, question.text, q.of, turning.angle, least, largest, conditions)
-    ends = ((Message("least"), least), (Message("largest"), largest))
+    ends = [(Message("least"), least), (Message("largest"), largest)]
+    if is_of_size:
+        side = further(setup, least.value, largest.value, [*conditions])
+        in_size = {-1: least.places, 0: (*least.places, *largest.places), 1: largest.places}[side]
+        ends = [(Message("largest"), replace(largest, places=in_size))]
     notes = [where(end, e, turning) for end, e in ends] + turning.notes
     notes += search.by_sign(setup, q, least, largest)
     element = told(search, q, least, largest)

@@ -43,12 +43,21 @@ def greatest_of(setup: Setup, ends: Finding) -> Finding:
     assert isinstance(least, Ratio)
     assert isinstance(largest, Ratio)
     f, conditions = setup.model.field, [*ends.conditions]
-    beyond = f.lowest_terms(-least - largest)
-    is_less = True if beyond.is_zero() else decide(-beyond, ">=", conditions)
+    element = f.lowest_terms(-least) if further(setup, least, largest, conditions) < 0 else largest
+    return replace(ends, element=element, conditions=conditions, cases=None)
+
+
+def further(setup: Setup, least: Ratio, largest: Ratio, conditions: list[Condition]) -> int:
+    """On which side of zero a value gets further: -1, 1, or 0 where both ends are as far from it. What the numbers of
+    the file decide is a condition more. Raises CannotAnswer where nothing does."""
+    beyond = setup.model.field.lowest_terms(-least - largest)
+    if beyond.is_zero():
+        return 0
+    is_less = decide(-beyond, ">=", conditions)
     if is_less is None:
         values = setup.model.samples.at_starts(beyond)
         if not values or not setup.has_values:
             raise CannotAnswer(Message("which of two extremes is greater depends on the numbers"))
         is_less = values[0] <= 0
         conditions.append(Condition(-beyond if is_less else beyond, ">=", Message("which extreme is which")))
-    return replace(ends, element=largest if is_less else f.lowest_terms(-least), conditions=conditions, cases=None)
+    return 1 if is_less else -1

@@ -15,13 +15,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import flint
 
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Call, Expr, Symbol
+from freebody.language.expression import ZERO, Call, Expr, Symbol, evaluate
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
@@ -40,7 +41,7 @@ _DEEPEST = 14  # halvings of a sixteenth of a turn
 _N_LOOKS = 48  # points at which a change of sign is looked for first
 _MOST_WORK = 2_000_000  # terms that are computed until a sum is shown to keep its sign
 _flint: Any = flint
-_QUARTERS = {(1, 0): ("0", "0"), (0, 1): ("90°", "pi/2"), (-1, 0): ("180°", "pi"), (0, -1): ("-90°", "-pi/2")}
+_EIGHTHS_AND_TWELFTHS = {Fraction(n, 4) for n in range(5)}  # squares of cosines at multiples of 30 and of 45 degrees
 
 
 @dataclass(frozen=True)
@@ -52,12 +53,21 @@ class TurnPose:
     must_be_positive: tuple[Ratio, ...] = ()
 
     def text(self, angle: Expr) -> str:
-        both = self.cos.fraction(), self.sin.fraction()
-        if None not in both and both in _QUARTERS:
-            quarter, machine = _QUARTERS[both]
-            return Stated(f"{to_text(angle)} = {quarter}", f"{to_python(angle)} == {machine}")
+        if (degrees := self._degrees()) is not None:
+            turns = Fraction(degrees, 180)
+            over = "" if turns.denominator == 1 else f"/{turns.denominator}"
+            machine = {-1: "-pi", 0: "0", 1: "pi"}.get(turns.numerator, f"{turns.numerator}*pi") + over * bool(turns)
+            return Stated(f"{to_text(angle)} = {degrees}{'°' * bool(degrees)}", f"{to_python(angle)} == {machine}")
         cos, sin = Call("cos", angle), Call("sin", angle)
         return joined((compared(cos, "=", tidy(self.cos)), compared(sin, "=", tidy(self.sin))), ", ")
+
+    def _degrees(self) -> int | None:
+        """The angle where it is a multiple of 30 or 45 degrees, in (-180, 180]."""
+        squares = (self.cos * self.cos).fraction(), (self.sin * self.sin).fraction()
+        if not {*squares} <= _EIGHTHS_AND_TWELFTHS or sum(x for x in squares if x is not None) != 1:
+            return None
+        cos, sin = (float(evaluate(tidy(x), {})) for x in (self.cos, self.sin))
+        return 180 if cos == -1.0 else round(math.degrees(math.atan2(sin, cos)))
 
 
 @dataclass(frozen=True)
