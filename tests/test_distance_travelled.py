@@ -137,3 +137,25 @@ def test_what_turns_back_for_some_parameters_only_has_its_way_where_it_goes_on()
     back = posed(BACKSPIN.replace("20 rad/s", "400 rad/s"), way)
     assert back.expression is None
     assert "turns back" in str(back.reason)
+
+
+COLLISION = """
+parameters: {m: 1200 kg, M: 1800 kg, v: 20 m/s, u: 12 m/s, mu: 0.6, e: 0.2, d: 10 m, g: 9.81 m/s^2}
+bodies:
+  A: {particle: {mass: m}, at: [0, 0], velocity: [v, 0]}
+  B: {particle: {mass: M}, at: [d, 0], velocity: [u, 0]}
+connections:
+  ga: {slider: {body: A, along: right, through: ground.O, friction: mu}}
+  gb: {slider: {body: B, along: right, through: ground.O, friction: mu}}
+  hit: {contact: {between: [A, B], restitution: e}}
+loads: {weight: {gravity: g}}
+"""
+
+
+def test_the_way_after_an_impact_has_a_formula_in_the_case_of_the_given_numbers() -> None:
+    """Both brake alike, so they meet after d/(v - u), B then with u - mu g t; it goes on with the velocity that
+    momentum and restitution give it, U, for U/(mu g) and U^2/(2 mu g)."""
+    u = "(u - mu*g*d/(v - u) + (1 + e)*m*(v - u)/(m + M))"
+    slid = is_formula(COLLISION, "how far does B slide after the impact?", f"{u}^2/(2*mu*g)")
+    assert any("case of the given numbers" in str(note) for note in slid.notes)
+    is_formula(COLLISION, "how long does B slide after the impact?", f"{u}/(mu*g)")

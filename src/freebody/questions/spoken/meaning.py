@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import beginning, given, joining, lookup, of_sections, poses, rewording, turning_round
+from freebody.questions.spoken.after_impacts import gone_on
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
 from freebody.questions.spoken.between_events import time_between
@@ -124,6 +125,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             lost,
             time,
             stopping,
+            gone_on,
             counted,
             geared,
             per_turn,

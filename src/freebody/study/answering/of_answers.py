@@ -48,7 +48,7 @@ def calculated(system: System, question: Question, answers: Mapping[str, Answer]
     for part in parts:
         if part.expression is None:
             raise CannotAnswer(part.reason or Message("there is no closed form"))
-        if part.cases:
+        if part.cases and not isinstance(part.value, float):  # which case is meant only numbers tell
             raise CannotAnswer(Message("it depends on the case: ask for each quantity alone"))
     setup = Setup(system, 1)
     formulas = operands_of(question, [part.expression for part in parts])
@@ -62,9 +62,15 @@ def calculated(system: System, question: Question, answers: Mapping[str, Answer]
         question.quantity.written(min(whole, written, key=n_operations)),  # over one denominator roots become long
         number(setup, question, answers),
         conditions=tuple(dict.fromkeys(c for part in parts for c in part.conditions)),
-        notes=tuple(dict.fromkeys(n for part in parts for n in part.notes)),
+        notes=tuple(dict.fromkeys([*(n for part in parts for n in part.notes), *_other_cases(parts)])),
         evidence=of_all([part.evidence for part in parts]),
     )
+
+
+def _other_cases(parts: Sequence[Answer]) -> list[str]:
+    """That an operand has other formulas in other cases than that of the model's own numbers."""
+    told = Message("this is the case of the given numbers; for other cases ask for each quantity alone")
+    return [told] if any(part.cases for part in parts) else []
 
 
 class AsWritten:
