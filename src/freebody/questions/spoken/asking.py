@@ -218,6 +218,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     belts = transmitting.having(names, "greatest power")
     if degree == "greatest" and clause.has("quantity", "power", "transmitted power") and {*of} <= {*belts}:
         yield [f"greatest power of {belt}" for belt in belts if belt in (of or [belt])]
+    if degree == "greatest" and (slowing := clause.all("quantity")) in (["deceleration"], ["angular deceleration"]):
+        yield from of_motion.slowed_most(names, slowing[0], clause.without("quantity"))
+        return
     for group in _plain(names, clause):
         yield [f"{degree} {text}{whole}" for text in group if JOINT not in text]
 

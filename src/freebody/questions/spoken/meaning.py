@@ -41,7 +41,9 @@ _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at star
 _WHILE = Word("mark", "while")
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _SO_THAT = Word("mark", "so_that")
-_WHETHER = re.compile(r"(?:does|is|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b")
+_WHETHER = re.compile(
+    r"(?:does|is|whether|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b"
+)
 _OF_ITSELF = re.compile(r"ratio of (.+) to \1")
 _FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
