@@ -187,6 +187,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "difference": r" - |belt force|relative",
         "sum": r" [+] ",
         "fraction": r"ratio|/",
+        "mean value": r"average",
         "change": r"change|kinetic energy| - |lost|sensitivity|derivative",
         "instant centre": r"instant centre",
         "degrees of freedom": r"degrees of freedom",

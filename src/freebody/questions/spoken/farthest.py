@@ -125,6 +125,9 @@ def slipped(names: Names, main: Clause) -> Groups:
     if asks and joint is not None and joining.is_between(names, joint) and main.only("ask", "verb", "name", *SILENT):
         ways = along_lines.slid(names, who)
         yield [f"distance travelled along {way} until slipping of {joint} ends" for way in ways if len(ways) == 1]
+        others = [body for body in lookup.moving(names) if body != who and joining.touches(names, joint, body)]
+        apart = lookup.alike(names, who, others[0]) if not ways and who and len(others) == 1 else []
+        yield [f"change of {a} - change of {b} until slipping of {joint} ends" for a, b in apart]
 
 
 def _slips_on_what_moves(names: Names, who: str) -> bool:

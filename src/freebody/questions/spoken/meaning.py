@@ -9,9 +9,20 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import beginning, given, joining, lookup, of_sections, poses, rewording, turning_round
+from freebody.questions.spoken import (
+    beginning,
+    given,
+    joining,
+    lookup,
+    of_sections,
+    poses,
+    rewording,
+    transmitting,
+    turning_round,
+)
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
+from freebody.questions.spoken.averaging import averaged
 from freebody.questions.spoken.between_events import time_between
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
@@ -123,6 +134,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _which_way,
             _conserved,
             decaying,
+            averaged,
             lost,
             time,
             stopping,
@@ -427,6 +439,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["stability of equilibrium"]  # whose answer says when
     if asks_when and verbs == {"stable"} and not main.has("quantity") and not of and lookup.is_controlled(names):
         yield ["stability of steady motion"]
+    if main.all("ask") == ["long"] and len(of) == 1 and main.only("ask", "name", *SILENT):  # how long is the cable
+        yield [f"length of {name}" for name in of if name in transmitting.having(names, "length")]
     if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))

@@ -11,7 +11,7 @@ from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken.accounting import loses_quantity
-from freebody.questions.spoken.assumed import what_does_not_hold
+from freebody.questions.spoken.assumed import takes_held_for_stopped, what_does_not_hold
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
@@ -444,6 +444,7 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if not loses_quantity(plain, words)}
             here = {words: asked for words, asked in here.items() if chooses_of_what_is_asked(names, plain, words)}
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
+            here = {words: asked for words, asked in here.items() if not takes_held_for_stopped(text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
                 distance = meaning.distance
@@ -454,7 +455,8 @@ def _nearest(
                     lacking, instead = asked.problems, instead or asked.problems
                     open_ = JOINT.join(each_value(names, words, lacking))
         else:
-            if open_ and is_kept(names, meaning.words, open_):
+            is_open = bool(open_) and not takes_held_for_stopped(text, open_)
+            if is_open and is_kept(names, meaning.words, open_):
                 left_open.setdefault(open_, meaning.distance)
     for words, at in left_open.items():
         distance = at if distance is None else distance

@@ -50,10 +50,11 @@ def of_slope(names: Names, words: list[Word]) -> list[Word]:
         words = [words[0], angle, words[1], *words[3:]]
     k = words.index(angle) + 1 if angle in words and is_asked else len(words)
     k = 1 if words[0] in _HOW_STEEP else k
+    begin = k
     k += words[k : k + 1] == [Word("preposition", "of")]
     owner = words[k].what if k < len(words) and words[k].kind == "name" else ""
     is_alone = not any(word.kind == "name" for word in words[k + 1 :])
-    return words if is_alone or not given.leaning_by(names, owner) else [*words[:k], *words[k + 1 :]]
+    return words if is_alone or not given.leaning_by(names, owner) else [*words[:begin], *words[k + 1 :]]
 
 
 def about_axle(names: Names, words: list[Word]) -> list[Word]:
