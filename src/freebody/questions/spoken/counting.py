@@ -262,6 +262,9 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     ):
         for end in ends(names, sentence):
             yield [f"ratio of energy lost until {condition} to kinetic energy at start" for condition in end]
+    elif asked == ["kinetic energy lost"] and is_all and main.only("quantity", "ask", "name", *SILENT):
+        for end in ends(names, sentence):  # whatever becomes of it
+            yield [f"1 - (kinetic energy when {condition})/(kinetic energy at start)" for condition in end]
 
 
 def counted(names: Names, sentence: Sentence) -> Groups:

@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 def is_settled(main: Clause) -> bool:
     """Whether it is asked how high something hangs, how deep it floats, how far it is moved in equilibrium."""
-    is_still = main.has("instant", "in equilibrium") or main.all("verb") == ["hold"]
-    return main.has("ask", "high", "far") and is_still and not main.has("quantity")
+    is_still = main.has("instant", "in equilibrium") or main.all("verb") in (["hold"], ["hang", "hold"])
+    return main.has("ask", "high", "far", "deep") and is_still and not main.has("quantity")
 
 
 def where_it_settles(names: Names, main: Clause) -> Groups:
     """The equilibrium of a height, or of how far something has come."""
     who = next((name for _, name in main.names if name in lookup.moving(names)), "")
-    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= {"hold", "move"}
+    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= {"hold", "move", "hang"}
     found = lookup.ways(names, who)
     if main.has("ask", "high"):
         found = [name for name, _ in lookup.heights(names, who)]

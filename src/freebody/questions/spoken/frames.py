@@ -128,7 +128,7 @@ def framed(names: Names, clause: Clause) -> Clause:
     light: frozenset[str] = frozenset[str]().union(*(_LIGHT.get(quantity, frozenset({"move"})) for quantity in asked))
     is_plain = asks <= _PLAIN_ASKS and verbs <= light
     is_far = (
-        asked[0] in ("deflection", *lookup.STRETCHED)
+        asked[0] in ("deflection", "sag", *lookup.STRETCHED)
         and len(asked) == 1
         and asks <= {"far", "much", "large"}
         and not verbs

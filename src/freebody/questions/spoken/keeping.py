@@ -79,6 +79,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         for thing in _THING.findall(word.what) if word.kind in ("name", "value") else ():
             if not _is_thing(names, thing) or _stands(names, thing, things):
                 continue
+            if text.startswith(("work of ", "power of ")) and given.load_of(names, thing) in things:
+                continue  # the work of F is that of the load which pushes with it
             is_said = k < cut and any(_is_of(names, thing, other) for other in things & names.parameters.keys())
             is_of_another = is_of_all and k < cut and "." not in thing and _is_pushed_elsewhere(names, thing, text)
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):

@@ -104,7 +104,8 @@ def is_pivot(names: Names, words: Sequence[Word], k: int) -> bool:
 
 
 def named_as_push(names: Names, words: list[Word]) -> list[Word]:
-    """The work of the cable tension, the power of the gas force: of the load itself, whose kind needs no word."""
+    """The work of the cable tension, the power of the gas force, the work of F: of the load itself, whose kind, or
+    size, needs no word."""
     counted = any(w.kind == "quantity" and w.what in _COUNTED for w in words)
     pull, pulling = Word("quantity", "tension"), joining.strings_that_pull(names)
     if (
@@ -114,6 +115,8 @@ def named_as_push(names: Names, words: list[Word]) -> list[Word]:
         and not any(w.kind == "name" for w in words[: words.index(pull)])
     ):
         words = [Word("name", pulling[0]) if word == pull else word for word in words]
+    if counted:
+        words = [Word("name", given.load_of(names, word.what)) if _is_size(names, word) else word for word in words]
     return [
         word
         for k, word in enumerate(words)
@@ -126,3 +129,9 @@ def named_as_push(names: Names, words: list[Word]) -> list[Word]:
             and words[k - 1].what in names.loads
         )
     ]
+
+
+def _is_size(names: Names, word: Word) -> bool:
+    """Whether a word names a parameter that is how strongly one load pushes: the work of F."""
+    is_parameter = word.kind == "name" and word.what in names.parameters
+    return is_parameter and word.what not in names.loads and bool(given.load_of(names, word.what))
