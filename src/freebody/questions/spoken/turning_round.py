@@ -305,7 +305,7 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
         chosen = [k for k, word in enumerate(words) if word.kind == "name"]
     if not chosen:
         return None
-    is_led = words[0] in _FOR or is_written
+    is_led = words[0] in (*_FOR, Word("degree", "range")) or is_written
     kinds = ("verb", "not", "relation", "degree", *(["quantity"] if is_led else []))
     marks = ("until", "to", "in equilibrium", "equilibrium")
     begins = (k for k, w in enumerate(words) if k > chosen[0] and (w.kind in kinds or w.what in marks))
