@@ -38,7 +38,8 @@ def conditions(names: Names, clause: Clause) -> Groups:
     verbs = [verb for verb in clause.all("verb") if verb not in ("act", "exert")]
     if clause.has("ask") or clause.has("quantity", "time"):
         return
-    if clause.has("degree", "greatest", "least") and clause.only("degree", "quantity", "name", "verb", *SILENT):
+    kinds = ("degree", "quantity", "name", "verb", *(["part"] if clause.has("quantity") else []), *SILENT)
+    if clause.has("degree", "greatest", "least") and clause.only(*kinds):
         yield from _extremes(names, clause)
     elif clause.has("instant"):
         yield from _instants(names, clause)

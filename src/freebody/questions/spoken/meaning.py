@@ -505,7 +505,9 @@ def _at_extreme(names: Names, sentence: Sentence) -> Groups:
         height = Clause([Word("quantity", "height"), *of])
         yield from timed(names, Sentence(height, (("when", Clause(words[1:])),)))
     elif asks[0] in ("with", "for") and len(said) == 2 and words[said[0]].what in ("angle", "position"):
-        place, rest = words[1 : said[1]], words[said[1] :]
+        place, rest = words[1 : said[0] + 1], words[said[0] + 1 :]  # the horizontal force is greatest
+        while rest and rest[0].kind in ("name", "preposition"):  # at which angle of the crank
+            place, rest = [*place, rest[0]], rest[1:]
         yield from timed(names, Sentence(Clause(place), (("when", Clause(rest)),)))
 
 

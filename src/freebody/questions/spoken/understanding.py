@@ -19,7 +19,7 @@ from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import chooses_of_what_is_asked, is_kept, loses_joint, loses_other
 from freebody.questions.spoken.kinds import is_of_kind
-from freebody.questions.spoken.lexicon import Word, languages, several
+from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import Elements, elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
@@ -142,7 +142,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, passing, read)
     if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
         return []
-    strange = {*not_understood(names.parameters, elements_of(names), text)} & unknown_parameters(told)
+    words = {word for language in languages() for word in vocabulary(language)}  # `after impact` is no parameter
+    strange = {*not_understood(names.parameters, elements_of(names), text), *words} & unknown_parameters(told)
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
