@@ -144,6 +144,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _at_turning_points,
             timed,
             _at_extreme,
+            _at_value,
         ):
             yield from told(names, sentence)
     yield from time_between(names, said)
@@ -511,6 +512,14 @@ def _at_extreme(names: Names, sentence: Sentence) -> Groups:
         yield from timed(names, Sentence(Clause(place), (("when", Clause(rest)),)))
 
 
+def _at_value(names: Names, sentence: Sentence) -> Groups:
+    """Where a quantity has a value: the place, when it has."""
+    main = sentence.main
+    is_plain = main.only("ask", "quantity", "value", "name", "relation", "part", *SILENT) and not sentence.others
+    if main.all("ask") == ["where"] and len(main.all("quantity")) == len(main.values) == 1 and is_plain:
+        yield from timed(names, Sentence(Clause([Word("quantity", "position")]), (("when", main.without("ask")),)))
+
+
 def _at_turning_points(names: Names, sentence: Sentence) -> Groups:
     """At which angle of the crank the rocker turns back: at the dead points of the rocker."""
     words = [word for word in sentence.main.words if word.kind not in SILENT]
@@ -551,8 +560,8 @@ def _which_way(names: Names, sentence: Sentence) -> Groups:
     plain = main.has("ask", "way") and main.only("ask", "verb", "name", *SILENT) and not sentence.others
     relative = "".join(f" relative to {name}" for before, name in main.names if before == "relative")
     plain &= len(of) == len(main.names) == 1 + bool(relative) and lookup.rests(names)
-    if plain and verbs <= {"start", *GOES_ON} and verbs:
-        is_turned = "turn" in verbs or joining.axle_of(names, of[0]) == "center"
+    if plain and verbs <= {"start", "tip", *GOES_ON} and verbs:
+        is_turned = bool(verbs & {"turn", "tip"}) or joining.axle_of(names, of[0]) == "center"
         yield [f"{'angular ' if is_turned else ''}acceleration of {of[0]}{relative}"]
 
 
