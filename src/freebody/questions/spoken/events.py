@@ -416,7 +416,8 @@ def _reaches(names: Names, who: str, other: str) -> Groups:
     elif other and (caught := _caught(names, other)):
         yield caught
     elif other and not any(other in own for own in (names.parameters, names.measures, names.loads)):
-        yield [f"{who or 'it'} hits {other}"]
+        is_held = other in names.connections and other not in names.closing_later
+        yield [] if is_held and not joining.may_open(names, other) else [f"{who or 'it'} hits {other}"]
 
 
 def _drawn_to(names: Names, who: str, other: str) -> list[str]:

@@ -17,7 +17,13 @@ from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
-from freebody.questions.spoken.keeping import chooses_of_what_is_asked, is_kept, loses_joint, loses_other
+from freebody.questions.spoken.keeping import (
+    chooses_of_what_is_asked,
+    is_kept,
+    loses_height,
+    loses_joint,
+    loses_other,
+)
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import Elements, elements_of
@@ -445,6 +451,7 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if not loses_quantity(plain, words)}
             here = {words: asked for words, asked in here.items() if chooses_of_what_is_asked(names, plain, words)}
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
             here = {words: asked for words, asked in here.items() if not takes_held_for_stopped(text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
