@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
+import freebody as fb
 from freebody.language.expression import Symbol
 from freebody.language.parser import parse
 from freebody.study.answering.named_formulas import Chain, NamedFormula
 from freebody.study.steady.extremes_in_names import ChainOverTurn
 from posed import is_derived, is_formula, posed
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
 
 TABLE = """
 parameters: {m: 2 kg, A: 0.03 m, W: 15 rad/s, g: 9.81 m/s^2}
@@ -128,3 +132,10 @@ def test_what_an_interval_may_hold_is_no_proof_of_the_greatest_value() -> None:
     assert math.isclose(value, 1 + 1 / 128, rel_tol=1e-12)
     assert turn.is_proved(value)
     assert not turn.is_proved(value - 1e-6)
+
+
+def test_what_is_most_beside_a_jump_is_no_pose_at_which_the_slope_vanishes() -> None:
+    """The piston slows down most as it comes to the outer dead point, a = r w^2 (1 + r/l); beyond it, it speeds up."""
+    system = fb.System.load(EXAMPLES / "driven_slider_crank.yaml")
+    [answer] = fb.solve(system, question="greatest -tangential acceleration of piston").answers
+    assert answer.value is None or answer.value == pytest.approx(0.05 * 30**2 * (1 + 0.05 / 0.2), rel=1e-3)

@@ -4,11 +4,16 @@ with -u and the bullet parts from the block. A block that slides to rest against
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+import freebody as fb
 from freebody.study.phases.along_time import _falls_unseen
 from posed import is_formula, posed
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
 
 SPRUNG = """
 parameters: {m: 0.02 kg, M: 2 kg, k: 500 N/m, v: 300 m/s}
@@ -163,3 +168,10 @@ def test_what_a_string_jerks_off_the_floor_has_left_it_then() -> None:
     is_formula(TIED, "time when other leaves the floor", "(v0 - sqrt(v0^2 - 2*g*L))/g", (1.0, 1.02))
     found = is_formula(TIED, "range of v0 for which other stays on the floor", "sqrt(2*g*L)")
     assert "so for v₀ ≤ √(2·L·g)" in found.notes
+
+
+def test_the_note_of_an_extreme_names_no_event_but_its_phase() -> None:
+    system = fb.System.load(EXAMPLES / "bungee_jump.yaml")
+    [answer] = fb.solve(system, question="greatest -acceleration of y").answers
+    assert answer.value == pytest.approx(25.628, rel=1e-4)
+    assert not any("Calculated" in note for note in answer.notes)

@@ -218,6 +218,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     belts = transmitting.having(names, "greatest power")
     if degree == "greatest" and clause.has("quantity", "power", "transmitted power") and {*of} <= {*belts}:
         yield [f"greatest power of {belt}" for belt in belts if belt in (of or [belt])]
+    if degree == "greatest" and (slowing := clause.all("quantity")) in (["deceleration"], ["angular deceleration"]):
+        yield from of_motion.slowed_most(names, slowing[0], clause.without("quantity"))
+        return
     for group in _plain(names, clause):
         yield [f"{degree} {text}{whole}" for text in group if JOINT not in text]
 
@@ -241,7 +244,7 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     between = {"preposition"}
     cuts = [j for j, w in enumerate(rest) if w.kind in between and (w.what in signs or w.what == "and")]
     operator = {"ratio": "/", "difference": "-", "sum": "+"}[kind]
-    if not cuts and kind in ("difference", "ratio"):
+    if not cuts:
         yield from _of_sides(names, Clause([*said, *rest]), kind)
     for cut in cuts:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
@@ -293,7 +296,7 @@ def _are_geared(names: Names, *sides: Clause) -> bool:
 
 
 def _of_sides(names: Names, clause: Clause, kind: str) -> Groups:
-    """The difference of the forces at the two ends of a rope, or their ratio."""
+    """The difference of the forces at the two ends of a rope, their sum, or their ratio."""
     asked, of = clause.all("quantity"), [name for _, name in clause.names]
     if len(asked) != 1 or len(of) > 1 or not clause.only("quantity", "name", *SILENT):
         return
@@ -307,7 +310,7 @@ def _of_sides(names: Names, clause: Clause, kind: str) -> Groups:
     if rows and all(len(row.ends) == 2 and row.connection == rows[0].connection for row in rows):
         first, second = (f"{asked[0]} of {rows[0].connection} at {end}" for end in (rows[0].ends[0], rows[-1].ends[1]))
         ratios = [f"ratio of {first} to {second}", f"ratio of {second} to {first}"]  # which to which is not said
-        yield [JOINT.join(ratios) if kind == "ratio" else f"{first} - {second}"]
+        yield [JOINT.join(ratios) if kind == "ratio" else f"{first} {'+' if kind == 'sum' else '-'} {second}"]
 
 
 def _plain(names: Names, clause: Clause) -> Groups:

@@ -1,4 +1,5 @@
-"""What a question assumes: that nothing slips, that there is no friction, no drag of the air, that wheels are locked.
+"""What a question assumes: that nothing slips, that there is no friction, no drag of the air, that wheels are locked,
+that something is held fast.
 
 What holds in the model is no condition that changes the answer. What does not hold is refused by name: it would be
 another model.
@@ -17,19 +18,22 @@ from freebody.questions.spoken.lexicon import assumptions, languages
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_HELD = "held fast"
+_AT_REST = re.compile(r" (?:when|until) (?:rate\(\w+\) = 0|\w+ stops)\b")
+
 
 def without_what_holds(names: Names, text: str) -> str:
     """The text without clauses that assume what holds in the model."""
-    for clause, what in _assumed(text):
-        if not _against(names, what):
+    for clause, what, _ in _assumed(text):
+        if what != _HELD and not _against(names, what):
             text = " ".join(text.replace(clause, " ").split()).strip(" ,")
     return text
 
 
 def what_does_not_hold(names: Names, text: str) -> Message | None:
     """What is said of a text that assumes what does not hold in the model."""
-    for clause, what in _assumed(text):
-        if against := _against(names, what):
+    for clause, what, who in _assumed(text):
+        if against := [who] if what == _HELD else _against(names, what):
             return Message(
                 "'{clause}' does not hold in this model ({against}); ask without it, or change the model",
                 clause=clause.strip(" ,.?!"),
@@ -38,12 +42,17 @@ def what_does_not_hold(names: Names, text: str) -> Message | None:
     return None
 
 
-def _assumed(text: str) -> Iterator[tuple[str, str]]:
-    """Clauses of a text that assume something, and what that is."""
+def takes_held_for_stopped(text: str, words: str) -> bool:
+    """Whether what someone holds fast, in another model, is taken for what stands still at an instant of this one."""
+    return _AT_REST.search(words) is not None and any(what == _HELD for _, what, _ in _assumed(text))
+
+
+def _assumed(text: str) -> Iterator[tuple[str, str, str]]:
+    """Clauses of a text that assume something, what that is, and of what it is said."""
     for language in languages():
         for what, pattern in assumptions(language).items():
             for found in re.finditer(pattern, text, re.IGNORECASE):
-                yield found[0], what
+                yield found[0], what, found.groupdict().get("who") or ""
 
 
 def _against(names: Names, what: str) -> list[str]:

@@ -132,7 +132,8 @@ def _in_contact(names: Names, head: Clause) -> Groups:
 
 
 def whether(names: Names, sentence: Sentence) -> Groups:
-    """Does the rod lift off? If so, when: of what moves, for of what rests it is asked whether it holds."""
+    """Does the rod lift off, does the rope go slack: of what moves, for of what rests it is asked whether it holds. If
+    the grammar has no verdict on it, when it does."""
     main, verbs = sentence.main, sentence.main.all("verb")
     plain = main.only("verb", "name", *SILENT) and not sentence.others
     sticks = lookup.rests(names) and any("contact" in names.called.get(name, ()) for name in joining.rough(names, ""))
@@ -141,6 +142,7 @@ def whether(names: Names, sentence: Sentence) -> Groups:
     is_begun |= verbs == ["turn_back"] and joining.is_rough(names)  # where it comes to rest it may stay
     if plain and len(verbs) == 1 and verbs[0] in _COMES and not joining.is_still(names) and not is_begun:
         for group in conditions(names, main):
+            yield [f"whether {condition}" for condition in group]
             yield [f"time when {condition}" for condition in group]
 
 
@@ -261,6 +263,9 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     ):
         for end in ends(names, sentence):
             yield [f"ratio of energy lost until {condition} to kinetic energy at start" for condition in end]
+    elif asked == ["kinetic energy lost"] and is_all and main.only("quantity", "ask", "name", *SILENT):
+        for end in ends(names, sentence):  # whatever becomes of it
+            yield [f"1 - (kinetic energy when {condition})/(kinetic energy at start)" for condition in end]
 
 
 def counted(names: Names, sentence: Sentence) -> Groups:

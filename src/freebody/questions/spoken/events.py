@@ -38,7 +38,8 @@ def conditions(names: Names, clause: Clause) -> Groups:
     verbs = [verb for verb in clause.all("verb") if verb not in ("act", "exert")]
     if clause.has("ask") or clause.has("quantity", "time"):
         return
-    if clause.has("degree", "greatest", "least") and clause.only("degree", "quantity", "name", "verb", *SILENT):
+    kinds = ("degree", "quantity", "name", "verb", *(["part"] if clause.has("quantity") else []), *SILENT)
+    if clause.has("degree", "greatest", "least") and clause.only(*kinds):
         yield from _extremes(names, clause)
     elif clause.has("instant"):
         yield from _instants(names, clause)
@@ -415,7 +416,8 @@ def _reaches(names: Names, who: str, other: str) -> Groups:
     elif other and (caught := _caught(names, other)):
         yield caught
     elif other and not any(other in own for own in (names.parameters, names.measures, names.loads)):
-        yield [f"{who or 'it'} hits {other}"]
+        is_held = other in names.connections and other not in names.closing_later
+        yield [] if is_held and not joining.may_open(names, other) else [f"{who or 'it'} hits {other}"]
 
 
 def _drawn_to(names: Names, who: str, other: str) -> list[str]:

@@ -187,6 +187,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "difference": r" - |belt force|relative",
         "sum": r" [+] ",
         "fraction": r"ratio|/",
+        "mean value": r"average",
         "change": r"change|kinetic energy| - |lost|sensitivity|derivative",
         "instant centre": r"instant centre",
         "degrees of freedom": r"degrees of freedom",
@@ -215,7 +216,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|"
         rf"energy|work|down|lower",
         "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|"
-        rf"energy|work|power|up|efficiency|lift|tip",
+        rf"energy|work|power|up|efficiency|lift|tip|whether",
         "hit": rf"{_IMPACT}|reach|{_EQUAL}|\bwhen\b|until|turns back|value of|range of|least|largest",
         "leave": r"leav|open|contact|lost|lift|stays on|keeps|off|after the|>= 0|= 0|until|at once|slack|run|taut|"
         r"range|"

@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 def is_settled(main: Clause) -> bool:
     """Whether it is asked how high something hangs, how deep it floats, how far it is moved in equilibrium."""
-    is_still = main.has("instant", "in equilibrium") or main.all("verb") == ["hold"]
-    return main.has("ask", "high", "far") and is_still and not main.has("quantity")
+    is_still = main.has("instant", "in equilibrium") or main.all("verb") in (["hold"], ["hang", "hold"])
+    return main.has("ask", "high", "far", "deep") and is_still and not main.has("quantity")
 
 
 def where_it_settles(names: Names, main: Clause) -> Groups:
     """The equilibrium of a height, or of how far something has come."""
     who = next((name for _, name in main.names if name in lookup.moving(names)), "")
-    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= {"hold", "move"}
+    known = main.only("ask", "verb", "name", "instant", *SILENT) and set(main.all("verb")) <= {"hold", "move", "hang"}
     found = lookup.ways(names, who)
     if main.has("ask", "high"):
         found = [name for name, _ in lookup.heights(names, who)]
@@ -125,6 +125,9 @@ def slipped(names: Names, main: Clause) -> Groups:
     if asks and joint is not None and joining.is_between(names, joint) and main.only("ask", "verb", "name", *SILENT):
         ways = along_lines.slid(names, who)
         yield [f"distance travelled along {way} until slipping of {joint} ends" for way in ways if len(ways) == 1]
+        others = [body for body in lookup.moving(names) if body != who and joining.touches(names, joint, body)]
+        apart = lookup.alike(names, who, others[0]) if not ways and who and len(others) == 1 else []
+        yield [f"change of {a} - change of {b} until slipping of {joint} ends" for a, b in apart]
 
 
 def _slips_on_what_moves(names: Names, who: str) -> bool:

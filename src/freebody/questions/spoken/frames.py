@@ -27,6 +27,7 @@ FORCES = (
     *("force", "contact force", "tension", "normal force", "friction force", "reaction", "bearing reaction"),
     *("spring force", "axial force", "tooth force", "moment", "torque", "driving torque", "driving force", "impulse"),
 )
+_KINDS_OF_FORCE = ("tension", "normal force", "contact force")  # which a verb tells: it pulls, it presses
 _WHERE = ("equilibrium", "instant centre", "dead points", "position", "resonance frequency")
 # verbs that say no more than a quantity does: the speed that it reaches, the force that acts
 _LIGHT = {
@@ -95,6 +96,8 @@ def framed(names: Names, clause: Clause) -> Clause:
     if joining.is_still(names) and clause.has("ask", "with") and clause.has("verb"):
         return clause  # the speed at which it slides is no speed of a motion
     asked, asks, verbs = clause.all("quantity"), set(clause.all("ask")), set(clause.all("verb"))
+    if asks & {"with", "what"} and asked in (["force", kind] for kind in _KINDS_OF_FORCE):  # with what force it pulls
+        clause, asked = clause.without("quantity", "force"), asked[1:]
     if not asked and asks == {"fast"} and verbs == {"start"}:
         return clause  # how quickly it starts is no speed, which is none at first
     kept = [w for w in clause.words if w.kind not in ("ask", "verb")]
@@ -128,7 +131,7 @@ def framed(names: Names, clause: Clause) -> Clause:
     light: frozenset[str] = frozenset[str]().union(*(_LIGHT.get(quantity, frozenset({"move"})) for quantity in asked))
     is_plain = asks <= _PLAIN_ASKS and verbs <= light
     is_far = (
-        asked[0] in ("deflection", *lookup.STRETCHED)
+        asked[0] in ("deflection", "sag", *lookup.STRETCHED)
         and len(asked) == 1
         and asks <= {"far", "much", "large"}
         and not verbs

@@ -259,6 +259,12 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     return [name for name in found if kind.is_angle or name not in held] or found
 
 
+def load_of(names: Names, parameter: str) -> str:
+    """The only load that pushes, or turns, with what a parameter says; nothing where there is none, or several."""
+    loads = {push.load for push in names.applied_loads if push.law in (Symbol(parameter), negate(Symbol(parameter)))}
+    return loads.pop() if len(loads) == 1 else ""
+
+
 def placing(names: Names, load: str) -> list[str]:
     """Lengths that say where on a body a load acts, and that are no size of it."""
     pushed = [push.measure for push in names.applied_loads if push.load == load]

@@ -43,9 +43,22 @@ _OF_BOTH = re.compile(  # but not what both have in common
     re.IGNORECASE,
 )
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
+_BEYOND = re.compile(  # how long it is above 20 m, and not when it rises above that
+    r"^(?:how long (?:is|was|are)|(?:the )?time (?:spent )?|wie lange (?:ist|war)|(?:die )?zeit )"
+    r"(?:(?!\b(?:until|till|when|bis|after|to)\b).)*?"
+    r"\b(?:above|below|beneath|oberhalb|unterhalb|über|unter) (?:von )?\d",
+    re.IGNORECASE,
+)
+_ABOVE = re.compile(
+    r"\b(?:above|below|beneath|oberhalb|unterhalb) (?:von )?\d[\d.,]* ?(?:mm|cm|m|km)\b|"
+    r"\b\d[\d.,]* ?(?:mm|cm|m|km) (?:above|below|beneath|higher|lower|oberhalb|unterhalb|höher|tiefer)\b",
+    re.IGNORECASE,
+)
+_PLACED = re.compile(r"\b(?P<measure>\w+) = ")
 _ENDS = (Word("degree", "least"), Word("degree", "greatest"))
 _HEAVY = (Word("quantity", "weight"), Word("quantity", "mass"))
 _MAY = Word("filler", "may")
+_MUST, _SPEED_THERE = Word("filler", "must"), re.compile(r"[|]?(?:angular )?(?:velocity|speed) of \S+ when ")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
@@ -57,6 +70,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     if text.startswith(("time when ", "greatest ")) and begins_with_blow:
         words = [word for word in words if word != Word("instant", "after the impact")]
     if {*_ENDS} & {*words} and Word("instant", "in steady motion") in words:  # what is steady has no extreme
+        return False
+    if _MUST in words and _SPEED_THERE.match(text):  # how fast it must be there is not how fast it is
         return False
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
@@ -79,6 +94,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         for thing in _THING.findall(word.what) if word.kind in ("name", "value") else ():
             if not _is_thing(names, thing) or _stands(names, thing, things):
                 continue
+            if text.startswith(("work of ", "power of ")) and given.load_of(names, thing) in things:
+                continue  # the work of F is that of the load which pushes with it
             is_said = k < cut and any(_is_of(names, thing, other) for other in things & names.parameters.keys())
             is_of_another = is_of_all and k < cut and "." not in thing and _is_pushed_elsewhere(names, thing, text)
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
@@ -113,6 +130,20 @@ def loses_other(names: Names, said: str, text: str) -> bool:
     """Whether the speed of both of two bodies is asked for, and that of one of them stands in its place."""
     own = _OF_ONE.match(text)
     return own is not None and _OF_BOTH.search(said) is not None and own["body"] in names.bodies
+
+
+def loses_height(names: Names, said: str, text: str) -> bool:
+    """Whether another place stands for how high something is, above 20 m, or the time when it comes there for how long
+    it is beyond that."""
+    heights = [name for name, _ in lookup.heights(names, "")]
+    aside = [one for one in _PLACED.findall(text) if one in names.measures and one not in heights]
+    above = _ABOVE.search(said)
+    risen = above is not None and not above[0][0].isdigit() and " has changed by " in text  # not above that, but by it
+    return (
+        (bool(heights and aside) and above is not None)
+        or risen
+        or (text.startswith("time when ") and _BEYOND.match(said) is not None)
+    )
 
 
 def loses_joint(names: Names, said: str, text: str) -> bool:

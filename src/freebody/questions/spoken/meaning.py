@@ -9,10 +9,25 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND, ZERO
+<<<<<<< HEAD
 from freebody.questions.spoken import beginning, given, joining, lookup, of_sections, poses, rewording, turning_round
 from freebody.questions.spoken.after_impacts import gone_on
+=======
+from freebody.questions.spoken import (
+    beginning,
+    given,
+    joining,
+    lookup,
+    of_sections,
+    poses,
+    rewording,
+    transmitting,
+    turning_round,
+)
+>>>>>>> hB
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
+from freebody.questions.spoken.averaging import averaged
 from freebody.questions.spoken.between_events import time_between
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
@@ -42,7 +57,9 @@ _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at star
 _WHILE = Word("mark", "while")
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _SO_THAT = Word("mark", "so_that")
-_WHETHER = re.compile(r"(?:does|is|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b")
+_WHETHER = re.compile(
+    r"(?:does|is|whether|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b"
+)
 _OF_ITSELF = re.compile(r"ratio of (.+) to \1")
 _FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
@@ -122,6 +139,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _which_way,
             _conserved,
             decaying,
+            averaged,
             lost,
             time,
             stopping,
@@ -132,6 +150,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _at_turning_points,
             timed,
             _at_extreme,
+            _at_value,
         ):
             yield from told(names, sentence)
     yield from time_between(names, said)
@@ -427,6 +446,8 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["stability of equilibrium"]  # whose answer says when
     if asks_when and verbs == {"stable"} and not main.has("quantity") and not of and lookup.is_controlled(names):
         yield ["stability of steady motion"]
+    if main.all("ask") == ["long"] and len(of) == 1 and main.only("ask", "name", *SILENT):  # how long is the cable
+        yield [f"length of {name}" for name in of if name in transmitting.having(names, "length")]
     if main.has("quantity", "degrees of freedom") and main.only("quantity", "ask", "pronoun", "preposition", "verb"):
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
@@ -491,8 +512,18 @@ def _at_extreme(names: Names, sentence: Sentence) -> Groups:
         height = Clause([Word("quantity", "height"), *of])
         yield from timed(names, Sentence(height, (("when", Clause(words[1:])),)))
     elif asks[0] in ("with", "for") and len(said) == 2 and words[said[0]].what in ("angle", "position"):
-        place, rest = words[1 : said[1]], words[said[1] :]
+        place, rest = words[1 : said[0] + 1], words[said[0] + 1 :]  # the horizontal force is greatest
+        while rest and rest[0].kind in ("name", "preposition"):  # at which angle of the crank
+            place, rest = [*place, rest[0]], rest[1:]
         yield from timed(names, Sentence(Clause(place), (("when", Clause(rest)),)))
+
+
+def _at_value(names: Names, sentence: Sentence) -> Groups:
+    """Where a quantity has a value: the place, when it has."""
+    main = sentence.main
+    is_plain = main.only("ask", "quantity", "value", "name", "relation", "part", *SILENT) and not sentence.others
+    if main.all("ask") == ["where"] and len(main.all("quantity")) == len(main.values) == 1 and is_plain:
+        yield from timed(names, Sentence(Clause([Word("quantity", "position")]), (("when", main.without("ask")),)))
 
 
 def _at_turning_points(names: Names, sentence: Sentence) -> Groups:
@@ -535,8 +566,8 @@ def _which_way(names: Names, sentence: Sentence) -> Groups:
     plain = main.has("ask", "way") and main.only("ask", "verb", "name", *SILENT) and not sentence.others
     relative = "".join(f" relative to {name}" for before, name in main.names if before == "relative")
     plain &= len(of) == len(main.names) == 1 + bool(relative) and lookup.rests(names)
-    if plain and verbs <= {"start", *GOES_ON} and verbs:
-        is_turned = "turn" in verbs or joining.axle_of(names, of[0]) == "center"
+    if plain and verbs <= {"start", "tip", *GOES_ON} and verbs:
+        is_turned = bool(verbs & {"turn", "tip"}) or joining.axle_of(names, of[0]) == "center"
         yield [f"{'angular ' if is_turned else ''}acceleration of {of[0]}{relative}"]
 
 

@@ -228,6 +228,25 @@ def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"|angular acceleration of {who}|"] if turns and who in names.bodies else []
 
 
+def slowed_most(names: Names, quantity: str, rest: Clause) -> Groups:
+    """The greatest deceleration over a motion: against the way in which it sets out, for speeding up is none; of what
+    is driven to and fro, against the way in which it goes. What may set out either way is refused."""
+    of = [name for _, name in rest.names]
+    who = next(iter(of), "")
+    if joining.driven(names) and rest.only("name", *SILENT) and who in lookup.moving(names) and len(of) == 1:
+        yield [f"greatest -tangential acceleration of {who}"] if not quantity.startswith("angular") else []
+    if joining.driven(names) or not rest.only("name", *SILENT) or len(of) > 1:
+        return
+    turns = quantity.startswith("angular") or joining.axle_of(names, who) == "center"
+    sloping = dict(lookup.inclined(names, who))
+    for way in lookup.angles(names, who) if turns else lookup.places(names, who):
+        falls = -sloping.get(way, 0) if names.lets_go_from_rest and not lookup.driving(names) else 0
+        if falls > 0 or lookup.rises(names, way, 1):
+            yield [f"greatest -acceleration of {way}"]
+        elif falls < 0 or lookup.rises(names, way, -1):
+            yield [f"greatest acceleration of {way}"]
+
+
 @said_of("position")
 def _position(names: Names, quantity: str, rest: Clause) -> Groups:
     found = _directed(names, rest)

@@ -50,7 +50,8 @@ def tops(names: Names, body: str) -> list[str]:
     rising = dict.fromkeys(f"rate({name}) = 0" for name, sense in ways if lookup.rises(names, name, sense))
     turning_back = [f"rate({going.measure}) = 0" for going in _on_lines(names, body)]
     over = [] if lookup.rests(names) and turning_back else uppermost(names, body)  # what is let go does not go over
-    led = [f"{name} is greatest" for name, sense in lookup.heights(names, body) if sense > 0 and joining.is_led(names)]
+    goes = joining.is_led(names) or (names.space and not names.lets_go_from_rest)
+    led = [f"{name} is greatest" for name, sense in lookup.heights(names, body) if sense > 0 and goes]
     return [*rising] or [*over, *turning_back] or _flown(names, body) or named_by_file(names, body, 1) or led
 
 

@@ -61,7 +61,8 @@ def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     for language in languages():
         told = several(language, "lead_in").sub("", spelt_out(elements, text, language))
         for pieces in _pieces(told.strip().rstrip(".?! "), language):
-            if any(_GOES_ON.match(piece) for piece in pieces) or _kinds(elements, pieces[0], language) == {"instant"}:
+            beside = any(_GOES_ON.match(piece) or _describes(piece) for piece in pieces)
+            if beside or _kinds(elements, pieces[0], language) == {"instant"}:
                 continue
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
 
@@ -113,6 +114,11 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
         found = [text[a:b].strip(" ,;.?!") for a, b in zip(begins, ends, strict=True)]
         said = [without for piece in found if (without := re.sub(rf"^{label.pattern}", "", piece))]
         yield [piece for piece in said if not _says_nothing(piece, language)]  # both, respectively
+
+
+def _describes(text: str) -> bool:
+    """Whether a text begins with a participle: measured from its lowest position."""
+    return any(several(language, "beside").match(text) for language in languages())
 
 
 def _says_nothing(text: str, language: str) -> bool:

@@ -127,7 +127,8 @@ def absent(elements: Elements, text: str) -> str:
             continue  # which thing, or which value: mittlere
         for language in languages():
             said = in_english_nouns(word, language).lower()
-            is_thing = not ({said, word.lower()} & known or is_verb(said)) and said not in quantity_words(language)
+            does = is_verb(said) or (word.islower() and is_verb(word))  # hang is no Hang
+            is_thing = not ({said, word.lower()} & known or does) and said not in quantity_words(language)
             if is_thing and any(form in things() for form in (said, said.removesuffix("s"))):
                 return word if said.removesuffix("s") not in known else ""
     return ""

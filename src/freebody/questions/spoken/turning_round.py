@@ -255,9 +255,14 @@ def _told_by_what_follows(names: Names, words: list[Word]) -> list[Word]:
 
 
 def _by_its_name(names: Names, words: list[Word]) -> list[Word]:
-    """At what friction coefficient it slips is at what mu, where there is one such parameter."""
-    asks, kind, leads = [*words[:3], *[Word("", "")] * 3][:3]
+    """At what friction coefficient it slips is at what mu, where there is one such parameter; at which angle of the
+    chute, at the one by which that leans."""
+    asks, kind, leads, thing = [*words[:4], *[Word("", "")] * 4][:4]
     is_asked = asks.kind == "ask" and asks.what in ("with", "for", "from", "up_to") and kind.kind == "quantity"
+    if is_asked and kind.what == "angle" and leads == Word("preposition", "of") and thing.kind == "name":
+        leaning = [name for name in given.of_kind(names, "angle") if name in given.leaning_by(names, thing.what)]
+        asks = _FOR[1] if asks == _WHICH[0] else asks
+        return [asks, Word("name", leaning[0]), *words[4:]] if len(leaning) == 1 else words
     if not is_asked or not given.is_written(kind.what) or leads.kind in ("preposition", "mark", ""):
         return words
     found = given.parameters(names, kind.what, "")
@@ -300,7 +305,7 @@ def _end_of_head(names: Names, words: list[Word]) -> int | None:
         chosen = [k for k, word in enumerate(words) if word.kind == "name"]
     if not chosen:
         return None
-    is_led = words[0] in _FOR or is_written
+    is_led = words[0] in (*_FOR, Word("degree", "range")) or is_written
     kinds = ("verb", "not", "relation", "degree", *(["quantity"] if is_led else []))
     marks = ("until", "to", "in equilibrium", "equilibrium")
     begins = (k for k, w in enumerate(words) if k > chosen[0] and (w.kind in kinds or w.what in marks))

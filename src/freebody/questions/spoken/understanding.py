@@ -11,15 +11,21 @@ from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken.accounting import loses_quantity
-from freebody.questions.spoken.assumed import what_does_not_hold
+from freebody.questions.spoken.assumed import takes_held_for_stopped, what_does_not_hold
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.in_the_impact import slip_in_impact
-from freebody.questions.spoken.keeping import chooses_of_what_is_asked, is_kept, loses_joint, loses_other
+from freebody.questions.spoken.keeping import (
+    chooses_of_what_is_asked,
+    is_kept,
+    loses_height,
+    loses_joint,
+    loses_other,
+)
 from freebody.questions.spoken.kinds import is_of_kind
-from freebody.questions.spoken.lexicon import Word, languages, several
+from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import Elements, elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
@@ -142,7 +148,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, passing, read)
     if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
         return []
-    strange = {*not_understood(names.parameters, elements_of(names), text)} & unknown_parameters(told)
+    words = {word for language in languages() for word in vocabulary(language)}  # `after impact` is no parameter
+    strange = {*not_understood(names.parameters, elements_of(names), text), *words} & unknown_parameters(told)
     if nearest:
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
@@ -444,6 +451,8 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if not loses_quantity(plain, words)}
             here = {words: asked for words, asked in here.items() if chooses_of_what_is_asked(names, plain, words)}
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
+            here = {words: asked for words, asked in here.items() if not takes_held_for_stopped(text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
                 distance = meaning.distance
@@ -454,7 +463,8 @@ def _nearest(
                     lacking, instead = asked.problems, instead or asked.problems
                     open_ = JOINT.join(each_value(names, words, lacking))
         else:
-            if open_ and is_kept(names, meaning.words, open_):
+            is_open = bool(open_) and not takes_held_for_stopped(text, open_)
+            if is_open and is_kept(names, meaning.words, open_):
                 left_open.setdefault(open_, meaning.distance)
     for words, at in left_open.items():
         distance = at if distance is None else distance

@@ -50,10 +50,11 @@ def of_slope(names: Names, words: list[Word]) -> list[Word]:
         words = [words[0], angle, words[1], *words[3:]]
     k = words.index(angle) + 1 if angle in words and is_asked else len(words)
     k = 1 if words[0] in _HOW_STEEP else k
+    begin = k
     k += words[k : k + 1] == [Word("preposition", "of")]
     owner = words[k].what if k < len(words) and words[k].kind == "name" else ""
     is_alone = not any(word.kind == "name" for word in words[k + 1 :])
-    return words if is_alone or not given.leaning_by(names, owner) else [*words[:k], *words[k + 1 :]]
+    return words if is_alone or not given.leaning_by(names, owner) else [*words[:begin], *words[k + 1 :]]
 
 
 def about_axle(names: Names, words: list[Word]) -> list[Word]:
@@ -103,7 +104,8 @@ def is_pivot(names: Names, words: Sequence[Word], k: int) -> bool:
 
 
 def named_as_push(names: Names, words: list[Word]) -> list[Word]:
-    """The work of the cable tension, the power of the gas force: of the load itself, whose kind needs no word."""
+    """The work of the cable tension, the power of the gas force, the work of F: of the load itself, whose kind, or
+    size, needs no word."""
     counted = any(w.kind == "quantity" and w.what in _COUNTED for w in words)
     pull, pulling = Word("quantity", "tension"), joining.strings_that_pull(names)
     if (
@@ -113,6 +115,8 @@ def named_as_push(names: Names, words: list[Word]) -> list[Word]:
         and not any(w.kind == "name" for w in words[: words.index(pull)])
     ):
         words = [Word("name", pulling[0]) if word == pull else word for word in words]
+    if counted:
+        words = [Word("name", given.load_of(names, word.what)) if _is_size(names, word) else word for word in words]
     return [
         word
         for k, word in enumerate(words)
@@ -125,3 +129,9 @@ def named_as_push(names: Names, words: list[Word]) -> list[Word]:
             and words[k - 1].what in names.loads
         )
     ]
+
+
+def _is_size(names: Names, word: Word) -> bool:
+    """Whether a word names a parameter that is how strongly one load pushes: the work of F."""
+    is_parameter = word.kind == "name" and word.what in names.parameters
+    return is_parameter and word.what not in names.loads and bool(given.load_of(names, word.what))

@@ -22,10 +22,12 @@ _BEHIND_IN = re.compile(
     rf"(?:,|\s(?:measured|expressed|given|gemessen|angegeben))?\s+in\s+(?P<unit>{_TOKENS}(?:\s+{_TOKENS}){{0,3}})"
 )
 _HOW_MANY = re.compile(
-    r"(?:(?:by|in|for|after|um|nach) )?(?:how many|wie ?viele?n?) (?P<unit>[^\W\d_]+)", re.IGNORECASE
+    r"(?:(?:by|in|for|after|um|nach) )?(?:how many|wie ?viele?n?) (?P<unit>[^\W\d_]+(?: per (?:second|minute|hour))?)",
+    re.IGNORECASE,
 )
 _EACH_MINUTE = re.compile(
-    r"\b(?P<often>(?:how|wie) (?:often|many|oft|viele)\b.*\b(?:swing|oscillat|vibrat|bob|schwing|pendel)\w*\b.*?"
+    r"(?:^|\b)(?P<often>(?:(?:how|wie) (?:often|many|oft|viele)\b|^(?:the )?(?:number of )?)"
+    r"(?=.*\b(?:swing|oscillat|vibrat|bob|rock|sway|schwing|pendel)).*?"
     r"\b(?:(?P<english>per|a|each|every)|pro|je|in der)) minute\b",
     re.IGNORECASE,
 )

@@ -267,7 +267,7 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         place = in_phase(main.phase)
         notes.append(
             place
-            if is_endless
+            if is_endless or isinstance(question.event, Peak)  # what ends its growth says no more
             else Message(
                 "just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase)
             )

@@ -155,10 +155,12 @@ def _chain_over_turn(setup: FreeToTurn, of: Quantity, side: int) -> ChainOverTur
 def _told(setup: FreeToTurn, question: Question, turn: ChainOverTurn) -> Answer | None:
     q = extremes_in(question.quantity)
     assert q is not None
-    seen = DrawnTurn(setup, setup.draws[0], turned_by_drive(setup), q.of)
-    poses = [(turn.at(seen.here + away), seen.value(q_there)) for away, q_there in seen.poses()]
+    drawn = DrawnTurn(setup, setup.draws[0], turned_by_drive(setup), q.of)
+    poses = [(turn.at(drawn.here + away), drawn.value(q_there)) for away, q_there in drawn.poses()]
     place, value = turn.best()
-    poses.append((value, seen.at(math.remainder(place - seen.here, math.tau))))
+    if turn.side * value < max(turn.side * look for _angle, look in turn.looks) - _SAME * turn.size:
+        return None  # it is most beside a jump, where no slope vanishes
+    poses.append((value, drawn.at(math.remainder(place - drawn.here, math.tau))))
     gap = max(abs(one - other) for one, other in poses) / turn.size
     if not gap <= _SAME:
         return None
