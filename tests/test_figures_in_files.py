@@ -217,6 +217,67 @@ def test_a_train_of_gears_turns_in_bearings_that_nobody_writes() -> None:
     assert "nothing holds a, b, c: each turns in a bearing that stands still" in map(str, system.assumptions)
 
 
+GEARS = """
+parameters: {M: 5 N m, I_A: 0.05 kg m^2, I_B: 0.8 kg m^2, r: 0.12 m, m: 50 kg, g: 9.81 m/s^2}
+bodies:
+  A: {gear: {inertia: I_A, teeth: 20, module: 5 mm}}
+  B: {gear: {inertia: I_B, teeth: 60, module: 5 mm}}
+"""
+
+
+@pytest.mark.parametrize("ground", ["", "ground: {points: {O: [1 m, 2 m]}}\n"])
+def test_the_gear_that_the_file_leaves_without_an_axle_turns_in_a_bearing(ground: str) -> None:
+    # the torque M at A is 3 M at B, and the inertia of A counts 9 times there: phi'' = -3 M/(9 I_A + I_B)
+    system = fb.System.from_text(
+        GEARS + ground + "connections: {axle: {pin: [ground.O, A]}, mesh: {gear_mesh: [A, B]}}\n"
+        "loads: {M: {torque: {on: A, magnitude: M}}, w: {gravity: g}}\nmeasures: {phi: angle of B}\n"
+    )
+    assert float(system.solve("acceleration of phi")["q1"].value) == pytest.approx(-15 / 1.25)
+    told = [str(each) for each in system.assumptions]
+    assert "nothing holds B: it turns in a bearing that stands still" in told
+    assert {each.kind for each in system.warnings} <= {"unused"}
+
+
+def test_gears_by_which_a_load_hangs_turn_in_bearings() -> None:
+    # a load on a drum of the second gear: a rope carries no axle
+    system = fb.System.from_text(
+        GEARS
+        + "connections: {mesh: {gear_mesh: [A, B]}, rope: {string: {path: [wound on B radius r at right, load]}}}\n"
+        "loads: {M: {torque: {on: A, magnitude: -M}}, w: {gravity: g}}\nmeasures: {h: height of load}\n".replace(
+            "connections:", "  load: {particle: {mass: m}}\nconnections:", 1
+        )
+    )
+    lift = 0.12 * (3 * 5 - 50 * 0.12 * 9.81) / (50 * 0.12**2 + 9 * 0.05 + 0.8)
+    assert float(system.solve("acceleration of h")["q1"].value) == pytest.approx(lift)
+    assert "nothing holds A, B: each turns in a bearing that stands still" in map(str, system.assumptions)
+
+
+def test_axles_whose_names_alone_are_given_stand_where_the_teeth_have_them() -> None:
+    text = GEARS + (
+        "ground: {points: [P, Q]}\n"
+        "connections: {a: {pin: [ground.P, A.center]}, b: {pin: [ground.Q, B.center]}, mesh: {gear_mesh: [A, B]}}\n"
+    )
+    assert {each.kind for each in fb.System.from_text(text).warnings} <= {"unused"}
+
+
+def test_a_gear_on_a_shaft_needs_no_bearing_of_its_own() -> None:
+    # the second gear turns with the drum to which it is welded, whose axle the file gives
+    system = fb.System.from_text(
+        GEARS + "  drum: {disk: {mass: m, radius: r}}\nground: {points: {O: [0, 0], Q: [0.2 m, 0]}}\n"
+        "connections: {a: {pin: [O, A]}, b: {pin: [Q, drum]}, shaft: {weld: [drum, B]}, mesh: {gear_mesh: [A, B]}}\n"
+    )
+    assert not [each for each in map(str, system.assumptions) if "bearing" in each]
+
+
+def test_the_axle_of_a_planet_that_the_file_leaves_out_is_not_guessed() -> None:
+    text = (
+        "bodies: {s: {gear: {teeth: 24, module: 2 mm}}, p: {gear: {teeth: 18, module: 2 mm}},\n"
+        "  r: {gear: {teeth: 60, module: 2 mm, internal: true}}}\nconnections: {a: {pin: [ground.O, s]},\n"
+        "  b: {pin: [ground.O, r]}, one: {gear_mesh: [s, p]}, two: {gear_mesh: [r, p]}}\n"
+    )
+    assert not [each for each in map(str, fb.System.from_text(text).assumptions) if "bearing" in each]
+
+
 def test_a_four_bar_by_its_lengths_is_that_of_its_pins() -> None:
     by_lengths = """
 links: {ground: 10 cm, crank: 3 cm, coupler: 9 cm, rocker: 7 cm}
