@@ -3,6 +3,8 @@ is taken from there is told, and gives the same as the file that says it."""
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
@@ -196,6 +198,44 @@ def test_teeth_of_the_planet_are_those_that_fit() -> None:
     radius = system.bodies["planet"].radius
     assert radius is not None
     assert evaluate(radius, {}) == pytest.approx(0.018)
+
+
+@pytest.mark.parametrize(
+    "gear",
+    [
+        "planetary: {N_sun: 24, N_ring: 72, fixed: ring, input: {sun: 1000 rpm}}",
+        "planetary_gear: {sun_teeth: 24, planet_teeth: 24, ring_teeth: 72, fixed: ring}\ninput: {sun: 1000 rpm}",
+        "epicyclic: {teeth: {sun: 24, ring: 72}, fixed_member: ring, number_of_planets: 3, drive: {sun: 1000 rpm}}",
+    ],
+)
+def test_a_planetary_gear_may_have_its_teeth_by_the_parts(gear: str) -> None:
+    # omega_C = omega_S z_S/(z_S + z_R) = n/4
+    system = fb.System.from_text(gear + "\n")
+    assert float(system.solve("angular velocity of carrier")["q1"].value) == pytest.approx(1000 * math.pi / 30 / 4)
+    assert not system.warnings
+
+
+@pytest.mark.parametrize(
+    "linkage",
+    [
+        "four_bar: {a: 40 mm, b: 120 mm, c: 80 mm, d: 100 mm}\nstart: {crank: 60 deg, rate(angle of crank): 10 rad/s}",
+        "linkage: {frame: 100 mm, crank: 40 mm, rocker: 80 mm, coupler: 120 mm, crank_angle: 60 deg, "
+        "crank_speed: 10 rad/s}",
+        "fourbar: {r1: 10 cm, r2: 4 cm, r3: 12 cm, r4: 8 cm, theta2: 60 deg, omega2: 10 rad/s}",
+        "four_bar: {input: 40 mm, output: 80 mm, coupler: 120 mm, ground: 100 mm, input_angle: 60 deg, "
+        "input_speed: 10 rad/s}",
+    ],
+)
+def test_a_four_bar_may_have_its_lengths_by_the_parts(linkage: str) -> None:
+    # omega_4 = (a omega_2/c) sin(theta_2 - theta_3)/sin(theta_4 - theta_3) (Norton, Design of Machinery, sec. 6.7)
+    system = fb.System.from_text(linkage + "\n")
+    last = [*system.bodies][-1]
+    x, y = 0.1 - 0.04 * math.cos(math.pi / 3), -0.04 * math.sin(math.pi / 3)  # from the crankpin to the other pivot
+    apart = math.hypot(x, y)
+    coupler = math.atan2(y, x) + math.acos((0.12**2 + apart**2 - 0.08**2) / (2 * 0.12 * apart))
+    rocker = math.atan2(-y + 0.12 * math.sin(coupler), -x + 0.12 * math.cos(coupler))
+    speed = 0.5 * 10 * math.sin(math.pi / 3 - coupler) / math.sin(rocker - coupler)
+    assert float(system.solve(f"angular velocity of {last}")["q1"].value) == pytest.approx(speed)
 
 
 def test_axles_of_gears_stand_where_the_teeth_have_them() -> None:
