@@ -33,6 +33,7 @@ from freebody.system.reading.written.planetary import with_planetary
 from freebody.system.reading.written.pulleys import hold_pulleys
 from freebody.system.reading.written.scalars import spread_scalars
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
+from freebody.system.reading.written.single import with_single
 from freebody.system.reading.written.spelling import ground_for_world, sides_as_called, spell_entry, spell_sections
 from freebody.system.reading.written.stacks import lay_in_stacks
 from freebody.system.reading.written.starts import start_of_bodies
@@ -78,6 +79,7 @@ def _put_in_order(w: Written) -> None:
     with_beam(w)
     with_linkage(w)
     with_planetary(w)
+    with_single(w)
     if str(w.data.get("start")).lower() in _AT_REST:
         del w.data["start"]
     rename_sections(w)

@@ -18,13 +18,10 @@ from freebody.language.folded import folded
 from freebody.measures.geometry import GROUND
 from freebody.model.spec import Spec
 from freebody.model.written_kinds import written_kind
-from freebody.system.reading.sections import ROUGH
+from freebody.system.reading.sections import ATTACHED, HINGED, LIES_ON, ROUGH
 from freebody.system.reading.written.entries import rolling_with_friction
 from freebody.system.reading.written.form import Entry, Written, as_option, keys_beside, shape_of
 
-_ON = ("on", "lies_on", "rests_on")
-_ATTACHED = ("attached_to", "fixed_to", "welded_to", "glued_to", "mounted_on", "fixed_at", "befestigt_an")
-_HINGED = ("hinged_to", "pinned_to", "pivoted_to", "hinged_at", "pinned_at", "pivoted_at", "gelenkig_an")
 _ROLLING = "rolling"
 _CONTACT, _PIN, _WELD, _POINT = "contact", "pin", "weld", "particle"
 _OF_TOUCHING = {"friction", "restitution"}
@@ -56,15 +53,15 @@ def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dic
     beside = keys_beside("bodies", space=False)
     rough = {key: value for key, value in entry.items() if key in ROUGH}
     for key, value in entry.items():
-        if as_option(key, beside) and key not in _ON:
+        if as_option(key, beside) and key not in LIES_ON:
             continue
-        if key in _ON and isinstance(value, str) and not is_round:
+        if key in LIES_ON and isinstance(value, str) and not is_round:
             on, called = value.rsplit(".", 1)[-1], f"{name}_on_{value.replace('.', '_')}"
             is_told = any(_names(each, name) and _names(each, on) for each in connections.values())
             found[key] = called, {} if is_told else {_CONTACT: {"between": [name, value], **rough}}, rough
-        elif folded(key) in _ATTACHED and isinstance(value, str) and (is_round or shape.kind == _POINT):
+        elif folded(key) in ATTACHED and isinstance(value, str) and (is_round or shape.kind == _POINT):
             found[key] = f"{name}_attached", {_WELD: [value, name]}, {}
-        elif folded(key) in _HINGED and isinstance(value, str) and (is_round or shape.kind == _POINT):
+        elif folded(key) in HINGED and isinstance(value, str) and (is_round or shape.kind == _POINT):
             found[key] = f"{name}_hinged", {_PIN: [value, name]}, {}
         elif written_kind(key, None, Connection.kinds, space=False) == _PIN and is_round and _is_place(value):
             found[key] = f"{name}_{key}", {_PIN: [value, name]}, {}

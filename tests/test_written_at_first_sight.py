@@ -1,0 +1,61 @@
+"""Files as somebody writes them who has read nothing: the numbers of a figure, by the words of a textbook."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+G = 9.81
+
+
+def answer(text: str, question: str) -> float:
+    value = fb.System.from_text(text).solve(question)["q1"].value
+    return float(math.hypot(*value) if isinstance(value, list | tuple) else value)
+
+
+@pytest.mark.parametrize("excitation", ["10 N * sin(3*t)", "10 N*sin(3 * t)"])
+def test_an_oscillator_is_told_by_its_numbers(excitation: str) -> None:
+    # X = F0/sqrt((k - m Omega^2)^2 + (c Omega)^2) (Thomson, Theory of Vibration, sec. 3.1)
+    text = f"system: a machine\nmass: 2 kg\nstiffness: 50 N/m\ndamping: 4 N s/m\nforce: {excitation}\n"
+    assert answer(text, "natural frequency") == pytest.approx(5.0)
+    assert answer(text, "damping ratio") == pytest.approx(4 / (2 * 2 * 5))
+    assert answer(text, "steady amplitude") == pytest.approx(10 / math.hypot(50 - 18, 12))
+    assert fb.System.from_text(text).title == "a machine"
+
+
+def test_an_oscillator_starts_where_its_numbers_say() -> None:
+    # without damping x = x0 cos(w t)
+    text = "m: 2 kg\nk: 50 N/m\nx0: 5 cm\n"
+    assert answer(text, "x after 1 s") == pytest.approx(0.05 * math.cos(5.0))
+
+
+def test_a_pendulum_is_told_by_its_numbers() -> None:
+    # m v^2/L = T - m g at the bottom, v^2 = 2 g L (1 - cos theta0)
+    text = "pendulum: {length: 1 m, mass: 2 kg, angle: 10 deg}\ngravity: 9.81\n"
+    assert answer(text, "tension at the bottom") == pytest.approx(2 * G * (3 - 2 * math.cos(math.radians(10))))
+    assert answer(text, "natural frequency") == pytest.approx(math.sqrt(G))
+    told = "pendulum is a point mass, bob, on a link without mass, cord; theta counts from down"
+    assert told in map(str, fb.System.from_text(text).assumptions)
+
+
+@pytest.mark.parametrize("gravity", ["9.81", "9.81 m/s^2", "g"])
+def test_a_block_on_an_incline_needs_no_section(gravity: str) -> None:
+    # a = g (sin alpha - mu cos alpha)
+    own = "parameters: {g: 9.81 m/s^2}\n" if gravity == "g" else ""
+    text = f"{own}incline: {{angle: 30 deg, mu: 0.2}}\nblock: {{mass: 2 kg, on: incline}}\ngravity: {gravity}\n"
+    assert answer(text, "acceleration of block") == pytest.approx(G * (0.5 - 0.2 * math.sqrt(0.75)))
+
+
+def test_masses_on_a_rope_say_their_masses_alone() -> None:
+    # a = g (m1 - m2)/(m1 + m2 + M/2)
+    text = """
+bodies: {m1: 3 kg, m2: 2 kg}
+pulley: {mass: 1 kg, radius: 0.1 m}
+rope: [m1, pulley, m2]
+gravity: 9.81
+"""
+    assert answer(text, "acceleration of m1") == pytest.approx(G / 5.5)
+    assert answer(text, "tension of rope at m1") == pytest.approx(3 * G * (1 - 1 / 5.5))
