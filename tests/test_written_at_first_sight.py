@@ -59,3 +59,28 @@ gravity: 9.81
 """
     assert answer(text, "acceleration of m1") == pytest.approx(G / 5.5)
     assert answer(text, "tension of rope at m1") == pytest.approx(3 * G * (1 - 1 / 5.5))
+
+
+COLLISION = """
+parameters: {u: -4 m/s}
+bodies: {A: {mass: 2 kg, velocity: FIRST}, B: {mass: 1 kg, velocity: SECOND}}
+collision: {between: [A, B], e: 0.5}
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "left"), [("3 m/s", "-1 m/s", "A"), ("0 m/s", "4 m/s", "B"), ("u", "0", "B"), ("-u", "0", "A")]
+)
+@pytest.mark.parametrize("gravity", ["", "gravity: 9.81\n"])
+def test_what_collides_on_a_line_says_its_speeds_as_numbers(first: str, second: str, left: str, gravity: str) -> None:
+    # momentum is kept, and e (u1 - u2) is how fast they part; half the reduced mass times (1 - e^2)(u1 - u2)^2 is lost
+    text = COLLISION.replace("FIRST", first).replace("SECOND", second) + gravity
+    one, two = ({"u": -4.0, "-u": 4.0}.get(each) or float(each.split()[0]) for each in (first, second))
+    mean = (2 * one + two) / 3
+    system = fb.System.from_text(text)
+    after = [system.solve(f"velocity of {body} after the impact")["q1"].value[0] for body in "AB"]
+    assert after == pytest.approx([mean - 0.5 * (one - two) / 3, mean + 0.5 * 2 * (one - two) / 3])
+    assert answer(text, "energy lost in the impact") == pytest.approx(0.5 * 2 / 3 * 0.75 * (one - two) ** 2)
+    right = "B" if left == "A" else "A"
+    told = f"{left} is on the left of {right}, by gap_{left}_{right} = 1 m"
+    assert told in map(str, system.assumptions)

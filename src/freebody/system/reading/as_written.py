@@ -21,6 +21,7 @@ from typing import cast
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.system.reading.written.beams import with_beam
+from freebody.system.reading.written.collisions import guide_what_collides
 from freebody.system.reading.written.distances import with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
@@ -101,6 +102,7 @@ def _put_in_order(w: Written) -> None:
     with_distances(w)
     roughen_lines(w)
     ground_as_line(w)
+    guide_what_collides(w)
     spread_scalars(w)
     hold_pulleys(w)
     stretch_springs(w)
