@@ -84,3 +84,24 @@ def test_what_collides_on_a_line_says_its_speeds_as_numbers(first: str, second: 
     right = "B" if left == "A" else "A"
     told = f"{left} is on the left of {right}, by gap_{left}_{right} = 1 m"
     assert told in map(str, system.assumptions)
+
+
+BEAM = """
+beam: {length: 6 m}
+supports: {A: {x: 0, type: pinned}, B: {x: 6 m, type: roller}}
+loads: LOADS
+"""
+
+
+@pytest.mark.parametrize(
+    "loads",
+    [
+        "[{P: 10 kN, x: 2 m}, {w: 2 kN/m, from: 3 m, to: 6 m}, {M: 3 kN m, x: 4 m}]",
+        "{one: {force: 10 kN, at: 2 m}, two: {q: 2 kN/m, from: 3 m, to: 6 m}, three: {M: 3 kN m, at: 4 m}}",
+    ],
+)
+def test_loads_of_a_beam_are_known_by_their_units(loads: str) -> None:
+    # moments about A: 6 B = 10*2 + 6*4.5 - 3 (a couple counter-clockwise lifts the right end)
+    text = BEAM.replace("LOADS", loads)
+    assert answer(text, "vertical reaction of B") == pytest.approx((20 + 27 - 3) / 6 * 1e3)
+    assert answer(text, "vertical reaction of A") == pytest.approx((16 - 44 / 6) * 1e3)

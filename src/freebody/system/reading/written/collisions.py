@@ -40,6 +40,8 @@ def guide_what_collides(w: Written) -> None:
         others = {key: each for key, each in w.data["connections"].items() if key != name}
         if len(two) != 2 or any(is_named(body, others) for body in two):
             continue
+        if not any({*SPEEDS, *PLACES_OF_BODIES} & {*(bodies.get(body) or {})} for body in two):
+            continue  # nothing says that they meet on a line
         if not all(_moves_level(bodies.get(body)) for body in two) or _height(bodies[two[0]]) != _height(
             bodies[two[1]]
         ):
