@@ -105,3 +105,32 @@ def test_loads_of_a_beam_are_known_by_their_units(loads: str) -> None:
     text = BEAM.replace("LOADS", loads)
     assert answer(text, "vertical reaction of B") == pytest.approx((20 + 27 - 3) / 6 * 1e3)
     assert answer(text, "vertical reaction of A") == pytest.approx((16 - 44 / 6) * 1e3)
+
+
+ARM = """
+name: two link arm
+parameters: {m1: 2 kg, L1: 0.5 m, m2: 1 kg, L2: 0.4 m, tau: 3 N m}
+gravity: 9.81
+links: [{name: link1, mass: m1, length: L1}, {name: link2, mass: m2, length: L2}]
+joints:
+  - {name: shoulder, type: revolute, parent: PARENT, child: link1, torque: tau}
+  - {name: elbow, type: revolute, parent: link1, child: link2}
+initial: {shoulder: 0 deg, elbow: 90 deg}
+"""
+
+
+@pytest.mark.parametrize("parent", ["ground", "base", "world"])
+def test_links_of_a_robot_hang_on_each_other_by_their_ends(parent: str) -> None:
+    # M q'' = (tau, 0) - G with the elbow at a right angle (Spong, Robot Modeling and Control, sec. 7.4)
+    m1, L1, m2, L2 = 2, 0.5, 1, 0.4
+    m11, m12, m22 = m1 * L1**2 / 3 + m2 * (L1**2 + L2**2 / 3), m2 * L2**2 / 3, m2 * L2**2 / 3
+    pull = 3 - (m1 / 2 + m2) * G * L1
+    found = answer(ARM.replace("PARENT", parent), "angular acceleration of link1")
+    assert found == pytest.approx(pull * m22 / (m11 * m22 - m12**2))
+
+
+def test_a_rod_that_is_pinned_by_its_plain_name_is_held_in_its_middle_and_that_is_told() -> None:
+    system = fb.System.from_text(
+        "bodies: {bar: {rod: {mass: 1 kg, length: 1 m}}}\nconnections: {hinge: {pin: [ground, bar]}}\n"
+    )
+    assert "hinge holds bar in its middle; its ends are bar.start, bar.end" in map(str, system.assumptions)

@@ -27,6 +27,7 @@ from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
 from freebody.system.reading.written.gears import bear_gears, place_axles, with_modules
 from freebody.system.reading.written.held import ground_as_line, hold_bodies, roughen_lines
+from freebody.system.reading.written.joints import join_rods, tell_middles
 from freebody.system.reading.written.linkages import with_linkage
 from freebody.system.reading.written.lists import name_items
 from freebody.system.reading.written.oscillators import stretch_springs
@@ -99,6 +100,8 @@ def _put_in_order(w: Written) -> None:
             put_entry_in_order(w, section, name, spelt)
         if section == "bodies":
             hold_bodies(w)
+            join_rods(w)
+    tell_middles(w)
     with_distances(w)
     roughen_lines(w)
     ground_as_line(w)
