@@ -134,3 +134,41 @@ def test_a_rod_that_is_pinned_by_its_plain_name_is_held_in_its_middle_and_that_i
         "bodies: {bar: {rod: {mass: 1 kg, length: 1 m}}}\nconnections: {hinge: {pin: [ground, bar]}}\n"
     )
     assert "hinge holds bar in its middle; its ends are bar.start, bar.end" in map(str, system.assumptions)
+
+
+def test_a_place_that_a_joint_gives_may_be_said_as_well() -> None:
+    text = """
+parameters: {m: 5 kg, M: 900 kg, L: 2 m, F: 1 kN, g: 9.81 m/s^2}
+bodies:
+  truck: {body: {mass: M}, points: {tower: [0.5 m, 2.5 m]}}
+  pole: {rod: {mass: m, length: L}, at: {start: truck.tower}, angle: -90 deg}
+connections: {road: {slider: {body: truck, along: right}}, hinge: {pin: [truck.tower, pole.start]}}
+loads: {w: {gravity: g}, F: {force: {at: truck, along: right, magnitude: F}}}
+"""
+    # a pole that hangs: M a + m (a + L alpha/2) = F and alpha = -3 a/(2 L), so that it counts as m/4
+    assert answer(text, "acceleration of truck") == pytest.approx(1000 / (900 + 5 / 4))
+    with pytest.raises(fb.ModelError, match=r"follows from what joins both"):
+        fb.System.from_text(text.replace("pin: [truck.tower", "pin: [truck.origin"))
+
+
+def test_a_boom_is_put_by_its_socket_and_its_end() -> None:
+    # 2 T (3/s) = W with s = sqrt(L^2 + 3^2 + 2^2), and the socket takes 2 T L/s
+    text = """
+space: true
+parameters: {W: 6 kN, L: 4 m}
+ground: {points: {A: [0, 0, 0], D: [0, 3 m, 2 m], E: [0, 3 m, -2 m]}}
+bodies: {boom: {rod: {length: L}, at: {start: A, end: [L, 0, 0]}}}
+connections:
+  foot: {spherical: [ground.A, boom.start]}
+  cable1: {link: [boom.end, ground.D]}
+  cable2: {link: [boom.end, ground.E]}
+loads: {load: {force: {at: boom.end, along: down, magnitude: W}}}
+"""
+    assert answer(text, "tension of cable1") == pytest.approx(1e3 * math.sqrt(29))
+    assert answer(text, "reaction of foot") == pytest.approx(8e3)
+
+
+def test_two_places_of_a_body_in_space_are_refused_with_the_one_to_write() -> None:
+    text = "space: true\nbodies: {boom: {rod: {length: 4 m}, at: {start: [0, 0, 0], end: [4 m, 0, 0]}}}\n"
+    with pytest.raises(fb.ModelError, match=r"in space at puts one point, at: \{end: \[4 m, 0, 0\]\}; joints put"):
+        fb.System.from_text(text)
