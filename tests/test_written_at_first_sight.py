@@ -172,3 +172,40 @@ def test_two_places_of_a_body_in_space_are_refused_with_the_one_to_write() -> No
     text = "space: true\nbodies: {boom: {rod: {length: 4 m}, at: {start: [0, 0, 0], end: [4 m, 0, 0]}}}\n"
     with pytest.raises(fb.ModelError, match=r"in space at puts one point, at: \{end: \[4 m, 0, 0\]\}; joints put"):
         fb.System.from_text(text)
+
+
+BEVELS = """
+space: true
+ground: {points: {A: [90 mm, 0, 0], B: [0, 30 mm, 0]}}
+bodies:
+  pinion: {gear: {teeth: 15, module: 4 mm, inertia: 0.01 kg m^2AXIS}}
+  wheel: {gear: {teeth: 45, module: 4 mm, axis: y, inertia: 0.2 kg m^2}}
+connections:
+  a: {revolute: {first: ground.A, second: pinion, about: x}}
+  b: {revolute: {first: ground.B, second: wheel, about: y}}
+  mesh: {bevel_gears: [pinion, wheel]}
+measures: {phi: angle of pinion about x}
+loads: {M: {torque: {on: pinion, about: x, magnitude: 3 N m}}}
+"""
+
+
+@pytest.mark.parametrize("axis", [", axis: x", ""])
+def test_bevel_gears_have_the_teeth_and_the_radius_of_their_wheels(axis: str) -> None:
+    # the wheel counts (15/45)^2 times at the pinion, and the tooth force is (M - I phi'')/r with r = 30 mm
+    text = BEVELS.replace("AXIS", axis)
+    turning = 3 / (0.01 + 0.2 / 9)
+    assert answer(text, "acceleration of phi") == pytest.approx(turning)
+    assert answer(text, "tooth force of mesh") == pytest.approx((3 - 0.01 * turning) / 0.03)
+    told = [str(each) for each in fb.System.from_text(text).assumptions]
+    assert ("pinion has the axis of its bearing, x" in told) is (axis == "")
+
+
+def test_bevel_gears_by_teeth_alone_are_a_model_in_space() -> None:
+    text = """
+gears: {pinion: {type: bevel, teeth: 15, module: 4 mm}, wheel: {type: bevel, teeth: 45, module: 4 mm}}
+mesh: [pinion, wheel]
+pinion_speed: 1200 rpm
+"""
+    assert answer(text, "angular velocity of wheel") == pytest.approx(1200 * math.pi / 30 / 3)
+    told = "the axes of pinion and wheel meet at a right angle, along x and y"
+    assert told in map(str, fb.System.from_text(text).assumptions)

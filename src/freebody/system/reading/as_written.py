@@ -21,6 +21,7 @@ from typing import cast
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.system.reading.written.beams import with_beam
+from freebody.system.reading.written.bevels import complete_bevels, with_bevels
 from freebody.system.reading.written.collisions import guide_what_collides
 from freebody.system.reading.written.distances import with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
@@ -83,6 +84,7 @@ def _put_in_order(w: Written) -> None:
     with_linkage(w)
     with_planetary(w)
     with_single(w)
+    with_bevels(w)
     if str(w.data.get("start")).lower() in _AT_REST:
         del w.data["start"]
     rename_sections(w)
@@ -112,6 +114,7 @@ def _put_in_order(w: Written) -> None:
     hold_pulleys(w)
     stretch_springs(w)
     lay_in_stacks(w)
+    complete_bevels(w)
     with_modules(w)
     bear_gears(w)
     place_axles(w)
