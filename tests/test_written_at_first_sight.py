@@ -209,3 +209,16 @@ pinion_speed: 1200 rpm
     assert answer(text, "angular velocity of wheel") == pytest.approx(1200 * math.pi / 30 / 3)
     told = "the axes of pinion and wheel meet at a right angle, along x and y"
     assert told in map(str, fb.System.from_text(text).assumptions)
+
+
+@pytest.mark.parametrize(("x", "v", "side"), [("-1 m", "v", "right"), ("d", "-v", "left")])
+def test_a_wall_that_nobody_declares_is_where_the_ball_is_not(x: str, v: str, side: str) -> None:
+    text = f"""
+parameters: {{m: 2 kg, v: 3 m/s, d: 1 m, e: 0.8}}
+bodies: {{ball: {{disk: {{mass: m, radius: 0.1 m}}, at: [{x}, 0], velocity: [{v}, 0]}}}}
+connections: {{hit: {{contact: {{between: [ball, wall], restitution: e}}}}}}
+"""
+    after = fb.System.from_text(text).solve("velocity of ball after the impact")["q1"].value
+    assert after[0] == pytest.approx(-2.4 if side == "right" else 2.4)
+    told = f"wall goes upright through the origin and is solid on the {side}"
+    assert told in map(str, fb.System.from_text(text).assumptions)

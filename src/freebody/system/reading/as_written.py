@@ -27,7 +27,7 @@ from freebody.system.reading.written.distances import with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
 from freebody.system.reading.written.gears import bear_gears, place_axles, with_modules
-from freebody.system.reading.written.held import ground_as_line, hold_bodies, roughen_lines
+from freebody.system.reading.written.held import ground_as_line, hold_bodies, raise_walls, roughen_lines
 from freebody.system.reading.written.joined_places import leave_to_joints
 from freebody.system.reading.written.joints import join_rods, tell_middles
 from freebody.system.reading.written.linkages import with_linkage
@@ -109,6 +109,7 @@ def _put_in_order(w: Written) -> None:
     with_distances(w)
     roughen_lines(w)
     ground_as_line(w)
+    raise_walls(w)
     guide_what_collides(w)
     spread_scalars(w)
     hold_pulleys(w)

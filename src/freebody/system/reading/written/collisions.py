@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from typing import Any, cast
 
-from freebody.errors import InputError
 from freebody.language.sentences import Message
-from freebody.language.units import parse_quantity
 from freebody.model.written_kinds import written_kind
+from freebody.system.reading.written.dimensions import value_said
 from freebody.system.reading.written.form import Entry, Written, are_mappings, kinds_of, shape_of
 from freebody.system.reading.written.pulleys import is_named, of_kind
 from freebody.system.reading.written.scalars import PLACES_OF_BODIES
@@ -60,7 +59,7 @@ def _put_apart(w: Written, two: list[str]) -> None:
     """Two bodies without places, with a distance between them that stays a symbol."""
     bodies = cast("Entry", w.data["bodies"])
     parameters = cast("Entry", w.data.get("parameters") or {})
-    first, second = (_value(_speed(bodies[body]), parameters) for body in two)
+    first, second = (value_said(w, _speed(bodies[body])) or 0.0 for body in two)
     left, right = two[::-1] if first < second else two
     gap = f"gap_{left}_{right}"
     if gap in parameters:
@@ -88,17 +87,6 @@ def _speed(entry: Entry) -> Any:
 
 def _is_number(value: Any) -> bool:
     return isinstance(value, int | float | str)
-
-
-def _value(speed: Any, parameters: Entry) -> float:
-    """Its number in SI units; 0 where the file gives none."""
-    if not _is_number(speed):
-        return 0.0
-    sign, name = (-1.0, str(speed)[1:].strip()) if str(speed).startswith("-") else (1.0, str(speed))
-    try:
-        return sign * float(parse_quantity(parameters.get(name, name)).value)
-    except (InputError, TypeError, ValueError):
-        return 0.0
 
 
 def _height(entry: Entry) -> str | None:
