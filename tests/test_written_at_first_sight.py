@@ -222,3 +222,38 @@ connections: {{hit: {{contact: {{between: [ball, wall], restitution: e}}}}}}
     assert after[0] == pytest.approx(-2.4 if side == "right" else 2.4)
     told = f"wall goes upright through the origin and is solid on the {side}"
     assert told in map(str, fb.System.from_text(text).assumptions)
+
+
+@pytest.mark.parametrize("load", ["s: {spring: {at: bar.end, k: 800 N/m}}", "d: {damper: {at: bar.end, c: 25 N s/m}}"])
+def test_a_spring_at_one_point_is_told_that_it_has_two(load: str) -> None:
+    text = f"bodies: {{bar: {{rod: {{mass: 3 kg, length: 1.2 m}}}}}}\nloads: {{{load}}}\n"
+    with pytest.raises(fb.ModelError, match=r"acts between two points, .* \{from: \[0\.6 m, -0\.3 m\], to: b"):
+        fb.System.from_text(text)
+    cured = text.replace("at: bar.end", "from: [0.6 m, -0.3 m], to: bar.end")
+    assert not fb.System.from_text(cured).warnings
+
+
+def test_a_rope_round_a_point_mass_is_told_of_the_pulley() -> None:
+    text = """
+ground: {points: {T: [4 m, 3 m]}, lines: {incline: {along: 30 deg}}}
+bodies: {A: {particle: {mass: 20 kg}}, B: {particle: {mass: 8 kg}}}
+connections: {c: {contact: [A, incline]}, rope: {string: {path: [ground.T, around A, over ground.T, B]}}}
+"""
+    with pytest.raises(fb.ModelError, match=r"A is a point and has no radius; .* axle: \{pin: \[A, pulley\]"):
+        fb.System.from_text(text)
+
+
+def test_a_rope_that_runs_twice_to_a_block_on_an_incline_is_a_tackle() -> None:
+    # 2 T - m_A g (sin alpha + mu cos alpha) = m_A a, m_B g - T = 2 m_B a
+    text = """
+ground: {lines: {incline: {along: 30 deg}}}
+bodies: {A: {particle: {mass: 20 kg}}, B: {particle: {mass: 8 kg}}, top: {disk: {radius: 0.1 m}}}
+connections:
+  guide: {slider: {body: A, along: incline, friction: 0.2}}
+  axle: {pin: [ground.T, top]}
+  rope: {string: {from: B, over: [top], to: A, falls: 2}}
+measures: {y: drop of B}
+gravity: 9.81
+"""
+    lift = 2 * 8 * G - 20 * G * (0.5 + 0.2 * math.sqrt(0.75))
+    assert answer(text, "acceleration of y") == pytest.approx(2 * lift / (20 + 4 * 8))
