@@ -16,6 +16,7 @@ from typing import Any, cast
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, Dimension
+from freebody.system.reading.sections import MEANT_SECTIONS
 from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import Entry, Written, are_mappings
 
@@ -46,7 +47,8 @@ _CALLED = ("pendulum", "simple_pendulum", "pendel", "fadenpendel")
 
 def with_single(w: Written) -> None:
     """Writes an oscillator or a pendulum out, where the file has no bodies of its own."""
-    if w.space or any(w.data.get(each) for each in ("bodies", "Körper", "links")) or not are_mappings(w, *_SECTIONS):
+    has_bodies = any(MEANT_SECTIONS.get(key, key) in ("bodies", "links") for key in w.data)
+    if w.space or has_bodies or not are_mappings(w, *_SECTIONS):
         return
     _with_oscillator(w)
     _with_pendulum(w)
