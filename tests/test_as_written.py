@@ -606,7 +606,8 @@ def test_a_linkage_is_read_as_its_points_and_links(held: str) -> None:
 
 def test_links_with_a_mass_are_bodies() -> None:
     text = (
-        "links: [{name: upper, length: 1 m, mass: 2 kg}]\njoints: [{name: j, type: pin, parent: world, child: upper}]"
+        "links: [{name: upper, length: 1 m, mass: 2 kg}]\n"
+        "joints: [{name: j, type: pin, parent: world, child: upper, friction: 0.1}]"
     )
     with pytest.raises(fb.ModelError) as told:
         fb.System.from_text(text)

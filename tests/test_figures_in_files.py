@@ -3,6 +3,8 @@ is taken from there is told, and gives the same as the file that says it."""
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import freebody as fb
@@ -198,6 +200,44 @@ def test_teeth_of_the_planet_are_those_that_fit() -> None:
     assert evaluate(radius, {}) == pytest.approx(0.018)
 
 
+@pytest.mark.parametrize(
+    "gear",
+    [
+        "planetary: {N_sun: 24, N_ring: 72, fixed: ring, input: {sun: 1000 rpm}}",
+        "planetary_gear: {sun_teeth: 24, planet_teeth: 24, ring_teeth: 72, fixed: ring}\ninput: {sun: 1000 rpm}",
+        "epicyclic: {teeth: {sun: 24, ring: 72}, fixed_member: ring, number_of_planets: 3, drive: {sun: 1000 rpm}}",
+    ],
+)
+def test_a_planetary_gear_may_have_its_teeth_by_the_parts(gear: str) -> None:
+    # omega_C = omega_S z_S/(z_S + z_R) = n/4
+    system = fb.System.from_text(gear + "\n")
+    assert float(system.solve("angular velocity of carrier")["q1"].value) == pytest.approx(1000 * math.pi / 30 / 4)
+    assert not system.warnings
+
+
+@pytest.mark.parametrize(
+    "linkage",
+    [
+        "four_bar: {a: 40 mm, b: 120 mm, c: 80 mm, d: 100 mm}\nstart: {crank: 60 deg, rate(angle of crank): 10 rad/s}",
+        "linkage: {frame: 100 mm, crank: 40 mm, rocker: 80 mm, coupler: 120 mm, crank_angle: 60 deg, "
+        "crank_speed: 10 rad/s}",
+        "fourbar: {r1: 10 cm, r2: 4 cm, r3: 12 cm, r4: 8 cm, theta2: 60 deg, omega2: 10 rad/s}",
+        "four_bar: {input: 40 mm, output: 80 mm, coupler: 120 mm, ground: 100 mm, input_angle: 60 deg, "
+        "input_speed: 10 rad/s}",
+    ],
+)
+def test_a_four_bar_may_have_its_lengths_by_the_parts(linkage: str) -> None:
+    # omega_4 = (a omega_2/c) sin(theta_2 - theta_3)/sin(theta_4 - theta_3) (Norton, Design of Machinery, sec. 6.7)
+    system = fb.System.from_text(linkage + "\n")
+    last = [*system.bodies][-1]
+    x, y = 0.1 - 0.04 * math.cos(math.pi / 3), -0.04 * math.sin(math.pi / 3)  # from the crankpin to the other pivot
+    apart = math.hypot(x, y)
+    coupler = math.atan2(y, x) + math.acos((0.12**2 + apart**2 - 0.08**2) / (2 * 0.12 * apart))
+    rocker = math.atan2(-y + 0.12 * math.sin(coupler), -x + 0.12 * math.cos(coupler))
+    speed = 0.5 * 10 * math.sin(math.pi / 3 - coupler) / math.sin(rocker - coupler)
+    assert float(system.solve(f"angular velocity of {last}")["q1"].value) == pytest.approx(speed)
+
+
 def test_axles_of_gears_stand_where_the_teeth_have_them() -> None:
     text = """
 bodies: {a: {gear: {teeth: 20, m: 4 mm}}, b: {gear: {teeth: 60, m: 4 mm}}, c: {gear: {teeth: 40, m: 4 mm}}}
@@ -215,6 +255,67 @@ def test_a_train_of_gears_turns_in_bearings_that_nobody_writes() -> None:
     )
     assert float(system.solve()["q1"].value) == pytest.approx(12 / 24)
     assert "nothing holds a, b, c: each turns in a bearing that stands still" in map(str, system.assumptions)
+
+
+GEARS = """
+parameters: {M: 5 N m, I_A: 0.05 kg m^2, I_B: 0.8 kg m^2, r: 0.12 m, m: 50 kg, g: 9.81 m/s^2}
+bodies:
+  A: {gear: {inertia: I_A, teeth: 20, module: 5 mm}}
+  B: {gear: {inertia: I_B, teeth: 60, module: 5 mm}}
+"""
+
+
+@pytest.mark.parametrize("ground", ["", "ground: {points: {O: [1 m, 2 m]}}\n"])
+def test_the_gear_that_the_file_leaves_without_an_axle_turns_in_a_bearing(ground: str) -> None:
+    # the torque M at A is 3 M at B, and the inertia of A counts 9 times there: phi'' = -3 M/(9 I_A + I_B)
+    system = fb.System.from_text(
+        GEARS + ground + "connections: {axle: {pin: [ground.O, A]}, mesh: {gear_mesh: [A, B]}}\n"
+        "loads: {M: {torque: {on: A, magnitude: M}}, w: {gravity: g}}\nmeasures: {phi: angle of B}\n"
+    )
+    assert float(system.solve("acceleration of phi")["q1"].value) == pytest.approx(-15 / 1.25)
+    told = [str(each) for each in system.assumptions]
+    assert "nothing holds B: it turns in a bearing that stands still" in told
+    assert {each.kind for each in system.warnings} <= {"unused"}
+
+
+def test_gears_by_which_a_load_hangs_turn_in_bearings() -> None:
+    # a load on a drum of the second gear: a rope carries no axle
+    system = fb.System.from_text(
+        GEARS
+        + "connections: {mesh: {gear_mesh: [A, B]}, rope: {string: {path: [wound on B radius r at right, load]}}}\n"
+        "loads: {M: {torque: {on: A, magnitude: -M}}, w: {gravity: g}}\nmeasures: {h: height of load}\n".replace(
+            "connections:", "  load: {particle: {mass: m}}\nconnections:", 1
+        )
+    )
+    lift = 0.12 * (3 * 5 - 50 * 0.12 * 9.81) / (50 * 0.12**2 + 9 * 0.05 + 0.8)
+    assert float(system.solve("acceleration of h")["q1"].value) == pytest.approx(lift)
+    assert "nothing holds A, B: each turns in a bearing that stands still" in map(str, system.assumptions)
+
+
+def test_axles_whose_names_alone_are_given_stand_where_the_teeth_have_them() -> None:
+    text = GEARS + (
+        "ground: {points: [P, Q]}\n"
+        "connections: {a: {pin: [ground.P, A.center]}, b: {pin: [ground.Q, B.center]}, mesh: {gear_mesh: [A, B]}}\n"
+    )
+    assert {each.kind for each in fb.System.from_text(text).warnings} <= {"unused"}
+
+
+def test_a_gear_on_a_shaft_needs_no_bearing_of_its_own() -> None:
+    # the second gear turns with the drum to which it is welded, whose axle the file gives
+    system = fb.System.from_text(
+        GEARS + "  drum: {disk: {mass: m, radius: r}}\nground: {points: {O: [0, 0], Q: [0.2 m, 0]}}\n"
+        "connections: {a: {pin: [O, A]}, b: {pin: [Q, drum]}, shaft: {weld: [drum, B]}, mesh: {gear_mesh: [A, B]}}\n"
+    )
+    assert not [each for each in map(str, system.assumptions) if "bearing" in each]
+
+
+def test_the_axle_of_a_planet_that_the_file_leaves_out_is_not_guessed() -> None:
+    text = (
+        "bodies: {s: {gear: {teeth: 24, module: 2 mm}}, p: {gear: {teeth: 18, module: 2 mm}},\n"
+        "  r: {gear: {teeth: 60, module: 2 mm, internal: true}}}\nconnections: {a: {pin: [ground.O, s]},\n"
+        "  b: {pin: [ground.O, r]}, one: {gear_mesh: [s, p]}, two: {gear_mesh: [r, p]}}\n"
+    )
+    assert not [each for each in map(str, fb.System.from_text(text).assumptions) if "bearing" in each]
 
 
 def test_a_four_bar_by_its_lengths_is_that_of_its_pins() -> None:

@@ -233,6 +233,27 @@ def warned(text: str) -> list[tuple[str, str]]:
     return [(w.kind, w.text()) for w in fb.System.from_text(text).warnings]
 
 
+BRACKET = """
+parameters: {h: 0.15 m, b: 0.06 m, mu: 0.25, x: 0.4 m, P: 200 N}
+ground:
+  points: {L: [0, 0], R: [b, 0]}
+  lines: {left: {along: up, through: L}, right: {along: WAY, through: R}}
+bodies:
+  bracket: {body: {mass: 0}, points: {upper: [0, h], lower: [b, 0], end: [b/2 + x, 0]}, at: [0, 0]}
+connections:
+  A: {contact: {between: [bracket.upper, left], friction: mu}}
+  B: {contact: {between: [bracket.lower, right], friction: mu}}
+loads: {load: {force: {at: bracket.end, along: down, magnitude: P}}}
+"""
+
+
+def test_a_bracket_round_a_post_is_not_inside_it() -> None:
+    # its two points touch the post from either side; N h = P x and 2 mu N >= P, so that x >= h/(2 mu)
+    system = fb.System.from_text(BRACKET.replace("WAY", "down"))
+    assert not system.warnings
+    assert float(system.solve("least x so that it stays at rest")["q1"].value) == pytest.approx(0.3)
+
+
 @pytest.mark.parametrize(
     ("text", "kind", "says"),
     [

@@ -34,7 +34,7 @@ class Driver(Connection, kind="driver"):
     place of a measure: the angle of that body."""
 
     called: ClassVar[tuple[str, ...]] = ("drive", "motor")
-    also: ClassVar[tuple[str, ...]] = ("drive", "motor", "Antrieb")
+    also: ClassVar[tuple[str, ...]] = ("drive", "motor", "input", "Antrieb")
 
     elsewhere: ClassVar[Mapping[str, str]] = {
         "joint": Message("it leads the angle of a body, or a measure: {{body: arm, speed: w}}"),

@@ -35,6 +35,7 @@ class Pin(Connection, kind="pin"):
     called: ClassVar[tuple[str, ...]] = ("hinge", "pivot", "axle", "bearing", "pin joint", "joint", "axis")
     also: ClassVar[tuple[str, ...]] = (
         "hinge",
+        "revolute",
         "pivot",
         "axle",
         "bearing",

@@ -41,6 +41,11 @@ _ONLY = {
 }
 
 
+_TWO_POINTS = Message(
+    "it acts between two points, of which one on the ground has a place: {{from: [0.6 m, -0.3 m], to: bar.end}}"
+)
+
+
 class Spring(Load, kind="spring"):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
     natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself.
@@ -50,6 +55,8 @@ class Spring(Load, kind="spring"):
     alone."""
 
     also: ClassVar[tuple[str, ...]] = ("Feder",)
+
+    elsewhere: ClassVar[Mapping[str, str]] = {"at": _TWO_POINTS}
 
     first: str
     second: str
@@ -157,10 +164,15 @@ class Damper(Load, kind="damper"):
     called: ClassVar[tuple[str, ...]] = ("dashpot", "shock absorber")
     also: ClassVar[tuple[str, ...]] = ("dashpot", "Dämpfer")
 
-    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("damping_ratio", "zeta"),
-        Message("it has a damping c, which is 2*zeta*sqrt(k*m) for a mass on a spring: {{damping: 2*zeta*sqrt(k*m)}}"),
-    )
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("damping_ratio", "zeta"),
+            Message(
+                "it has a damping c, which is 2*zeta*sqrt(k*m) for a mass on a spring: {{damping: 2*zeta*sqrt(k*m)}}"
+            ),
+        ),
+        "at": _TWO_POINTS,
+    }
 
     first: str
     second: str

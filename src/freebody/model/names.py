@@ -550,6 +550,12 @@ class Names(Formulas):
         if len(own) == 1:
             return next(iter(own.values()))
         told = Message("{name} has no radius; make it a disk, ring or sphere, or give its body a radius", name=name)
+        if not body.turns and not own:
+            told = Message(
+                "{name} is a point and has no radius; a pulley on it is a body of its own: pulley: {{disk: {{radius: "
+                "r}}}} with axle: {{pin: [{name}, pulley]}}",
+                name=name,
+            )
         if own:
             known = ", ".join(f"{to_text(r)} ({part})" for part, r in own.items())
             told = Message("{name} has several circles: say which, as its radius: {known}", name=name, known=known)

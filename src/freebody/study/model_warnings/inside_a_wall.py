@@ -60,7 +60,9 @@ class InsideAWall(WarningKind, name="inside a wall"):
         if body.radius is not None:
             own = [number(r) for r in (body.radius, *body.middle_circles.values())]
             return side(None) - min(own), side(None) + max(own)  # a hub may run on a rail beside which its rim hangs
-        sides = [side(name) for name in body.points if name in (*body.corners, "start", "end")]
+        # points of a body without a shape are places at which something acts, as those of a bracket round a post
+        ends = ("start", "end") if body.edges else ()
+        sides = [side(name) for name in body.points if name in (*body.corners, *ends)]
         return min(sides, default=0.0), max(sides, default=0.0)
 
 

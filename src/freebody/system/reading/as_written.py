@@ -21,11 +21,15 @@ from typing import cast
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.system.reading.written.beams import with_beam
+from freebody.system.reading.written.bevels import complete_bevels, with_bevels
+from freebody.system.reading.written.collisions import guide_what_collides
 from freebody.system.reading.written.distances import with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
 from freebody.system.reading.written.gears import bear_gears, place_axles, with_modules
-from freebody.system.reading.written.held import ground_as_line, hold_bodies, roughen_lines
+from freebody.system.reading.written.held import ground_as_line, hold_bodies, raise_walls, roughen_lines
+from freebody.system.reading.written.joined_places import leave_to_joints
+from freebody.system.reading.written.joints import join_rods, tell_middles
 from freebody.system.reading.written.linkages import with_linkage
 from freebody.system.reading.written.lists import name_items
 from freebody.system.reading.written.oscillators import stretch_springs
@@ -33,6 +37,7 @@ from freebody.system.reading.written.planetary import with_planetary
 from freebody.system.reading.written.pulleys import hold_pulleys
 from freebody.system.reading.written.scalars import spread_scalars
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
+from freebody.system.reading.written.single import with_single
 from freebody.system.reading.written.spelling import ground_for_world, sides_as_called, spell_entry, spell_sections
 from freebody.system.reading.written.stacks import lay_in_stacks
 from freebody.system.reading.written.starts import start_of_bodies
@@ -78,6 +83,8 @@ def _put_in_order(w: Written) -> None:
     with_beam(w)
     with_linkage(w)
     with_planetary(w)
+    with_single(w)
+    with_bevels(w)
     if str(w.data.get("start")).lower() in _AT_REST:
         del w.data["start"]
     rename_sections(w)
@@ -96,13 +103,19 @@ def _put_in_order(w: Written) -> None:
             put_entry_in_order(w, section, name, spelt)
         if section == "bodies":
             hold_bodies(w)
+            join_rods(w)
+    leave_to_joints(w)
+    tell_middles(w)
     with_distances(w)
     roughen_lines(w)
     ground_as_line(w)
+    raise_walls(w)
+    guide_what_collides(w)
     spread_scalars(w)
     hold_pulleys(w)
     stretch_springs(w)
     lay_in_stacks(w)
+    complete_bevels(w)
     with_modules(w)
     bear_gears(w)
     place_axles(w)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, cast
 
+from freebody.language.document.writer import flow_text
 from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_VELOCITY, VELOCITY
 from freebody.measures.geometry import Components
@@ -64,7 +65,15 @@ def _place(names: Names, at: Any, default: str, points: Mapping[str, Any]) -> tu
         return (point, place_of_point(names, given[point], "at", point)) if set(given) <= set(points) else None
     if isinstance(at, list) or (isinstance(at, str) and at.strip()):
         return default, place_of_point(names, at, "at")
-    if at is not None:
+    if names.space and isinstance(at, dict):
+        of = [*cast("dict[str, Any]", at)][-1]
+        told = Message(
+            "in space at puts one point, {example}; joints put the others, or turned says how the body is turned, as "
+            "turned: [30 deg about z]",
+            example=f"at: {{{of}: {flow_text(at[of])}}}",
+        )
+        names.problem(told, "at")
+    elif at is not None:
         told = Message(
             "at is a position [x, y], {{point: [x, y]}} of one point, or in the plane of two, as {{start: [0, 0], end: "
             "[a, h]}}"

@@ -58,6 +58,9 @@ ROUGH = (  # of what touches
     *("friction", "mu", "Reibung", "Reibungszahl", *FRICTION, *AT_REST, *IN_MOTION),
     *("restitution", "e", *RESTITUTION),
 )
+LIES_ON = ("on", "lies_on", "rests_on")  # of a body, in itself, how it is held
+ATTACHED = ("attached_to", "fixed_to", "welded_to", "glued_to", "mounted_on", "fixed_at", "befestigt_an")
+HINGED = ("hinged_to", "pinned_to", "pivoted_to", "hinged_at", "pinned_at", "pivoted_at", "gelenkig_an")
 OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
 
 SAYS_KIND = ("type", "kind", "shape")  # in an entry

@@ -3,6 +3,7 @@
     beam: {length: 6 m}
     supports: [{type: pin, at: 0}, {type: roller, at: 5 m}]          also {A: {pin: 0 m}, B: {roller: 5 m}}
     loads: [{type: distributed, from: 0, to: 3 m, value: q}, {type: point, at: 6 m, value: F}, {type: moment, ...}]
+                                                                     also {P: F, x: 6 m}, {w: q, from: 0, to: 3 m}
 
 The beam lies level and begins at the origin; supports without names are A, B ... Loads act downwards and couples turn
 counter-clockwise where they say no direction, which is told.
@@ -19,7 +20,9 @@ from freebody.language.document.tree import Place
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
+from freebody.language.units import FORCE, LENGTH, TORQUE
 from freebody.system.reading.sections import SAYS_KIND
+from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import SAYS_NAME, Entry, Written
 
 _BEAMS = ("beam", "balken", "traeger", "girder")
@@ -37,7 +40,7 @@ _SPREAD = ("distributed", "distributed_load", "uniform", "udl", "uniform_load", 
 _COUPLES = ("moment", "couple", "torque", "drehmoment")
 _SUPPORTED = re.compile(r"(?P<type>[\w ]+?) (?:at|bei) (?P<at>.+)")
 _AT = ("at", "x", "position", "distance", "pos", "location", "a")
-_SIZES = ("value", "magnitude", "force", "moment", "load", "intensity", "q", "F", "M", "P", "size")
+_SIZES = ("value", "magnitude", "force", "moment", "load", "intensity", "q", "w", "F", "M", "P", "size")
 
 _FROM = {"from": ("from", "start", "x1"), "to": ("to", "end", "x2")}
 
@@ -121,7 +124,8 @@ class _Beam:
     def loads(self, given: Any, section: str) -> bool:
         """Whether all loads could be read."""
         for k, (step, said, fields) in enumerate(_items(given), 1):
-            word, size = _kind(fields), _one(fields, _SIZES) or _varying(fields)
+            size = _one(fields, _SIZES) or _varying(fields)
+            word = _kind(fields) or self._by_unit(size)
             name = said or (f"{word}_{k}" if word else f"load_{k}")
             load = (
                 None
@@ -150,6 +154,12 @@ class _Beam:
             turned = {} if way is None else {"direction": way}
             return {"torque": {"on": self._point(name, at), "magnitude": size, **turned}}
         return None
+
+    def _by_unit(self, size: Any) -> str | None:
+        """`{P: 10 kN, x: 2 m}`, `{w: 2 kN/m, from: 3 m, to: 6 m}`: the unit says what a load is."""
+        dimension = dimension_said(self.w, size[-1] if isinstance(size, list) and size else size)
+        meant = {FORCE: _POINTS[0], FORCE / LENGTH: _SPREAD[0], TORQUE: _COUPLES[0]}
+        return None if dimension is None else meant.get(dimension)
 
     def _point(self, name: str, at: Any) -> str:
         """A point of the beam at a distance from its left end."""

@@ -31,3 +31,17 @@ def dimension_said(w: Written, value: Any) -> Dimension | None:
         return dimension_of(parse(str(value)), known)
     except (InputError, TypeError, ValueError, KeyError):
         return None
+
+
+def value_said(w: Written, value: Any) -> float | None:
+    """The number of a quantity or of a parameter in SI units, with its sign; None where the file gives none."""
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        return None
+    given = w.data.get("parameters")
+    parameters = cast("Entry", given) if isinstance(given, dict) else {}
+    sign, name = (-1.0, str(value)[1:].strip()) if str(value).startswith("-") else (1.0, str(value))
+    said: Any = parameters.get(name, name)
+    try:
+        return sign * float(parse_quantity(said["value"] if isinstance(said, dict) else said).value)
+    except (InputError, TypeError, ValueError, KeyError):
+        return None

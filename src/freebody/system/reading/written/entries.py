@@ -16,7 +16,7 @@ from typing import Any, cast
 from freebody.language.document.tree import Place
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-from freebody.language.units import FORCE, IMPULSE, TORQUE
+from freebody.language.units import FORCE, IMPULSE, MASS, TORQUE
 from freebody.loads.force import Force
 from freebody.model.friction import AT_REST, IN_MOTION
 from freebody.model.spec import Spec
@@ -55,6 +55,9 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
     beside = keys_beside(section, space=w.space)
     if section == "loads":
         entry = _at_its_name(w, name, entry)
+    if section == "bodies" and dimension_said(w, entry) == MASS:
+        entry = {"mass": entry}  # `m1: 3 kg`
+        w.moved[*place, "mass"] = w.stood(place)
     if not isinstance(entry, dict):
         if section == "connections" and isinstance(entry, str) and (two := _on_each_other(w, entry)) is not None:
             w.data[section][name] = {_CONTACT: {"between": two}}

@@ -12,17 +12,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import cast
+from typing import Any, cast
 
 from freebody.connections.base import Connection
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
 from freebody.model.shapes.base import Shape
+from freebody.model.spec import MEANT
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import Entry, Written, are_mappings
 
-_UNIT, _PIN, _MESH = "mm", "pin", "gear_mesh"
+_UNIT, _PIN, _MESH, _WELD = "mm", "pin", "gear_mesh", "weld"
+# what does not carry an axle, whatever it does to the wheel on it
+_LOOSE = (_MESH, "driver", "string", "heavy_rope", "belt", "chain", "brake", "disc_clutch", "dry_friction", "stop")
 
 
 def with_modules(w: Written) -> None:
@@ -45,50 +48,122 @@ def with_modules(w: Written) -> None:
 
 
 def place_axles(w: Written) -> None:
-    """Puts the axles of gears that mesh, each a point of the ground without a place, side by side."""
-    ground = w.data.get("ground")
-    points = cast("Entry", ground).get("points") if isinstance(ground, dict) else None
-    if not are_mappings(w, "ground", "bodies", "connections"):
+    """Puts the axles of gears that mesh, each a point of the ground without a place, beside those whose place is known;
+    where none is, side by side from the origin."""
+    if w.space or not are_mappings(w, "bodies", "connections"):
         return
+    ground = w.data.get("ground") or {}
+    given = cast("Entry", ground).get("points") or {} if isinstance(ground, dict) else None
     radii = dict(_radii(w))
     axles = {gear: point for gear, point in _axles(w) if gear in radii}
-    if w.space or points or len({*axles.values()}) < max(2, len(axles)) or len(_own_points(w)) > len(axles):
+    if isinstance(given, list) and {*map(str, cast("list[Any]", given))} == {*axles.values()}:
+        given = {}  # names without places
+    if not isinstance(given, dict) or len({*axles.values()}) < max(2, len(axles)):
         return
-    places: dict[str, str] = {}
-    for first, second, internal in _meshing(w):
-        if not {first, second} <= axles.keys():
-            continue
-        places.setdefault(first, "0")
-        if second in places:
-            return
-        apart = f"({radii[first]}) {'-' if internal else '+'} ({radii[second]})"
-        places[second] = apart if places[first] == "0" else f"{places[first]} + {apart}"
-    if places.keys() != axles.keys() or sum(place == "0" for place in places.values()) > 1:
+    known = cast("Entry", given)
+    open_ = {gear: point for gear, point in axles.items() if point not in known}
+    if not open_ or not _own_points(w) <= {*known, *axles.values()}:
         return
-    w.data["ground"] = {**cast("Entry", ground or {}), "points": {axles[gear]: [x, 0] for gear, x in places.items()}}
+    places = _side_by_side(w, axles, known, radii)
+    if places is None or not open_.keys() <= places.keys():
+        return
+    own = {point: places[gear] for gear, point in open_.items()}
+    w.data["ground"] = {**cast("Entry", ground), "points": {**known, **own}}
     w.assumed.append(
         Message("the axles {names} stand side by side, as far apart as the gears mesh", names=", ".join(axles.values()))
     )
 
 
+def _side_by_side(
+    w: Written, axles: dict[str, str], known: Entry, radii: dict[str, str]
+) -> dict[str, list[Any]] | None:
+    """By the gears whose axles are on the ground, where each is, to the right of one with which it meshes; None where
+    the train is closed or in two parts, so that more than the radii tells the places."""
+    places = {gear: known[point] for gear, point in axles.items() if _is_place(known.get(point))}
+    pairs = [(a, b, internal) for a, b, internal in _meshing(w) if {a, b} <= axles.keys()]
+    if not places and pairs:
+        places[pairs[0][0]] = ["0", 0]
+    told = {*places}
+    while left := [pair for pair in pairs if not {*pair[:2]} <= places.keys() and {*pair[:2]} & places.keys()]:
+        first, second, internal = left[0]
+        there, new = (first, second) if first in places else (second, first)
+        apart = f"({radii[first]}) {'-' if internal else '+'} ({radii[second]})"
+        x, y = places[there]
+        places[new] = [apart if str(x) == "0" else f"{x} + {apart}", y]
+        pairs.remove(left[0])
+    if any(not {a, b} <= told for a, b, _internal in pairs):
+        return None
+    return places
+
+
+def _is_place(value: Any) -> bool:
+    return isinstance(value, list) and len(cast("list[Any]", value)) == 2 and None not in value
+
+
 def bear_gears(w: Written) -> None:
-    """Gives the gears of a train of which nothing says how any is held bearings of their own, each at its place."""
-    if w.space or not are_mappings(w, "bodies", "connections"):
+    """Gives gears of a train whose axles nothing carries bearings of their own, each at its place."""
+    if w.space or not are_mappings(w, "ground", "bodies", "connections"):
         return
-    pairs = [(first, second) for first, second, _internal in _meshing(w)]
-    gears = list(dict.fromkeys(name for pair in pairs for name in pair))
-    known = dict(_radii(w))
-    others = [fields for kind, fields in _joining(w) if kind not in (_MESH, "driver")]
-    is_held = any(re.search(rf"(?<![\w.]){re.escape(gear)}\b", str(others)) for gear in gears)
-    bodies = cast("Entry", w.data.get("bodies") or {})
-    if not gears or is_held or not {*gears} <= known.keys() or any({"at", "fixed"} & {*bodies[gear]} for gear in gears):
+    meshes = [*_meshing(w)]
+    gears = list(dict.fromkeys(name for first, second, _internal in meshes for name in (first, second)))
+    known, bodies = dict(_radii(w)), cast("Entry", w.data.get("bodies") or {})
+    ground = cast("Entry", w.data.get("ground") or {})
+    if not {*gears} <= known.keys():
         return
-    own = {f"bearing_of_{gear}": {_PIN: [f"ground.bearing_of_{gear}", gear]} for gear in gears}
+    carrying = [fields for kind, fields in _joining(w) if kind not in (*_LOOSE, _WELD)]
+    shafts = [[gear, *_welded(w, gear)] for gear in gears]
+    loose = [s for s in shafts if not any(_is_fixed(bodies[body]) or _is_named(body, carrying) for body in s)]
+    borne = {*(gear for gear, _point in _axles(w)), *(body for shaft in loose for body in shaft)}
+    borne |= {
+        body for shaft in shafts if any(_is_fixed(bodies[each]) or each in borne for each in shaft) for body in shaft
+    }
+    beside = {gear for first, second, _internal in meshes for gear in (first, second) if not {first, second} <= borne}
+    if any(_is_planet(shaft[0], meshes) or shaft[0] in beside for shaft in loose):
+        return  # which axle is meant the file does not say: one goes round
+    first_ones = [s[0] for k, s in enumerate(loose) if not any({*s} & {*other} for other in loose[:k])]
+    put = {gear: bodies[gear]["at"] for gear in first_ones if "at" in bodies[gear]}
+    points = ground.get("points") or {}
+    if not first_ones or not all(map(_is_place, put.values())) or (put and not isinstance(points, dict)):
+        return
+    own = {f"bearing_of_{gear}": {_PIN: [f"ground.bearing_of_{gear}", gear]} for gear in first_ones}
+    if own.keys() & cast("Entry", w.data["connections"]).keys():
+        return
+    if put:
+        there = {f"bearing_of_{gear}": place for gear, place in put.items()}
+        w.data["ground"] = {**ground, "points": {**cast("Entry", points), **there}}
     w.data["connections"] = {**cast("Entry", w.data["connections"]), **own}
-    w.moved |= {("connections", f"bearing_of_{gear}"): w.stood(("bodies", gear)) for gear in gears}
-    w.assumed.append(
-        Message("nothing holds {names}: each turns in a bearing that stands still", names=", ".join(gears))
-    )
+    w.moved |= {("connections", f"bearing_of_{gear}"): w.stood(("bodies", gear)) for gear in first_ones}
+    told = Message("nothing holds {names}: each turns in a bearing that stands still", names=", ".join(first_ones))
+    if len(first_ones) == 1:
+        told = Message("nothing holds {name}: it turns in a bearing that stands still", name=first_ones[0])
+    w.assumed.append(told)
+
+
+def _is_planet(gear: str, meshes: list[tuple[str, str, bool]]) -> bool:
+    """Whether a gear runs between a ring gear and another one, so that its axle may go round."""
+    own = [internal for first, second, internal in meshes if gear in (first, second)]
+    return len(own) > 1 and any(own)
+
+
+def _is_fixed(entry: Any) -> bool:
+    """Whether a body says that it stands still."""
+    return any("fixed" in (key, *MEANT.get(key, ())) for key in cast("Entry", entry))
+
+
+def _welded(w: Written, gear: str) -> list[str]:
+    """The bodies on one shaft with a gear: welded to it, or to what is."""
+    bodies = [*cast("Entry", w.data.get("bodies") or {})]
+    welds = [fields for kind, fields in _joining(w) if kind == _WELD]
+    shaft = [gear]
+    for body in shaft:
+        for fields in welds:
+            if _is_named(body, [fields]):
+                shaft += [each for each in bodies if each not in shaft and _is_named(each, [fields])]
+    return shaft[1:]
+
+
+def _is_named(body: str, fields: list[Entry]) -> bool:
+    return re.search(rf"(?<![\w.]){re.escape(body)}\b", str(fields)) is not None
 
 
 def _own_points(w: Written) -> set[str]:
@@ -114,8 +189,11 @@ def _axles(w: Written) -> Iterator[tuple[str, str]]:
     """The bodies that are pinned to the ground by themselves, with the points there."""
     for kind, fields in _joining(w):
         first, second = str(fields.get("first")), str(fields.get("second"))
-        if kind == _PIN and first.startswith("ground.") and "." not in second:
-            yield second, first.removeprefix("ground.")
+        if second.startswith("ground."):
+            first, second = second, first
+        wheel = second.removesuffix(".center")
+        if kind == _PIN and first.startswith("ground.") and "." not in wheel:
+            yield wheel, first.removeprefix("ground.")
 
 
 def _meshing(w: Written) -> Iterator[tuple[str, str, bool]]:

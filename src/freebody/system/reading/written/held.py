@@ -15,17 +15,17 @@ from typing import Any, cast
 
 from freebody.connections.base import Connection
 from freebody.language.folded import folded
+from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.spec import Spec
 from freebody.model.written_kinds import written_kind
-from freebody.system.reading.sections import ROUGH
+from freebody.system.reading.sections import ATTACHED, HINGED, LIES_ON, ROUGH
+from freebody.system.reading.written.dimensions import value_said
 from freebody.system.reading.written.entries import rolling_with_friction
 from freebody.system.reading.written.form import Entry, Written, as_option, keys_beside, shape_of
+from freebody.system.reading.written.scalars import PLACES_OF_BODIES
 
-_ON = ("on", "lies_on", "rests_on")
-_ATTACHED = ("attached_to", "fixed_to", "welded_to", "glued_to", "mounted_on", "fixed_at", "befestigt_an")
-_HINGED = ("hinged_to", "pinned_to", "pivoted_to", "hinged_at", "pinned_at", "pivoted_at", "gelenkig_an")
-_ROLLING = "rolling"
+_ROLLING, _WALL = "rolling", "wall"
 _CONTACT, _PIN, _WELD, _POINT = "contact", "pin", "weld", "particle"
 _OF_TOUCHING = {"friction", "restitution"}
 
@@ -56,15 +56,15 @@ def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dic
     beside = keys_beside("bodies", space=False)
     rough = {key: value for key, value in entry.items() if key in ROUGH}
     for key, value in entry.items():
-        if as_option(key, beside) and key not in _ON:
+        if as_option(key, beside) and key not in LIES_ON:
             continue
-        if key in _ON and isinstance(value, str) and not is_round:
+        if key in LIES_ON and isinstance(value, str) and not is_round:
             on, called = value.rsplit(".", 1)[-1], f"{name}_on_{value.replace('.', '_')}"
             is_told = any(_names(each, name) and _names(each, on) for each in connections.values())
             found[key] = called, {} if is_told else {_CONTACT: {"between": [name, value], **rough}}, rough
-        elif folded(key) in _ATTACHED and isinstance(value, str) and (is_round or shape.kind == _POINT):
+        elif folded(key) in ATTACHED and isinstance(value, str) and (is_round or shape.kind == _POINT):
             found[key] = f"{name}_attached", {_WELD: [value, name]}, {}
-        elif folded(key) in _HINGED and isinstance(value, str) and (is_round or shape.kind == _POINT):
+        elif folded(key) in HINGED and isinstance(value, str) and (is_round or shape.kind == _POINT):
             found[key] = f"{name}_hinged", {_PIN: [value, name]}, {}
         elif written_kind(key, None, Connection.kinds, space=False) == _PIN and is_round and _is_place(value):
             found[key] = f"{name}_{key}", {_PIN: [value, name]}, {}
@@ -84,6 +84,40 @@ def ground_as_line(w: Written) -> None:
             read = {key: _with_line(value, line) for key, value in fields.items()}
             if read != fields:
                 connections[name] = {**entry, word: read}
+
+
+def raise_walls(w: Written) -> None:
+    """`contact: [ball, wall]`: a wall that nobody declares goes upright through the origin, and is solid on the side on
+    which the body is not."""
+    ground, connections = w.data.get("ground") or {}, w.data.get("connections")
+    if w.space or not isinstance(ground, dict) or not isinstance(connections, dict):
+        return
+    lines, points = (cast("Entry", ground).get(each) or {} for each in ("lines", "points"))
+    bodies = w.data.get("bodies")
+    if (
+        not isinstance(lines, dict)
+        or not isinstance(bodies, dict)
+        or any(_WALL in each for each in (lines, points, bodies))
+    ):
+        return
+    touching = [each for each in connections.values() if _names(each, _WALL)]
+    found = [_of_touching(each, _OF_TOUCHING) for each in touching]
+    if not touching or None in found or _names(w.data.get("loads"), _WALL):
+        return  # also a point to which something is tied
+    beside = {name for name in bodies for each in touching if _names(each, name)}
+    places = [
+        next((bodies[name][key] for key in PLACES_OF_BODIES if key in (bodies[name] or {})), None) for name in beside
+    ]
+    left = [value_said(w, at[0]) if isinstance(at, list) and at else None for at in places]
+    sides = {x > 0 for x in left if x}
+    if None in left or len(sides) != 1:
+        return
+    (is_on_left,) = sides
+    solid = "left" if is_on_left else "right"
+    w.data["ground"] = {**ground, "lines": {**lines, _WALL: {"through": [0, 0], "solid": solid}}}
+    w.assumed.append(
+        Message("{wall} goes upright through the origin and is solid on the {side}", wall=_WALL, side=solid)
+    )
 
 
 def _with_line(value: Any, line: str) -> Any:

@@ -15,10 +15,22 @@ from typing import Any, cast
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
+from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import Entry, Written, are_mappings
 
 _LINKS = ("links", "Glieder")
 _FRAMES = ("ground", "frame", "fixed", "base", "ground_link", "fixed_link", "gestell")
+_FOUR_BARS = ("four_bar", "fourbar", "four_bar_linkage", "4_bar", "4bar", "linkage", "viergelenk", "gelenkviereck")
+_PART_NAMES = ("crank", "coupler", "rocker", "ground")
+_PARTS = (  # of a four-bar, how people call them
+    ("crank", "input", "input_link", "driver", "kurbel", "antrieb", "a", "r2", "l2"),
+    ("coupler", "connecting_rod", "floating_link", "koppel", "b", "r3", "l3"),
+    ("rocker", "output", "output_link", "follower", "schwinge", "abtrieb", "c", "r4", "l4"),
+    (*_FRAMES, "d", "r1", "l1"),
+)
+_ANGLES, _SPEEDS = ("angle", "theta", "winkel"), ("speed", "omega", "velocity", "rpm", "drehzahl")
+_OF_CRANK = {"theta2": "angle of {body}", "omega2": "rate(angle of {body})"}
 _HINGED = ("A", "B", "C", "D")
 _PLACES = ("points", "nodes", "joints", "Punkte")
 _HELD = ("ground", "fixed", "supports", "joints", "pivots")
@@ -61,11 +73,18 @@ def with_linkage(w: Written) -> None:
 
 def _with_four_bars(w: Written) -> None:
     """`links: {ground: 10 cm, crank: 3 cm, coupler: 9 cm, rocker: 7 cm}`: a loop of four by their lengths, the three
-    that move in the order in which they are hinged to each other, from the origin to the other point of the ground."""
+    that move in the order in which they are hinged to each other, from the origin to the other point of the ground; as
+    a section of its own (`four_bar`) also by their parts in any order, or by letters (a crank, b coupler, c rocker, d
+    ground, and r1 ground, r2 crank ...: Norton, Design of Machinery, sec. 4.5), with how the crank starts."""
     key = next((key for key in _LINKS if isinstance(w.data.get(key), dict)), None)
+    key = next((key for key in w.data if folded(str(key)) in _FOUR_BARS and isinstance(w.data[key], dict)), key)
     if key is None or w.space or not are_mappings(w, "bodies", "ground", "connections") or w.data.get("bodies"):
         return
-    given = {name: _length(entry) for name, entry in cast("Entry", w.data[key]).items()}
+    entries, start = _apart_from_start(w, cast("Entry", w.data[key]))
+    stood = {name: name for name in entries}
+    if folded(str(key)) in _FOUR_BARS:
+        entries, stood = _by_parts(entries)
+    given = {name: _length(entry) for name, entry in entries.items()}
     fixed = [name for name in given if folded(name) in _FRAMES]
     moving = [name for name in given if name not in fixed]
     pins: Entry = dict(zip(_HINGED, _ends_of(moving), strict=False))
@@ -78,7 +97,14 @@ def _with_four_bars(w: Written) -> None:
     w.data = {name: each for name, each in w.data.items() if name != key}
     w.data |= {"ground": {"points": ends}, "bodies": {name: {"rod": {"length": given[name]}} for name in moving}}
     w.data["connections"] = {**cast("Entry", w.data.get("connections") or {}), **pins}
-    w.moved |= {("bodies", name): (key, name) for name in moving} | {("connections", pin): (key,) for pin in pins}
+    w.moved |= {("bodies", name): (key, stood[name]) for name in moving} | {
+        ("connections", pin): (key,) for pin in pins
+    }
+    if start:
+        own = {(said.format(body=moving[0])): value for said, (_key, value) in start.items()}
+        w.data["start"] = {**own, **cast("Entry", w.data.get("start") or {})}
+        w.moved |= {("start", said.format(body=moving[0])): (key, at) for said, (at, _value) in start.items()}
+    _angles_of_links(w, moving)
     w.assumed.append(
         Message(
             "{first} is hinged to the ground at {A}, {last} at {D}, and {middle} joins both",
@@ -89,6 +115,53 @@ def _with_four_bars(w: Written) -> None:
             D=_HINGED[-1],
         )
     )
+
+
+def _apart_from_start(w: Written, given: Entry) -> tuple[Entry, dict[str, tuple[str, Any]]]:
+    """The links, and how the crank starts: by what is said of its angle, the key and the value of that."""
+    start: dict[str, tuple[str, Any]] = {}
+    if not isinstance(w.data.get("start") or {}, dict):
+        return given, start
+    for key, value in given.items():
+        word = folded(str(key))
+        of, _, what = word.rpartition("_")
+        said = "angle of {body}" if what in _ANGLES else "rate(angle of {body})" if what in _SPEEDS else None
+        said = said or _OF_CRANK.get(word)
+        if said is not None and (not of or of in (*_PARTS[0], "initial")) and isinstance(value, str | int | float):
+            start[said] = key, value
+    return {key: value for key, value in given.items() if key not in [at for at, _value in start.values()]}, start
+
+
+def _angles_of_links(w: Written, links: list[str]) -> None:
+    """`start: {crank: 60 deg}`: the angle of a link counts from the one on the ground."""
+    start = w.data.get("start")
+    if not isinstance(start, dict) or not isinstance(w.data.get("measures") or {}, dict):
+        return
+    read: Entry = {}
+    for key, value in cast("Entry", start).items():
+        is_link = (
+            key in links and dimension_said(w, value) == DIMENSIONLESS and key not in (w.data.get("measures") or {})
+        )
+        called = f"angle of {key}" if is_link else key
+        read[called] = value
+        if is_link:
+            w.moved["start", called] = ("start", key)
+    w.data["start"] = read
+
+
+def _by_parts(given: Entry) -> tuple[Entry, dict[str, str]]:
+    """The links in the order crank, coupler, rocker, ground, where each is called by its part; letters give way to the
+    words. With it: by their names, how the file calls them."""
+    found: dict[str, tuple[str, str]] = {}
+    for name in given:
+        word = folded(name)
+        for part, words in zip(_PART_NAMES, _PARTS, strict=True):
+            if word in words:
+                found[part] = (part if len(word) < len("arm") else name, name)
+    if len(found) < len(given) or len(found) != len(_PARTS):
+        return given, {name: name for name in given}
+    ordered = [found[part] for part in _PART_NAMES]
+    return {name: given[key] for name, key in ordered}, dict(ordered)
 
 
 def _ends_of(moving: list[str]) -> list[Entry]:

@@ -1,6 +1,7 @@
 """A planetary gear as a section: what its sun, planets, ring and carrier are, as bodies that turn and mesh.
 
     planetary: {sun: {teeth: 24}, planet: {teeth: 18}, ring: {teeth: 60, fixed: true}, carrier: {}}
+    planetary: {N_sun: 24, N_ring: 60, fixed: ring, input: {sun: 1000 rpm}}      also sun_teeth, teeth: {sun: 24, ...}
 
 All but the planet turn about one axis, the planet on the carrier; its teeth, where they are left out, are those that
 fit between sun and ring: z_R = z_S + 2 z_P (Willis, Principles of Mechanism, 1841; Norton, Design of Machinery, sec.
@@ -25,9 +26,10 @@ _PARTS = {
     **dict.fromkeys(("ring", "ring_gear", "annulus", "internal_gear", "hohlrad"), "ring"),
     **dict.fromkeys(("carrier", "arm", "planet_carrier", "cage", "steg"), "carrier"),
 }
-_MODULE, _TEETH = ("module", "modul", "m"), ("teeth", "z", "number_of_teeth", "n_teeth", "zaehne", "zaehnezahl")
-_HELD = ("fixed", "held", "stationary", "fest")
-_COPIES = ("copies", "number", "n", "count", "anzahl")
+_DRIVEN = ("input", "drive", "driven", "antrieb")
+_MODULE, _TEETH = ("module", "modul", "m"), ("teeth", "z", "n", "number_of_teeth", "n_teeth", "zaehne", "zaehnezahl")
+_HELD = ("fixed", "held", "stationary", "fixed_member", "fixed_gear", "fest")
+_COPIES = ("copies", "number", "count", "number_of_planets", "n_planets", "anzahl")
 _MASSES = ("mass", "inertia")
 _AMONG = ("bodies", "connections", "parameters")
 _AXIS = "O"
@@ -39,12 +41,16 @@ def with_planetary(w: Written) -> None:
     given = w.data.get(key) if key is not None else None
     if w.space or key is None or not isinstance(given, dict) or not are_mappings(w, *_AMONG):
         return
-    given = cast("Entry", given)
+    given = _by_parts(cast("Entry", given))
     called = {part: name for name in given if (part := _PARTS.get(folded(str(name)))) is not None}
     fields = {part: _fields(given[name]) for part, name in called.items()}
     module = next((given[each] for each in given if folded(str(each)) in _MODULE), None)
     held = next((given[each] for each in given if folded(str(each)) in _HELD), None)
+    driven = next((each for each in given if folded(str(each)) in _DRIVEN and isinstance(given[each], dict)), None)
     others = [each for each in given if each not in called.values() and folded(str(each)) not in (*_MODULE, *_HELD)]
+    if "copies" in given:
+        fields["planet"] = {**fields.get("planet", {}), "copies": given["copies"]}
+    others = [each for each in others if each not in (driven, "copies")]
     teeth = {part: _one(each, _TEETH) for part, each in fields.items() if part != "carrier"}
     if others or not {"sun", "ring"} <= called.keys() or not _with_all_teeth(teeth):
         return
@@ -66,6 +72,9 @@ def with_planetary(w: Written) -> None:
         )
     own = {called[part]: _body(part, fields.get(part, {}), teeth, module, held=is_held[part]) for part in called}
     w.data = {each: value for each, value in w.data.items() if each != key}
+    if driven is not None and not {*_DRIVEN, "drive"} & {*w.data}:
+        w.data["drive"] = given[driven]
+        w.moved[("drive",)] = (key, driven)
     w.data |= {"bodies": {**own, **cast("Entry", bodies)}, "connections": {**joined, **cast("Entry", connections)}}
     if not w.data.get("measures"):
         first = next(called[part] for part in ("sun", "ring") if not is_held[part] or part == "ring")
@@ -78,6 +87,32 @@ def with_planetary(w: Written) -> None:
             **{part: called[part] for part in ("sun", "ring", "carrier", "planet")},
         )
     )
+
+
+def _by_parts(given: Entry) -> Entry:
+    """`{N_sun: 24, ring_teeth: 72}`, `{teeth: {sun: 24, ring: 72}}`: the teeth by the parts, and how many planets
+    there are."""
+    read: Entry = {}
+    for key, value in given.items():
+        word = folded(str(key))
+        said = [(part, left) for name, part in _PARTS.items() if (left := _beside(word, name)) is not None]
+        if word in _TEETH and isinstance(value, dict):
+            read |= cast("Entry", value)
+        elif word in _COPIES:
+            read["copies"] = value
+        elif said and said[0][1] in _TEETH and not isinstance(value, dict | list):
+            read[said[0][0]] = value
+        else:
+            read[key] = value
+    return read
+
+
+def _beside(word: str, part: str) -> str | None:
+    """What else a key says than the name of a part: `z_sun`, `sun_teeth`."""
+    for before, after in ((f"{part}_", ""), ("", f"_{part}")):
+        if word.startswith(before) and word.endswith(after) and len(word) > len(part) + 1:
+            return word.removeprefix(before).removesuffix(after)
+    return None
 
 
 def _fields(given: Any) -> Entry:
@@ -112,7 +147,8 @@ def _body(part: str, fields: Entry, teeth: Entry, module: Any, *, held: bool) ->
         beside["fixed"] = True
     if part == "carrier":
         place = [f"(({teeth['sun']}) + ({teeth['planet']}))*({module})/2", 0]
-        return {"body": masses or None, "points": {"axle": place}, **beside}
+        near = {} if held else {"near": {"angle": 0}}  # it turns: any angle is as good
+        return {"body": masses or None, "points": {"axle": place}, **near, **beside}
     copies = _one(fields, _COPIES)
     if part == "planet" and copies is not None:
         beside["copies"] = copies

@@ -11,8 +11,20 @@ from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.language.folded import folded
+from freebody.language.units import DIMENSIONLESS
 from freebody.model.written_kinds import words_also, written_kind
-from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, OF_LINES, ROUGH, SAYS_KIND, SECTIONS
+from freebody.system.reading.sections import (
+    ATTACHED,
+    HINGED,
+    LIES_ON,
+    MEANT_SECTIONS,
+    OF_GROUND,
+    OF_LINES,
+    ROUGH,
+    SAYS_KIND,
+    SECTIONS,
+)
+from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import (
     JOINED,
     SAYS_NAME,
@@ -31,6 +43,8 @@ _BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no co
 _BODY, _DRIVER = "body", "driver"
 _PLURALS = ("s", "es", "e", "en", "n", "")
 _FLOOR, _LEVEL = "floor", "y"  # `ground: {y: 0}`
+_CALLED = ("system", "model", "problem", "exercise", "robot", "aufgabe")  # what a file is about
+_GRAVITY, _G = "gravity", "g"
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 
 
@@ -40,6 +54,9 @@ def rename_sections(w: Written) -> None:
         if key in (*SECTIONS, *OF_GROUND) or (key in _PLACES and _are_places(value)):
             continue
         if _joined_as(w, key, value) is not None:
+            continue
+        if folded(key) in _CALLED and isinstance(value, str) and "title" not in w.data:
+            _rename(w, key, "title", value)
             continue
         if (plural := _plural(w, key)) is not None:
             are_bodies = plural[0] != "bodies" and _are_bodies(w, value)
@@ -59,7 +76,7 @@ def take_in_sections(w: Written) -> None:
         if key in OF_GROUND or (key in _PLACES and _are_places(value)):
             _take_in(w, "ground", {key if key in OF_GROUND else "points": value}, key, (key,))
         elif (joined := _joined_as(w, key, value) or _called_as(w, key, value)) is not None:
-            _take_in(w, joined, {key: {key: value}}, key, (key,))
+            _take_in(w, joined, {key: {key: _as_symbol(w, key, value)}}, key, (key,))
         elif _says_a_body(w, key, value):
             _take_in(w, "bodies", {key: value}, key, (key,))
 
@@ -200,11 +217,28 @@ def _called_as(w: Written, key: str, value: Any) -> str | None:
 
 
 def _says_a_body(w: Written, key: str, value: Any) -> bool:
-    """Whether a section is one body: it is called by a word for a shape that takes what it says."""
+    """Whether a section is one body: it says its mass, or is called by a word for a shape that takes what it says."""
     fields = cast("Entry", value) if isinstance(value, dict) else {}
     options = keys_beside("bodies", space=w.space)
-    own = {field: each for field, each in fields.items() if not as_option(field, options)}
-    return bool(own) and takes_as(key.rstrip("_0123456789") or key, own, kinds_of("bodies"), space=w.space)
+    held = (*LIES_ON, *ATTACHED, *HINGED, *(ROUGH if {*LIES_ON} & {*fields} else ()))
+    own = {field: each for field, each in fields.items() if not as_option(field, options) and field not in held}
+    if own and takes_as(key.rstrip("_0123456789") or key, own, kinds_of("bodies"), space=w.space):
+        return True
+    known = {name for kind in kinds_of("bodies").values() for name in kind.model_fields}
+    return "mass" in own and own.keys() <= known
+
+
+def _as_symbol(w: Written, key: str, value: Any) -> Any:
+    """`gravity: 9.81 m/s^2` as a parameter, so that the answers are formulas; what it pulls along stands in `loads`."""
+    parameters = w.data.get("parameters") or {}
+    is_number = isinstance(value, int | float | str) and str(value).strip()[:1].isdigit()
+    is_free = isinstance(parameters, dict) and not {_G, _GRAVITY} & {*parameters, *(w.data.get("bodies") or {})}
+    if key != _GRAVITY or not is_number or not is_free:
+        return value
+    value = f"{value} m/s^2" if dimension_said(w, value) == DIMENSIONLESS else value
+    w.data["parameters"] = {**cast("Entry", parameters), _G: value}
+    w.moved["parameters", _G] = (key,)
+    return _G
 
 
 def _take_in(w: Written, section: str, own: Entry, key: str, place: Place) -> None:

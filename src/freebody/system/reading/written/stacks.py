@@ -16,9 +16,7 @@ from typing import Any, cast
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.system.reading.written.form import Entry, Written, are_mappings, shape_of
-from freebody.system.reading.written.pulleys import is_named, of_kind
-from freebody.system.reading.written.scalars import PLACES_OF_BODIES
-from freebody.system.reading.written.vectors import SPEEDS
+from freebody.system.reading.written.pulleys import of_kind
 
 _POINT, _BOX, _SLIDER, _CONTACT = "particle", "rectangle", "slider", "contact"
 _FACE, _WAY = "face", "s"
@@ -31,7 +29,6 @@ def lay_in_stacks(w: Written) -> None:
     if w.space or not isinstance(bodies, dict) or not isinstance(connections, dict) or not are_mappings(w, "ground"):
         return
     contacts = dict(of_kind(cast("Entry", connections), _CONTACT))
-    _guide_what_collides(w, contacts)
     pairs = {name: cast("list[Any]", each["between"]) for name, each in contacts.items() if _is_pair(each)}
     along = _borne_by_lines(w, [*pairs.values()])
     again = True
@@ -70,38 +67,6 @@ def lay_in_stacks(w: Written) -> None:
             elif _has_height(bodies.get(lower[0])):
                 w.data["connections"][name] = {_CONTACT: {"between": [upper[0], f"{lower[0]}.top"], **rough}}
                 w.assumed.append(Message("{upper} lies on {lower}", upper=upper[0], lower=f"{lower[0]}.top"))
-
-
-def _guide_what_collides(w: Written, contacts: dict[str, Entry]) -> None:
-    """Two point masses that strike each other on a level line, where nothing else acts on them, stay on that line."""
-    bodies = cast("Entry", w.data["bodies"])
-    for name, fields in contacts.items():
-        pair = fields.get("between")
-        two = [str(each) for each in cast("list[Any]", pair)] if isinstance(pair, list) else []
-        others = {key: each for key, each in w.data["connections"].items() if key != name}
-        if len(two) != 2 or w.data.get("loads") or any(is_named(body, others) for body in two):
-            continue
-        if not all(_moves_level(bodies.get(body)) for body in two) or _height(bodies[two[0]]) != _height(
-            bodies[two[1]]
-        ):
-            continue
-        own = {f"guide_of_{body}": {_SLIDER: {"body": body, "along": "right"}} for body in two}
-        w.data["connections"] = {**w.data["connections"], **own}
-        w.moved |= {("connections", f"guide_of_{body}"): w.stood(("bodies", body)) for body in two}
-        w.assumed.append(Message("{names} strike each other on one line, on which they stay", names=", ".join(two)))
-
-
-def _moves_level(entry: Any) -> bool:
-    """Whether it is a point mass with a place and a velocity, if any, along x."""
-    shape, fields = shape_of(entry), cast("Entry", entry) if isinstance(entry, dict) else {}
-    velocity: Any = next((fields[key] for key in SPEEDS if key in fields), [0, 0])
-    is_level = isinstance(velocity, list) and len(cast("list[Any]", velocity)) == 2 and str(velocity[1]) == "0"
-    return shape is not None and shape.kind == _POINT and _height(fields) is not None and is_level
-
-
-def _height(entry: Entry) -> str | None:
-    at: Any = next((entry[key] for key in PLACES_OF_BODIES if key in entry), [0, 0])
-    return str(at[1]) if isinstance(at, list) and len(cast("list[Any]", at)) == 2 else None
 
 
 def _is_pair(fields: Entry) -> bool:

@@ -1,0 +1,143 @@
+"""Bevel gears by their teeth and their module, as they are told in a catalogue.
+
+    bodies: {a: {gear: {teeth: 15, module: 4 mm}}, b: {gear: {teeth: 45, module: 4 mm}}}
+    connections: {mesh: {bevel_gears: [a, b]}}        mesh: {bevel_gears: {..., teeth: [15, 45], radius: (15)*(4 mm)/2}}
+
+    gears: {a: {type: bevel, teeth: 15, module: 4 mm}, b: {type: bevel, teeth: 45}}       a model in space, whose axes
+    mesh: [a, b]                                                                          meet at a right angle
+
+The radius is that at which the module is given: r = z m/2 (Shigley, Mechanical Engineering Design, sec. 13-9).
+"""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from freebody.connections.base import Connection
+from freebody.language.folded import folded
+from freebody.language.sentences import Message
+from freebody.measures.geometry import GROUND
+from freebody.model.shapes.base import Shape
+from freebody.model.written_kinds import written_kind
+from freebody.system.reading.sections import SAYS_KIND
+from freebody.system.reading.written.form import Entry, Written, are_mappings
+
+_SECTIONS = ("gears", "bevel_gears", "zahnraeder", "kegelraeder")
+_MESHES = ("mesh", "meshes", "meshing", "eingriff")
+_BEVEL, _BEVELS = "bevel_gears", ("bevel", "bevel_gear", "kegelrad")
+_TEETH = ("teeth", "z", "N", "n_teeth", "number_of_teeth", "zaehne")
+_MODULE = ("module", "modul", "m")
+_AXES = ("x", "y")
+
+
+def with_bevels(w: Written) -> None:
+    """Writes two bevel gears that are a section of their own out as a model in space."""
+    key = next((key for key in w.data if folded(str(key)) in _SECTIONS and isinstance(w.data[key], dict)), None)
+    if key is None or any(w.data.get(section) for section in ("bodies", "connections", "ground", "measures")):
+        return
+    given = cast("Entry", w.data[key])
+    wheels = [cast("Entry", each) for each in given.values() if isinstance(each, dict)]
+    kinds = {next((folded(str(each[said])) for said in SAYS_KIND if said in each), "") for each in wheels}
+    is_told = folded(str(key)) in _SECTIONS[1::2] and kinds == {""}
+    if len(given) != 2 or len(wheels) != 2 or not (is_told or kinds <= {*_BEVELS}) or not are_mappings(w, "parameters"):
+        return
+    teeth = [_one(each, _TEETH) for each in given.values()]
+    module = next((m for each in given.values() if (m := _one(each, _MODULE)) is not None), None)
+    if None in teeth:
+        return
+    if module is None:
+        module = "module"
+        w.data["parameters"] = {**cast("Entry", w.data.get("parameters") or {}), module: "mm"}
+        told = Message("the module of {names} is left open: {module}", names=", ".join(given), module=module)
+        w.assumed.append(told)
+    # two disks whose axes meet at the origin, each as far from it as the other one is large
+    one, two = (f"({z})*({module})/2" for z in teeth)
+    first, second = given
+    places = {f"bearing_of_{first}": [two, 0, 0], f"bearing_of_{second}": [0, one, 0]}
+    joints: Entry = {
+        f"bearing_of_{name}": {"revolute": {"first": f"{GROUND}.bearing_of_{name}", "second": name, "about": axis}}
+        for name, axis in zip(given, _AXES, strict=True)
+    }
+    joints["mesh"] = {_BEVEL: {"first": first, "second": second, "teeth": teeth, "radius": one}}
+    masses = [{key: each for key, each in fields.items() if key in ("mass", "inertia")} for fields in wheels]
+    bodies: Entry = {
+        name: {"disk": {"radius": radius, "axis": axis, **own}}
+        for name, own, radius, axis in zip(given, masses, (one, two), _AXES, strict=True)
+    }
+    w.space, w.data["space"] = True, True
+    meshes = [each for each in w.data if folded(str(each)) in _MESHES]
+    w.data = {each: value for each, value in w.data.items() if each not in (key, *meshes)}
+    w.data |= {"ground": {"points": places}, "bodies": bodies, "connections": joints}
+    w.data["measures"] = {
+        f"phi_{name}": f"angle of {name} about {axis}" for name, axis in zip(given, _AXES, strict=True)
+    }
+    speeds = {name: at for name in given for at in w.data if folded(str(at)) in _speeds_of(name)}
+    for name, at in speeds.items():
+        driver = {"driver": {"measure": f"phi_{name}", "speed": w.data.pop(at)}}
+        w.data["connections"] = {**w.data["connections"], f"drive_of_{name}": driver}
+        w.moved["connections", f"drive_of_{name}"] = (at,)
+    w.moved |= {("bodies", name): (key, name) for name in given} | {("connections", each): (key,) for each in joints}
+    w.moved |= {("space",): (key,), ("ground",): (key,), ("measures",): (key,)}
+    w.assumed.append(
+        Message("the axes of {first} and {second} meet at a right angle, along x and y", first=first, second=second)
+    )
+
+
+def complete_bevels(w: Written) -> None:
+    """Gives bevel gears that say no teeth or no radius those of their wheels."""
+    bodies, connections = w.data.get("bodies"), w.data.get("connections")
+    if not w.space or not isinstance(bodies, dict) or not isinstance(connections, dict):
+        return
+    for name, entry in [*cast("Entry", connections).items()]:
+        for word, value in [*cast("Entry", entry).items()] if isinstance(entry, dict) else ():
+            if written_kind(word, value, Connection.kinds, space=True) != _BEVEL:
+                continue
+            fields = Connection.kinds[_BEVEL].from_plain(value)
+            for end in ("first", "second"):
+                _turn_about_its_axis(w, str(fields.get(end)))
+            wheels = [_gear(cast("Entry", w.data["bodies"]).get(str(fields.get(end)))) for end in ("first", "second")]
+            teeth = fields.get("teeth") or [_one(each, _TEETH) for each in wheels]
+            module = fields.get("module") or _one(wheels[0], _MODULE) or _one(wheels[1], _MODULE)
+            if not isinstance(teeth, list) or len(cast("list[Any]", teeth)) != 2 or None in teeth:
+                continue
+            read = {key: each for key, each in fields.items() if key != "module"} | {"teeth": teeth}
+            if "radius" not in fields and module is not None:
+                read["radius"] = f"({teeth[0]})*({module})/2"
+            connections[name] = {**entry, word: read}
+
+
+def _turn_about_its_axis(w: Written, wheel: str) -> None:
+    """A wheel that says no axis has that of its bearing: bevel gears turn about their own axes."""
+    given = cast("Entry", w.data["bodies"]).get(wheel)
+    entry = cast("Entry", given) if isinstance(given, dict) else {}
+    for word, value in [*entry.items()]:
+        kind = written_kind(word, value, Shape.kinds, space=True)
+        if kind is None or "axis" not in Shape.kinds[kind].model_fields or "turned" in entry:
+            continue
+        fields = Shape.kinds[kind].from_plain(value)
+        abouts = {
+            str(joint.get("about"))
+            for each in w.data["connections"].values()
+            for name, given in (cast("Entry", each).items() if isinstance(each, dict) else ())
+            if written_kind(name, given, Connection.kinds, space=True) == "revolute"
+            and wheel in (joint := Connection.kinds["revolute"].from_plain(given)).values()
+        }
+        if "axis" not in fields and len(abouts) == 1 and abouts <= {"x", "y", "z"}:
+            (axis,) = abouts
+            w.data["bodies"] = {**w.data["bodies"], wheel: {**entry, word: {**fields, "axis": axis}}}
+            w.assumed.append(Message("{wheel} has the axis of its bearing, {axis}", wheel=wheel, axis=axis))
+
+
+def _gear(entry: Any) -> Entry:
+    """What a body says of its teeth."""
+    found = [each for each in cast("Entry", entry or {}).values() if isinstance(each, dict)]
+    return next((cast("Entry", each) for each in found if _one(cast("Entry", each), _TEETH) is not None), {})
+
+
+def _speeds_of(name: str) -> tuple[str, ...]:
+    return tuple(map(folded, (f"{name}_speed", f"{name}_omega", f"omega_{name}", f"n_{name}", f"{name}_rpm")))
+
+
+def _one(fields: Any, words: tuple[str, ...]) -> Any:
+    found = [each for key, each in cast("Entry", fields).items() if key in words] if isinstance(fields, dict) else []
+    return found[0] if len(found) == 1 else None

@@ -1,0 +1,259 @@
+"""Files as somebody writes them who has read nothing: the numbers of a figure, by the words of a textbook."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+G = 9.81
+
+
+def answer(text: str, question: str) -> float:
+    value = fb.System.from_text(text).solve(question)["q1"].value
+    return float(math.hypot(*value) if isinstance(value, list | tuple) else value)
+
+
+@pytest.mark.parametrize("excitation", ["10 N * sin(3*t)", "10 N*sin(3 * t)"])
+def test_an_oscillator_is_told_by_its_numbers(excitation: str) -> None:
+    # X = F0/sqrt((k - m Omega^2)^2 + (c Omega)^2) (Thomson, Theory of Vibration, sec. 3.1)
+    text = f"system: a machine\nmass: 2 kg\nstiffness: 50 N/m\ndamping: 4 N s/m\nforce: {excitation}\n"
+    assert answer(text, "natural frequency") == pytest.approx(5.0)
+    assert answer(text, "damping ratio") == pytest.approx(4 / (2 * 2 * 5))
+    assert answer(text, "steady amplitude") == pytest.approx(10 / math.hypot(50 - 18, 12))
+    assert fb.System.from_text(text).title == "a machine"
+
+
+def test_an_oscillator_starts_where_its_numbers_say() -> None:
+    # without damping x = x0 cos(w t)
+    text = "m: 2 kg\nk: 50 N/m\nx0: 5 cm\n"
+    assert answer(text, "x after 1 s") == pytest.approx(0.05 * math.cos(5.0))
+
+
+def test_a_pendulum_is_told_by_its_numbers() -> None:
+    # m v^2/L = T - m g at the bottom, v^2 = 2 g L (1 - cos theta0)
+    text = "pendulum: {length: 1 m, mass: 2 kg, angle: 10 deg}\ngravity: 9.81\n"
+    assert answer(text, "tension at the bottom") == pytest.approx(2 * G * (3 - 2 * math.cos(math.radians(10))))
+    assert answer(text, "natural frequency") == pytest.approx(math.sqrt(G))
+    told = "pendulum is a point mass, bob, on a link without mass, cord; theta counts from down"
+    assert told in map(str, fb.System.from_text(text).assumptions)
+
+
+@pytest.mark.parametrize("gravity", ["9.81", "9.81 m/s^2", "g"])
+def test_a_block_on_an_incline_needs_no_section(gravity: str) -> None:
+    # a = g (sin alpha - mu cos alpha)
+    own = "parameters: {g: 9.81 m/s^2}\n" if gravity == "g" else ""
+    text = f"{own}incline: {{angle: 30 deg, mu: 0.2}}\nblock: {{mass: 2 kg, on: incline}}\ngravity: {gravity}\n"
+    assert answer(text, "acceleration of block") == pytest.approx(G * (0.5 - 0.2 * math.sqrt(0.75)))
+
+
+def test_masses_on_a_rope_say_their_masses_alone() -> None:
+    # a = g (m1 - m2)/(m1 + m2 + M/2)
+    text = """
+bodies: {m1: 3 kg, m2: 2 kg}
+pulley: {mass: 1 kg, radius: 0.1 m}
+rope: [m1, pulley, m2]
+gravity: 9.81
+"""
+    assert answer(text, "acceleration of m1") == pytest.approx(G / 5.5)
+    assert answer(text, "tension of rope at m1") == pytest.approx(3 * G * (1 - 1 / 5.5))
+
+
+COLLISION = """
+parameters: {u: -4 m/s}
+bodies: {A: {mass: 2 kg, velocity: FIRST}, B: {mass: 1 kg, velocity: SECOND}}
+collision: {between: [A, B], e: 0.5}
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "left"), [("3 m/s", "-1 m/s", "A"), ("0 m/s", "4 m/s", "B"), ("u", "0", "B"), ("-u", "0", "A")]
+)
+@pytest.mark.parametrize("gravity", ["", "gravity: 9.81\n"])
+def test_what_collides_on_a_line_says_its_speeds_as_numbers(first: str, second: str, left: str, gravity: str) -> None:
+    # momentum is kept, and e (u1 - u2) is how fast they part; half the reduced mass times (1 - e^2)(u1 - u2)^2 is lost
+    text = COLLISION.replace("FIRST", first).replace("SECOND", second) + gravity
+    one, two = ({"u": -4.0, "-u": 4.0}.get(each) or float(each.split()[0]) for each in (first, second))
+    mean = (2 * one + two) / 3
+    system = fb.System.from_text(text)
+    after = [system.solve(f"velocity of {body} after the impact")["q1"].value[0] for body in "AB"]
+    assert after == pytest.approx([mean - 0.5 * (one - two) / 3, mean + 0.5 * 2 * (one - two) / 3])
+    assert answer(text, "energy lost in the impact") == pytest.approx(0.5 * 2 / 3 * 0.75 * (one - two) ** 2)
+    right = "B" if left == "A" else "A"
+    told = f"{left} is on the left of {right}, by gap_{left}_{right} = 1 m"
+    assert told in map(str, system.assumptions)
+
+
+BEAM = """
+beam: {length: 6 m}
+supports: {A: {x: 0, type: pinned}, B: {x: 6 m, type: roller}}
+loads: LOADS
+"""
+
+
+@pytest.mark.parametrize(
+    "loads",
+    [
+        "[{P: 10 kN, x: 2 m}, {w: 2 kN/m, from: 3 m, to: 6 m}, {M: 3 kN m, x: 4 m}]",
+        "{one: {force: 10 kN, at: 2 m}, two: {q: 2 kN/m, from: 3 m, to: 6 m}, three: {M: 3 kN m, at: 4 m}}",
+    ],
+)
+def test_loads_of_a_beam_are_known_by_their_units(loads: str) -> None:
+    # moments about A: 6 B = 10*2 + 6*4.5 - 3 (a couple counter-clockwise lifts the right end)
+    text = BEAM.replace("LOADS", loads)
+    assert answer(text, "vertical reaction of B") == pytest.approx((20 + 27 - 3) / 6 * 1e3)
+    assert answer(text, "vertical reaction of A") == pytest.approx((16 - 44 / 6) * 1e3)
+
+
+ARM = """
+name: two link arm
+parameters: {m1: 2 kg, L1: 0.5 m, m2: 1 kg, L2: 0.4 m, tau: 3 N m}
+gravity: 9.81
+links: [{name: link1, mass: m1, length: L1}, {name: link2, mass: m2, length: L2}]
+joints:
+  - {name: shoulder, type: revolute, parent: PARENT, child: link1, torque: tau}
+  - {name: elbow, type: revolute, parent: link1, child: link2}
+initial: {shoulder: 0 deg, elbow: 90 deg}
+"""
+
+
+@pytest.mark.parametrize("parent", ["ground", "base", "world"])
+def test_links_of_a_robot_hang_on_each_other_by_their_ends(parent: str) -> None:
+    # M q'' = (tau, 0) - G with the elbow at a right angle (Spong, Robot Modeling and Control, sec. 7.4)
+    m1, L1, m2, L2 = 2, 0.5, 1, 0.4
+    m11, m12, m22 = m1 * L1**2 / 3 + m2 * (L1**2 + L2**2 / 3), m2 * L2**2 / 3, m2 * L2**2 / 3
+    pull = 3 - (m1 / 2 + m2) * G * L1
+    found = answer(ARM.replace("PARENT", parent), "angular acceleration of link1")
+    assert found == pytest.approx(pull * m22 / (m11 * m22 - m12**2))
+
+
+def test_a_rod_that_is_pinned_by_its_plain_name_is_held_in_its_middle_and_that_is_told() -> None:
+    system = fb.System.from_text(
+        "bodies: {bar: {rod: {mass: 1 kg, length: 1 m}}}\nconnections: {hinge: {pin: [ground, bar]}}\n"
+    )
+    assert "hinge holds bar in its middle; its ends are bar.start, bar.end" in map(str, system.assumptions)
+
+
+def test_a_place_that_a_joint_gives_may_be_said_as_well() -> None:
+    text = """
+parameters: {m: 5 kg, M: 900 kg, L: 2 m, F: 1 kN, g: 9.81 m/s^2}
+bodies:
+  truck: {body: {mass: M}, points: {tower: [0.5 m, 2.5 m]}}
+  pole: {rod: {mass: m, length: L}, at: {start: truck.tower}, angle: -90 deg}
+connections: {road: {slider: {body: truck, along: right}}, hinge: {pin: [truck.tower, pole.start]}}
+loads: {w: {gravity: g}, F: {force: {at: truck, along: right, magnitude: F}}}
+"""
+    # a pole that hangs: M a + m (a + L alpha/2) = F and alpha = -3 a/(2 L), so that it counts as m/4
+    assert answer(text, "acceleration of truck") == pytest.approx(1000 / (900 + 5 / 4))
+    with pytest.raises(fb.ModelError, match=r"follows from what joins both"):
+        fb.System.from_text(text.replace("pin: [truck.tower", "pin: [truck.origin"))
+
+
+def test_a_boom_is_put_by_its_socket_and_its_end() -> None:
+    # 2 T (3/s) = W with s = sqrt(L^2 + 3^2 + 2^2), and the socket takes 2 T L/s
+    text = """
+space: true
+parameters: {W: 6 kN, L: 4 m}
+ground: {points: {A: [0, 0, 0], D: [0, 3 m, 2 m], E: [0, 3 m, -2 m]}}
+bodies: {boom: {rod: {length: L}, at: {start: A, end: [L, 0, 0]}}}
+connections:
+  foot: {spherical: [ground.A, boom.start]}
+  cable1: {link: [boom.end, ground.D]}
+  cable2: {link: [boom.end, ground.E]}
+loads: {load: {force: {at: boom.end, along: down, magnitude: W}}}
+"""
+    assert answer(text, "tension of cable1") == pytest.approx(1e3 * math.sqrt(29))
+    assert answer(text, "reaction of foot") == pytest.approx(8e3)
+
+
+def test_two_places_of_a_body_in_space_are_refused_with_the_one_to_write() -> None:
+    text = "space: true\nbodies: {boom: {rod: {length: 4 m}, at: {start: [0, 0, 0], end: [4 m, 0, 0]}}}\n"
+    with pytest.raises(fb.ModelError, match=r"in space at puts one point, at: \{end: \[4 m, 0, 0\]\}; joints put"):
+        fb.System.from_text(text)
+
+
+BEVELS = """
+space: true
+ground: {points: {A: [90 mm, 0, 0], B: [0, 30 mm, 0]}}
+bodies:
+  pinion: {gear: {teeth: 15, module: 4 mm, inertia: 0.01 kg m^2AXIS}}
+  wheel: {gear: {teeth: 45, module: 4 mm, axis: y, inertia: 0.2 kg m^2}}
+connections:
+  a: {revolute: {first: ground.A, second: pinion, about: x}}
+  b: {revolute: {first: ground.B, second: wheel, about: y}}
+  mesh: {bevel_gears: [pinion, wheel]}
+measures: {phi: angle of pinion about x}
+loads: {M: {torque: {on: pinion, about: x, magnitude: 3 N m}}}
+"""
+
+
+@pytest.mark.parametrize("axis", [", axis: x", ""])
+def test_bevel_gears_have_the_teeth_and_the_radius_of_their_wheels(axis: str) -> None:
+    # the wheel counts (15/45)^2 times at the pinion, and the tooth force is (M - I phi'')/r with r = 30 mm
+    text = BEVELS.replace("AXIS", axis)
+    turning = 3 / (0.01 + 0.2 / 9)
+    assert answer(text, "acceleration of phi") == pytest.approx(turning)
+    assert answer(text, "tooth force of mesh") == pytest.approx((3 - 0.01 * turning) / 0.03)
+    told = [str(each) for each in fb.System.from_text(text).assumptions]
+    assert ("pinion has the axis of its bearing, x" in told) is (axis == "")
+
+
+def test_bevel_gears_by_teeth_alone_are_a_model_in_space() -> None:
+    text = """
+gears: {pinion: {type: bevel, teeth: 15, module: 4 mm}, wheel: {type: bevel, teeth: 45, module: 4 mm}}
+mesh: [pinion, wheel]
+pinion_speed: 1200 rpm
+"""
+    assert answer(text, "angular velocity of wheel") == pytest.approx(1200 * math.pi / 30 / 3)
+    told = "the axes of pinion and wheel meet at a right angle, along x and y"
+    assert told in map(str, fb.System.from_text(text).assumptions)
+
+
+@pytest.mark.parametrize(("x", "v", "side"), [("-1 m", "v", "right"), ("d", "-v", "left")])
+def test_a_wall_that_nobody_declares_is_where_the_ball_is_not(x: str, v: str, side: str) -> None:
+    text = f"""
+parameters: {{m: 2 kg, v: 3 m/s, d: 1 m, e: 0.8}}
+bodies: {{ball: {{disk: {{mass: m, radius: 0.1 m}}, at: [{x}, 0], velocity: [{v}, 0]}}}}
+connections: {{hit: {{contact: {{between: [ball, wall], restitution: e}}}}}}
+"""
+    after = fb.System.from_text(text).solve("velocity of ball after the impact")["q1"].value
+    assert after[0] == pytest.approx(-2.4 if side == "right" else 2.4)
+    told = f"wall goes upright through the origin and is solid on the {side}"
+    assert told in map(str, fb.System.from_text(text).assumptions)
+
+
+@pytest.mark.parametrize("load", ["s: {spring: {at: bar.end, k: 800 N/m}}", "d: {damper: {at: bar.end, c: 25 N s/m}}"])
+def test_a_spring_at_one_point_is_told_that_it_has_two(load: str) -> None:
+    text = f"bodies: {{bar: {{rod: {{mass: 3 kg, length: 1.2 m}}}}}}\nloads: {{{load}}}\n"
+    with pytest.raises(fb.ModelError, match=r"acts between two points, .* \{from: \[0\.6 m, -0\.3 m\], to: b"):
+        fb.System.from_text(text)
+    cured = text.replace("at: bar.end", "from: [0.6 m, -0.3 m], to: bar.end")
+    assert not fb.System.from_text(cured).warnings
+
+
+def test_a_rope_round_a_point_mass_is_told_of_the_pulley() -> None:
+    text = """
+ground: {points: {T: [4 m, 3 m]}, lines: {incline: {along: 30 deg}}}
+bodies: {A: {particle: {mass: 20 kg}}, B: {particle: {mass: 8 kg}}}
+connections: {c: {contact: [A, incline]}, rope: {string: {path: [ground.T, around A, over ground.T, B]}}}
+"""
+    with pytest.raises(fb.ModelError, match=r"A is a point and has no radius; .* axle: \{pin: \[A, pulley\]"):
+        fb.System.from_text(text)
+
+
+def test_a_rope_that_runs_twice_to_a_block_on_an_incline_is_a_tackle() -> None:
+    # 2 T - m_A g (sin alpha + mu cos alpha) = m_A a, m_B g - T = 2 m_B a
+    text = """
+ground: {lines: {incline: {along: 30 deg}}}
+bodies: {A: {particle: {mass: 20 kg}}, B: {particle: {mass: 8 kg}}, top: {disk: {radius: 0.1 m}}}
+connections:
+  guide: {slider: {body: A, along: incline, friction: 0.2}}
+  axle: {pin: [ground.T, top]}
+  rope: {string: {from: B, over: [top], to: A, falls: 2}}
+measures: {y: drop of B}
+gravity: 9.81
+"""
+    lift = 2 * 8 * G - 20 * G * (0.5 + 0.2 * math.sqrt(0.75))
+    assert answer(text, "acceleration of y") == pytest.approx(2 * lift / (20 + 4 * 8))
