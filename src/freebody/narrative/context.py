@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Symbol
+from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import changes_at_borders_alone, first_mode, has_phases, setup_of
 from freebody.narrative.lines.glossary import Glossary
@@ -41,6 +41,7 @@ class Context:
     found: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by derivations so far
     new: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by the one that is being written
     after_blow: tuple[int, ...] = ()  # lines of the opening: the speeds just after the blow at the start
+    own: Expr | tuple[Expr, ...] | None = None  # in which the derivation of a phase has ended: no name of the answer
     drawn: System | None = None  # the system of the pictures, where `system` is one mode of it
 
     @cached_property

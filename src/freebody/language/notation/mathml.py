@@ -55,6 +55,9 @@ class _MathML(Typesetter):
     def operator(self, function: str) -> str:
         return f"<mi>{_NAMES.get(function, function)}</mi>"
 
+    def degrees(self, digits: str) -> str:
+        return f"<mn>{digits}°</mn>"
+
     def applied(self, argument: str, is_bare: bool) -> str:
         return _APPLIED + (_THIN_SPACE + argument if is_bare else in_brackets(argument))
 

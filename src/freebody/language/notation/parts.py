@@ -25,6 +25,7 @@ from freebody.language.expression import (
     Number,
     PowerOf,
     ProductOf,
+    Symbol,
     power,
 )
 from freebody.language.guards import MAX_DIGITS
@@ -107,6 +108,18 @@ def _without_sign(term: Expr) -> tuple[bool, Expr]:
             return True, kept[0] if len(kept) == 1 else ProductOf(kept)
         case _:
             return False, term
+
+
+def in_degrees(argument: Expr) -> str | None:
+    """The degrees, as on paper, of the angle that sin, cos or tan is taken of, where it is a number: pi/9 is 20."""
+    factors = argument.factors if isinstance(argument, ProductOf) else (argument,)
+    numbers = [f.value for f in factors if isinstance(f, Number)]
+    if len(factors) != len(numbers) + 1 or Symbol("pi") not in factors:
+        return None
+    value = 180 * math.prod(numbers, start=Fraction(1))
+    if value <= 0 or 10 % value.denominator:
+        return None
+    return f"{float(value):.10g}"
 
 
 def as_decimal(value: Fraction) -> str | None:

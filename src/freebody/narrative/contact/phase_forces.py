@@ -14,7 +14,7 @@ from freebody.model.elements import DryFriction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.acting import Acting, FrictionLaw, Known
-from freebody.narrative.principles.newton import Newton
+from freebody.narrative.principles.newton import AT_REST_WORDS, Newton
 from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.principles.planner import SLIDING_IN_SPACE, WITH_CONTACTS
 from freebody.narrative.principles.reactions import words_of
@@ -49,9 +49,15 @@ def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
         glossary,
         rates,
         symmetry,
+        words=AT_REST_WORDS if stands_still(phase) else None,
         preferences=SLIDING_IN_SPACE if phase.system.space else WITH_CONTACTS,
         value_of=lambda quantity, state: value_in_mode(quantity, phase.base, phase.system, state),
     )
+
+
+def stands_still(phase: Phase) -> bool:
+    """Whether nothing can move in a phase, and nothing is driven."""
+    return not phase.model.coordinates and not any(row.is_driven for row in phase.system.constraint_rows)
 
 
 def _reads_friction(name: str, sign: int) -> Callable[[World], float]:

@@ -116,7 +116,9 @@ def action(phase: Phase) -> str:
     if not spoken:
         if "taut" in found.values() and phase.base.borders:
             return Message("moves with a taut string")
-        return Message("moves in contact") if any(w == "touches" for w in found.values()) else Message("moves")
+        if not any(w == "touches" for w in found.values()):
+            return Message("moves")
+        return Message("moves in contact") if phase.model.coordinates else Message("stays in contact")
     if len(spoken) == 1:
         (word,) = spoken.values()
         alone = all(w == "open" for w in found.values())

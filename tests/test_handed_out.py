@@ -1,0 +1,174 @@
+"""What a worked solution says when it is handed out: nothing twice, nothing that is not so, and no name of the file."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+import freebody as fb
+from freebody.language.notation import to_latex, to_mathml, to_text
+from freebody.language.notation.stacked import stacked
+from freebody.language.parser import parse
+from freebody.present.picture.label import formula
+from freebody.present.report.formats.terminal import terminal_text
+
+WHEEL = """
+parameters: {m: 6 kg, R: 0.25 m, k: 400 N/m, c: 20 N s/m, g: 9.81 m/s^2}
+ground: {points: {A: [-1 m, R]}}
+bodies: {wheel: {disk: {mass: m, radius: R}, at: [0, R]}}
+connections: {floor: {rolling: {body: wheel, on: floor}}}
+loads:
+  weight: {gravity: g}
+  spring: {spring: {between: [ground.A, wheel], stiffness: k, rest_length: 1 m}}
+  damper: {damper: {between: [ground.A, wheel], damping: c}}
+measures: {x: x of wheel}
+questions: [natural frequency]
+"""
+LADDER = """
+parameters: {m: 15 kg, L: 5 m, h: 0.6 m, alpha: 60 deg, g: 9.81 m/s^2}
+ground: {points: {W: [0, h]}, lines: {floor: {along: right}, wall: {along: down, through: [0, 0]}}}
+bodies:
+  ladder:
+    rod: {mass: m, length: L}
+    at: {start: [L*cos(alpha), 0]}
+    angle: 180 deg - alpha
+    points: {Q: [h/sin(alpha) - L/2, 0]}
+connections:
+  floor: {contact: {between: [ladder, ground.floor]}}
+  wall: {contact: {between: [ladder, ground.wall]}}
+  rope: {link: [ground.W, ladder.Q]}
+loads: {weight: {gravity: g}}
+questions: [tension of rope, normal force of floor]
+"""
+BEAM = """
+parameters: {a: 2 m, b: 3 m, q: 4 kN/m, F: 10 kN}
+bodies:
+  beam: {rod: {length: a + b}, angle: 0, at: {start: [0, 0]}, points: {C: [(a - b)/2, 0]}}
+ground: {points: {A: [0, 0], B: [a + b, 0]}}
+connections: {A: {pin: [ground.A, beam.start]}, B: {slot: {pin: beam.end, through: ground.B, along: right}}}
+loads:
+  sand: {distributed: {between: [beam.C, beam.end], along: down, intensity: q}}
+  force: {force: {at: beam.C, along: -60 deg, magnitude: F}}
+questions: [{id: A, find: reaction of A}]
+"""
+GEARS = """
+parameters: {z_1: 15, z_2: 60, m: 4 mm, J: 0.004 kg m^2, M: 15 N m}
+ground: {points: {A: [0, 0], B: [m*(z_1 + z_2)/2, 0]}}
+bodies: {pinion: {gear: {inertia: J}}, wheel: {gear: {inertia: 9*J}}}
+connections:
+  A: {pin: [ground.A, pinion]}
+  B: {pin: [ground.B, wheel]}
+  mesh: {gear_mesh: {first: pinion, second: wheel, module: m, teeth: [z_1, z_2], pressure_angle: 20 deg}}
+loads: {motor: {torque: {on: pinion, magnitude: M}}}
+questions: [angular acceleration of pinion]
+"""
+
+
+@cache
+def told(text: str, language: str = "en") -> str:
+    """A worked solution as plain text on one line."""
+    report = fb.System.from_text(text).explain(language=language).report
+    return " ".join(terminal_text(report).split())
+
+
+# -- small oscillations -----------------------------------------------------------------------
+def test_a_natural_frequency_with_a_damper_is_said_to_be_that_without() -> None:
+    """Without it the equation is not that of the model; and c is the damper's, not the square of a frequency."""
+    assert "those without damping" in told(WHEEL)
+    assert "-c·ξ" not in told(WHEEL)
+    assert "= c," not in told(WHEEL)
+    assert "damping" not in told(WHEEL.replace("\n  damper: {damper: {between: [ground.A, wheel], damping: c}}", ""))
+
+
+def test_notes_on_damping_are_in_german_in_a_german_report() -> None:
+    assert "damped" not in told(WHEEL, "de")
+    assert "ohne Dämpfung" in told(WHEEL, "de")
+
+
+# -- contacts at rest -------------------------------------------------------------------------
+def test_what_cannot_move_is_not_said_to_move() -> None:
+    assert "moves in contact" not in told(LADDER)
+    assert "course of the motion" not in told(LADDER)
+    assert "The sums of forces and of moments vanish." in told(LADDER)
+
+
+def test_a_force_that_was_found_is_not_written_again_by_another_name() -> None:
+    assert "S =" not in told(LADDER)
+    assert told(LADDER).count("T = ") == 1
+    assert "This was found" not in told(LADDER)
+
+
+# -- names ------------------------------------------------------------------------------------
+def test_components_of_a_reaction_have_the_names_of_the_diagram() -> None:
+    assert "A_asked" not in told(BEAM)
+    assert "A_y" in told(BEAM)
+
+
+def test_a_support_that_is_called_as_its_node_does_not_push_itself() -> None:
+    truss = """
+nodes: {A: [0, 0], B: [4 m, 0], C: [2 m, 3 m]}
+members: [AB, AC, BC]
+supports: {A: pin, B: roller}
+loads: {C: 10 kN down}
+"""
+    answer = fb.System.from_text(truss).solve("reaction of A").answers[0]
+    assert str(answer.notes[0]) == "the force that the support A exerts"
+
+
+# -- loads ------------------------------------------------------------------------------------
+@pytest.mark.parametrize("intensity", ["q", "[q, q]", "3 kN/m"])
+def test_an_even_load_is_one_force(intensity: str) -> None:
+    system = fb.System.from_text(BEAM.replace("intensity: q", f"intensity: {intensity}"))
+    assert len([load for load in system.applied_loads if load.load == "sand"]) == 1
+
+
+# -- limiting cases and numbers ---------------------------------------------------------------
+def test_a_gear_has_neither_no_teeth_nor_ever_more() -> None:
+    assert "z_1 = 0" not in told(GEARS)
+    assert "z_2 →" not in told(GEARS).replace("₂", "_2")
+    assert "J → ∞: 0" in told(GEARS)
+
+
+def test_that_something_grows_with_a_coefficient_is_no_limiting_case() -> None:
+    block = """
+parameters: {m: 2 kg, mu: 0.3, v: 3 m/s, g: 9.81 m/s^2}
+bodies: {block: {particle: {mass: m}}}
+connections: {floor: {slider: {body: block, along: right, friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of block}
+start: {x: 0, rate(x): v}
+questions: [acceleration of x]
+"""
+    assert "unbounded" not in told(block)
+
+
+def test_a_moment_of_inertia_of_given_lengths_has_its_unit() -> None:
+    crate = """
+parameters: {m: 8 kg, a: 0.3 m, M: 2 kg}
+bodies:
+  crate: {rectangle: {mass: m, width: 0.4 m, height: 0.3 m}}
+  half: {rectangle: {mass: m, width: 0.4 m, height: a}}
+  cube: {rectangle: {mass: M, width: a, height: a}}
+"""
+    text = told(crate)
+    assert "0.02083 m² · m" in text
+    assert "m/48" not in text
+    assert "(numbers in SI units)" in text
+    assert "M·a²/6" in text
+
+
+@pytest.mark.parametrize(("angle", "shown"), [("pi/9", "20°"), ("5*pi/36", "25°"), ("pi/8", "22.5°")])
+def test_angles_of_functions_are_in_degrees(angle: str, shown: str) -> None:
+    expr = parse(f"m*cos({angle})^2 + sin({angle})")
+    assert f"sin({shown})" in "".join(stacked(expr)[0].lines)
+    assert f"<mn>{shown}</mn>" in to_mathml(expr)
+    assert rf"\sin {shown[:-1]}^{{\circ}}" in to_latex(expr)
+    assert shown not in to_text(expr)  # which is read again
+    assert formula(expr).text.count(shown) == 2
+
+
+@pytest.mark.parametrize("angle", ["pi/7", "phi - pi/9", "pi*a/9"])
+def test_other_angles_are_as_they_are(angle: str) -> None:
+    assert "°" not in to_latex(parse(f"sin({angle})"))
+    assert "circ" not in to_latex(parse(f"sin({angle})"))
