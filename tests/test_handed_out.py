@@ -10,6 +10,7 @@ import freebody as fb
 from freebody.language.notation import to_latex, to_mathml, to_text
 from freebody.language.notation.stacked import stacked
 from freebody.language.parser import parse
+from freebody.narrative.sharing import sentences_of
 from freebody.present.picture.label import formula
 from freebody.present.report.formats.terminal import terminal_text
 
@@ -114,6 +115,55 @@ loads: {C: 10 kN down}
 """
     answer = fb.System.from_text(truss).solve("reaction of A").answers[0]
     assert str(answer.notes[0]) == "the force that the support A exerts"
+
+
+# -- frames and trusses -----------------------------------------------------------------------
+BRIDGE = """
+parameters: {a: 2 m, h: 1.5 m, F: 6 kN, G: 9 kN}
+nodes: {A: [0, 0], B: [a, 0], C: [2*a, 0], D: [a/2, h], E: [3*a/2, h]}
+members: [AB, BC, AD, BD, BE, CE, DE]
+supports: {A: pin, C: roller}
+loads: {D: {force: F, along: right}, B: {force: G, along: down}}
+questions: [reaction of A, reaction of C, force in DE]
+"""
+
+
+def principles(text: str, *questions: str) -> list[tuple[str, int, str]]:
+    """Of each for the last question: what is balanced, of how many bodies, and about which point."""
+    derivation = fb.System.from_text(text).explain(questions).derivations[-1]
+    said = [s for s in sentences_of(derivation.stages) if s.key.startswith("balance.")]
+    point = [s.args.get("point") for s in said]
+    return [
+        (s.key.removeprefix("balance."), len(s.args["bodies"]), p.args.get("point", p.key) if p else "")
+        for s, p in zip(said, point, strict=True)
+    ]
+
+
+def test_reactions_of_a_truss_follow_from_the_whole_of_it() -> None:
+    """By hand: moments about C give A_y = (a G - h F)/(2 a), forces to the right A_x = -F; nine nodes are not cut."""
+    assert sorted(principles(BRIDGE, "q1")) == [("angular_whole", 5, "C"), ("linear_whole", 5, "")]
+    assert "Forces on the whole system to the right." in told(BRIDGE)
+    assert "Momente am ganzen System um C." in told(BRIDGE, "de")
+
+
+def test_a_bar_is_found_by_a_section() -> None:
+    """Ritter's: what is cut beside it meets in one point, about which moments are taken."""
+    assert all(kind.startswith("angular") for kind, _n, _at in principles(BRIDGE, "q1", "q3"))
+
+
+def test_bodies_are_named_in_the_order_of_the_file() -> None:
+    assert "Moments on A and D about B." in told(BRIDGE)
+
+
+def test_moments_on_a_beam_are_taken_about_its_supports() -> None:
+    assert principles(BEAM, "A")[-1] == ("angular", 1, "B")
+    assert "mass centre" not in told(BEAM).replace("moment of inertia about the mass centre", "")
+
+
+def test_a_section_is_at_a_point_of_the_rod_that_is_cut() -> None:
+    text = told(BEAM.replace("find: reaction of A}", "find: bending moment of beam at C}"))
+    assert "Cut beam at C." in text
+    assert "C of beam" not in text
 
 
 # -- loads ------------------------------------------------------------------------------------

@@ -17,6 +17,7 @@ from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.newton import AT_REST_WORDS, Newton, Solved
 from freebody.narrative.principles.planar_rates import PlanarRates
+from freebody.narrative.principles.planner import OF_STRUCTURES
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -64,9 +65,16 @@ class Context:
     @cached_property
     def newton(self) -> Newton:
         """Principles of the plane; where nothing can move they are the conditions of equilibrium."""
-        is_driven = any(row.is_driven for row in self.system.constraint_rows)
-        words = None if is_driven or self.setup.model.degrees_of_freedom else AT_REST_WORDS
-        return Newton(self.acting, self.glossary, self.rates, self.rates.symmetry, words=words)
+        if not self.acting.stands_still:
+            return Newton(self.acting, self.glossary, self.rates, self.rates.symmetry)
+        return Newton(
+            self.acting,
+            self.glossary,
+            self.rates,
+            self.rates.symmetry,
+            words=AT_REST_WORDS,
+            preferences=OF_STRUCTURES,
+        )
 
     def script(self) -> Script:
         """A derivation of its own, with numbers that go on."""

@@ -71,9 +71,7 @@ def hatched_ring(radius: float, depth: float, step: float) -> Array:
 _ROLLER = 0.24  # radius of the rollers of a support, in sizes of symbols
 
 
-def support(
-    size: float, *, upside_down: bool = False, on_rollers: bool = False
-) -> Iterator[tuple[Array, str, bool]]:
+def support(size: float, *, upside_down: bool = False, on_rollers: bool = False) -> Iterator[tuple[Array, str, bool]]:
     """(points, style, whether closed) of a triangle on hatched ground below the origin, or above it; on rollers, where
     it can move along the ground."""
     flip = (1.0, -1.0 if upside_down else 1.0)

@@ -8,7 +8,6 @@ from typing import cast
 from freebody.language.expression import Call, Expr, Symbol, add, negate, number, power
 from freebody.language.sentences import Message, turns
 from freebody.model.elements import DryFriction
-from freebody.narrative.contact.phase_forces import stands_still
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.script import Argument, Script, ready
 from freebody.narrative.principles.sides import ZERO, parted
@@ -149,7 +148,7 @@ def tell_conditions(script: Script, way: PhaseSequence, lines: Mapping[str, tupl
     if not found:
         return
     with script.stage("stage.conditions", "hint.conditions"):
-        still = all(stands_still(leg.phase) for leg in way.legs)
+        still = all(leg.newton.acting.stands_still for leg in way.legs)
         script.say("condition.intro_at_rest" if still else "condition.intro")
         for r in found:
             left, sign, right = _sides(r)

@@ -49,15 +49,10 @@ def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
         glossary,
         rates,
         symmetry,
-        words=AT_REST_WORDS if stands_still(phase) else None,
+        words=AT_REST_WORDS if acting.stands_still else None,
         preferences=SLIDING_IN_SPACE if phase.system.space else WITH_CONTACTS,
         value_of=lambda quantity, state: value_in_mode(quantity, phase.base, phase.system, state),
     )
-
-
-def stands_still(phase: Phase) -> bool:
-    """Whether nothing can move in a phase, and nothing is driven."""
-    return not phase.model.coordinates and not any(row.is_driven for row in phase.system.constraint_rows)
 
 
 def _reads_friction(name: str, sign: int) -> Callable[[World], float]:
