@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 
 import freebody as fb
+from freebody.language.expression import Symbol
 from freebody.language.notation import to_latex, to_mathml, to_text
 from freebody.language.notation.stacked import stacked
 from freebody.language.parser import parse
@@ -222,3 +223,25 @@ def test_angles_of_functions_are_in_degrees(angle: str, shown: str) -> None:
 def test_other_angles_are_as_they_are(angle: str) -> None:
     assert "°" not in to_latex(parse(f"sin({angle})"))
     assert "circ" not in to_latex(parse(f"sin({angle})"))
+
+
+@pytest.mark.parametrize(
+    ("name", "latex"),
+    [
+        ("mR", "m_{R}"),
+        ("omegaS", r"\omega_{S}"),
+        ("rAB", r"r_{\mathrm{AB}}"),
+        ("zS2", r"z_{\mathrm{S2}}"),
+        ("v_A", "v_{A}"),
+    ],
+)
+def test_capitals_behind_a_small_letter_are_its_index(name: str, latex: str) -> None:
+    assert to_latex(Symbol(name)) == latex
+    assert formula(Symbol(name)).runs[-1].level == -1
+    assert "<msub>" in to_mathml(Symbol(name))
+    assert parse(to_text(Symbol(name))) == Symbol(name)
+
+
+@pytest.mark.parametrize("name", ["EI", "module", "alphaMax", "FN", "Fx"])
+def test_other_names_are_as_they_are_written(name: str) -> None:
+    assert "_" not in to_latex(Symbol(name))

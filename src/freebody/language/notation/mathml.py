@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from freebody.language.expression import Call, Expr, PowerOf, Symbol
-from freebody.language.notation.parts import ATOM, LETTER_OF, split_name
+from freebody.language.notation.parts import ATOM, LETTER_OF, as_on_paper, split_name
 from freebody.language.notation.typeset import Typesetter, dotted, letters_and_index
 
 _NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
@@ -101,7 +101,7 @@ def _is_word(factor: Expr, is_before: bool = False) -> bool:
     neighbour ends with a bracket."""
     match factor:
         case Symbol(name):
-            letters, _ = split_name(name)
+            letters, _ = split_name(as_on_paper(name))
             return len(letters) > 1 and letters not in LETTER_OF
         case Call("rate", argument):
             return _is_word(argument, is_before)

@@ -31,6 +31,7 @@ from freebody.language.notation.parts import (
     SPECIAL,
     SUM,
     as_decimal,
+    as_on_paper,
     in_degrees,
     is_whole,
     quotient,
@@ -143,6 +144,10 @@ def _call_in_figure(call: Call, argument: str) -> str:
     return _text_call(call, argument if degrees is None else f"{with_sign(degrees)}°")
 
 
+def _name_in_figure(name: str) -> str:
+    return _text_name(as_on_paper(name))
+
+
 def _text_name(name: str) -> str:
     """Greek letters, and digits at the end as an index: theta1 -> θ₁, r_S -> r_S."""
     letters, rest = split_name(name)
@@ -172,4 +177,4 @@ def _split_index(rest: str) -> tuple[str, str]:
 
 PYTHON = OneLineWriter("*", str, _python_call, _python_power)
 TEXT = OneLineWriter("·", _text_name, _text_call, _text_power, _text_vector, with_sign)
-IN_FIGURES = replace(TEXT, call=_call_in_figure)  # for the eye alone
+IN_FIGURES = replace(TEXT, name=_name_in_figure, call=_call_in_figure)  # for the eye alone

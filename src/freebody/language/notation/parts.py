@@ -204,6 +204,16 @@ def spaced_index(index: str) -> str:
     return _BETWEEN_WORDS.sub(" ", index).replace("_", ",")
 
 
+_CAPITALS = re.compile(rf"({'|'.join(sorted(LETTER_OF, key=len, reverse=True))}|[a-z])([A-Z]{{1,2}})(?![A-Za-z])(.*)")
+
+
+def as_on_paper(name: str) -> str:
+    """A name as it is printed: capitals behind a small or Greek letter are its index, m_R for mR, omega_S for omegaS.
+    Where the first letter is a capital as well a product may be meant, as by EI."""
+    found = _CAPITALS.fullmatch(name)
+    return name if found is None else f"{found[1]}_{found[2]}{found[3]}"
+
+
 def split_name(name: str) -> tuple[str, str]:
     letters = re.match("[A-Za-z]*", name)
     n_letters = letters.end() if letters else 0

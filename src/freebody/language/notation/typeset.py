@@ -30,6 +30,7 @@ from freebody.language.notation.parts import (
     SPECIAL,
     SUM,
     as_decimal,
+    as_on_paper,
     in_degrees,
     is_whole,
     quotient,
@@ -190,5 +191,5 @@ def dotted(expr: Expr) -> tuple[str, int]:
 
 def letters_and_index(name: str) -> tuple[str, str]:
     """The letters of a name and its index: theta_1_x -> theta, "1,x"."""
-    letters, rest = split_name(name)
+    letters, rest = split_name(as_on_paper(name))
     return letters, spaced_index(rest.removeprefix("_"))
