@@ -12,8 +12,11 @@ from freebody.language.notation import to_latex, to_mathml, to_text
 from freebody.language.notation.stacked import stacked
 from freebody.language.parser import parse
 from freebody.narrative.sharing import sentences_of
+from freebody.numeric.reference import Reference
 from freebody.present.picture.label import formula
 from freebody.present.report.formats.terminal import terminal_text
+from freebody.present.scene import Scene
+from freebody.study.phases.words import label
 
 WHEEL = """
 parameters: {m: 6 kg, R: 0.25 m, k: 400 N/m, c: 20 N s/m, g: 9.81 m/s^2}
@@ -245,3 +248,46 @@ def test_capitals_behind_a_small_letter_are_its_index(name: str, latex: str) -> 
 @pytest.mark.parametrize("name", ["EI", "module", "alphaMax", "FN", "Fx"])
 def test_other_names_are_as_they_are_written(name: str) -> None:
     assert "_" not in to_latex(Symbol(name))
+
+
+# -- contacts and figures ---------------------------------------------------------------------
+def test_the_side_of_a_box_is_not_named_by_its_corners() -> None:
+    assert label("impact.ball on block top_left-bottom_left") == "impact (ball on block.left)"
+    assert label("impact.ball on block.top_left") == "impact (ball on block.top_left)"
+
+
+def test_the_offset_of_a_slider_crank_has_a_dimension() -> None:
+    crank = """
+parameters: {r: 50 mm, l: 180 mm, e: 20 mm}
+ground: {points: {O: [0, 0]}, lines: {cylinder: {along: up, through: [e, 0]}}}
+bodies:
+  crank: {rod: {length: r}, angle: 30 deg}
+  rod: {rod: {mass: 1 kg, length: l}, near: {angle: 80 deg}}
+  piston: {particle: {mass: 2 kg}}
+connections:
+  O: {pin: [ground.O, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  cylinder: {slider: {body: piston, along: cylinder}}
+"""
+    assert "$e$" in fb.System.from_text(crank).picture().tikz()
+
+
+def test_a_slot_under_a_beam_is_a_support_on_rollers() -> None:
+    """Where something can move, or is driven, it stays a slot."""
+
+    def supports(text: str) -> list[bool]:
+        system = fb.System.from_text(text)
+        return [rail.is_support for rail in Scene.of(system, Reference(system).number).rails]
+
+    beam = BEAM.partition("questions")[0]
+    assert supports(beam) == [True]
+    pin, slot = "A: {pin: [ground.A, beam.start]}", "C: {slot: {pin: beam.start, along: right}}"
+    assert supports(beam.replace(pin, slot)) == [False, False]
+    driven = beam.replace(pin, f"{slot}, motor: {{driver: {{measure: x, follows: a*t/(1 s)}}}}")
+    assert supports(f"{driven}measures: {{x: x of beam}}\n") == [False, False]
+
+
+def test_a_node_of_a_truss_is_named_once() -> None:
+    svg = fb.System.from_text(BRIDGE).picture().svg()
+    assert len({svg.count(f">{node}<") for node in "ABCDE"}) == 1

@@ -223,7 +223,7 @@ class PlanarPlaces:
         """Nodes of trusses, and the points of the ground with a name."""
         ground = self.system.bodies[GROUND]
         found = {body.name: self.position(body.name) for body in self.system.moving if not body.turns}
-        for name in ground.points:
+        for name in ground.points.keys() - {"origin"}:
             at = position(self.model.geometry, ground.point(name))
             found.setdefault(name, (self.acting.here(at.x), self.acting.here(at.y)))
         return found
