@@ -11,9 +11,13 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import to_latex, to_mathml, to_text
 from freebody.language.notation.stacked import stacked
 from freebody.language.parser import parse
+from freebody.model.shapes.base import Shape
 from freebody.narrative.sharing import sentences_of
+from freebody.narrative.sheets.statement import ExerciseStatement
+from freebody.narrative.telling.catalogue import Catalogue
 from freebody.numeric.reference import Reference
 from freebody.present.picture.label import formula
+from freebody.present.report.blocks import Report
 from freebody.present.report.formats.terminal import terminal_text
 from freebody.present.scene import Scene
 from freebody.study.phases.words import label
@@ -291,3 +295,30 @@ def test_a_slot_under_a_beam_is_a_support_on_rollers() -> None:
 def test_a_node_of_a_truss_is_named_once() -> None:
     svg = fb.System.from_text(BRIDGE).picture().svg()
     assert len({svg.count(f">{node}<") for node in "ABCDE"}) == 1
+
+
+# -- exercise sheets --------------------------------------------------------------------------
+def stated(text: str, language: str = "en") -> str:
+    """The statement of an exercise as plain text on one line."""
+    statement = ExerciseStatement(fb.System.from_text(text), Catalogue(language), 1, 1)
+    return " ".join(terminal_text(Report("", language, "", statement.blocks(), {})).split())
+
+
+def test_a_statement_gives_the_numbers_that_no_figure_shows() -> None:
+    """Without the unstretched length of its spring the wheel cannot be calculated."""
+    assert "unstretched length of spring 1 m" in stated(WHEEL)
+    assert "ungespannte Länge von spring 1 m" in stated(WHEEL, "de")
+    assert "pressure angle of mesh 20°" in stated(GEARS)
+    assert "unstretched" not in stated(WHEEL.replace("rest_length: 1 m", "rest_length: R"))
+
+
+@pytest.mark.parametrize("shape", sorted(Shape.kinds))
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_every_shape_has_words(shape: str, language: str) -> None:
+    assert Catalogue(language).has(f"shape.{shape.replace('_', ' ')}")
+
+
+def test_a_gear_and_a_half_disk_are_said_in_words() -> None:
+    assert "pinion (gear," in stated(GEARS)
+    bowl = "bodies: {bowl: {half_disk: {mass: 2 kg, radius: 0.1 m}}}\nquestions: [angular acceleration of bowl]\n"
+    assert "bowl (uniform half disk," in stated(bowl)
