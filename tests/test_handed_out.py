@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 
 import freebody as fb
+from examples_told import FOLDER
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_latex, to_mathml, to_text
 from freebody.language.notation.stacked import stacked
@@ -185,7 +186,15 @@ def test_an_even_load_is_one_force(intensity: str) -> None:
 def test_a_gear_has_neither_no_teeth_nor_ever_more() -> None:
     assert "z_1 = 0" not in told(GEARS)
     assert "z_2 →" not in told(GEARS).replace("₂", "_2")
+    assert "z_1 = z_2" not in told(GEARS)
     assert "J → ∞: 0" in told(GEARS)
+
+
+def test_the_inertia_of_parts_is_summed_up() -> None:
+    """Of a disk with a hole half as large, half way out: M R^2/2 - M/4 (R^2/8 + R^2/4) about O, 37 M R^2/96 about S."""
+    system = fb.System.load(FOLDER / "disk_with_a_hole.yaml")
+    text = " ".join(terminal_text(system.explain(system.questions[0].id).report).split())
+    assert "3·M/4 37·M·R²/96" in text
 
 
 def test_that_something_grows_with_a_coefficient_is_no_limiting_case() -> None:

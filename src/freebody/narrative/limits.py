@@ -92,8 +92,8 @@ def _is_admissible(context: Context, answer: Answer, names: tuple[str, Expr, Exp
     if not _is_possible(context, kind, p):
         return False
     parameter = context.system.parameters.get(rate_key(p))
-    if parameter is not None and ((kind == "grows" and parameter.is_share) or (kind != "equal" and parameter.is_count)):
-        return False  # they are at most 1; a gear has teeth, and no more than fit on it
+    if parameter is not None and ((kind == "grows" and parameter.is_share) or parameter.is_count):
+        return False  # they are at most 1; a gear has teeth, as many as fit on it, and fewer than the ring round it
     conditions = [c.expression for c in answer.conditions if isinstance(c, Stated)]
     own, inside = rate_key(q if kind == "equal" else p), 0
     for draw in context.setup.draws:

@@ -10,7 +10,19 @@ from typing import Any, cast
 import numpy as np
 
 from freebody.errors import CannotAnswer, UnitError
-from freebody.language.expression import Expr, ProductOf, Sum, Symbol, evaluate, free_symbols, n_operations, number
+from freebody.language.expression import (
+    ONE,
+    Expr,
+    ProductOf,
+    Sum,
+    Symbol,
+    divide,
+    evaluate,
+    free_symbols,
+    multiply,
+    n_operations,
+    number,
+)
 from freebody.language.sentences import Message
 from freebody.language.units import INERTIA, MASS, Dimension, dimension_of
 from freebody.measures.angle import Angle
@@ -69,14 +81,21 @@ def _system(context: Context, script: Script) -> None:
 def _mass(body: RigidBody) -> tuple[Sentence | Expr | str]:
     if body.mass == ZERO:  # else only its inertia matters
         return ("–" if body.inertia != ZERO or body.tensor else Sentence("system.massless"),)
-    return (_with_unit(body.mass, "kg"),)
+    return (_with_unit(_shortened(body.mass), "kg"),)
+
+
+def _shortened(e: Expr, mass: Expr = ONE) -> Expr:
+    """A sum of what parts and holes have, in short, with the mass before lengths: 3 M/4, 5 m R^2/12."""
+    whole = polynomial(e).expression()
+    by_mass = multiply(mass, polynomial(divide(e, mass)).expression()) if isinstance(mass, Symbol) else whole
+    return min(by_mass, whole, e, key=n_operations)
 
 
 def _inertia(system: System, body: RigidBody) -> tuple[Sentence | Expr | str]:
     """Where lengths in it are numbers, with their unit: 0.025 m² m, not m/40."""
     if not body.turns or body.inertia == ZERO:
         return ("",)
-    inertia = min(body.inertia, polynomial(body.inertia).expression(), key=n_operations)
+    inertia = _shortened(body.inertia, body.mass)
     symbols = sorted(free_symbols(inertia) - {"pi"})
     if not symbols or _is_inertia(system, inertia):
         return (_with_unit(inertia, "kg m²"),)

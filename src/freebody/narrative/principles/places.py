@@ -28,6 +28,7 @@ Vector = tuple[Ratio, ...]  # by ground components: two in the plane
 MOST_TOGETHER = 7  # bodies that are put together in every possible way
 MOST_AIMS = 6  # directions for several bodies
 MOST_MEETINGS = 12  # of lines of action
+_LETTERS = 3  # of the name of a point that figures show
 
 
 @dataclass(frozen=True)
@@ -223,7 +224,9 @@ class PlanarPlaces:
         """Nodes of trusses, and the points of the ground with a name."""
         ground = self.system.bodies[GROUND]
         found = {body.name: self.position(body.name) for body in self.system.moving if not body.turns}
-        for name in ground.points.keys() - {"origin"}:
+        for name in ground.points:
+            if len(name) > _LETTERS:  # no figure names it
+                continue
             at = position(self.model.geometry, ground.point(name))
             found.setdefault(name, (self.acting.here(at.x), self.acting.here(at.y)))
         return found
