@@ -301,6 +301,11 @@ def test_a_slot_under_a_beam_is_a_support_on_rollers() -> None:
     assert supports(f"{driven}measures: {{x: x of beam}}\n") == [False, False]
 
 
+def test_the_span_between_two_supports_has_its_dimension() -> None:
+    span = BEAM.replace("B: [a + b, 0]", "B: [L, 0]").replace("a: 2 m", "L: 5 m, a: 2 m")
+    assert "$L$" in fb.System.from_text(span.replace("length: a + b", "length: L")).picture().tikz()
+
+
 def test_a_node_of_a_truss_is_named_once() -> None:
     svg = fb.System.from_text(BRIDGE).picture().svg()
     assert len({svg.count(f">{node}<") for node in "ABCDE"}) == 1
