@@ -223,7 +223,11 @@ class PlanarPlaces:
     def _named_places(self) -> dict[str, Vector]:
         """Nodes of trusses, and the points of the ground with a name."""
         ground = self.system.bodies[GROUND]
-        found = {body.name: self.position(body.name) for body in self.system.moving if not body.turns}
+        found = {
+            body.name: self.position(body.name)
+            for body in self.system.moving
+            if not body.turns and len(body.name) <= _LETTERS
+        }
         for name in ground.points:
             if len(name) > _LETTERS:  # no figure names it
                 continue
