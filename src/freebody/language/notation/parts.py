@@ -112,7 +112,7 @@ def _without_sign(term: Expr) -> tuple[bool, Expr]:
 
 def in_degrees(argument: Expr) -> str | None:
     """The degrees, as on paper, of the angle that sin, cos or tan is taken of, where it is a number: pi/9 is 20."""
-    factors = argument.factors if isinstance(argument, ProductOf) else (argument,)
+    factors = argument.factors if isinstance(argument, ProductOf) else ()
     numbers = [f.value for f in factors if isinstance(f, Number)]
     if len(factors) != len(numbers) + 1 or Symbol("pi") not in factors:
         return None
