@@ -13,7 +13,7 @@ from freebody.connections.circles import look_at_fit, own_radius, touching
 from freebody.connections.shared_by_copies import SharedByCopies, gathered
 from freebody.connections.standing import distance_between, is_near, number_of
 from freebody.connections.teeth import parting_slope, parts_of_tooth_force, read_pressure_angle
-from freebody.language.expression import ONE, ZERO, Expr, add, divide, multiply, negate, number
+from freebody.language.expression import ONE, ZERO, Expr, add, divide, free_symbols, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
@@ -152,7 +152,9 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
     def _counts(self, names: Names) -> tuple[Expr, ...]:
         """The numbers of teeth, as far as they are said here or with the gears."""
         if self.teeth is not None:
-            return tuple(names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
+            counts = tuple(names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
+            names.counts.update(*map(free_symbols, counts))
+            return counts
         own = (names.known(gear).teeth for gear in (self.first, self.second))
         return tuple(teeth.count for teeth in own if teeth is not None)
 

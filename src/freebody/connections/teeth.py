@@ -17,7 +17,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import ONE, ZERO, Call, Expr
+from freebody.language.expression import ONE, ZERO, Call, Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.noting import reads
@@ -56,6 +56,7 @@ def read_teeth(names: Names, teeth: Sequence[Formula], least: int = 1) -> tuple[
         names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
         return ONE, ONE
     read = [names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(teeth)]
+    names.counts.update(*map(free_symbols, read))
     for k, z in enumerate(map(names.numeric, read)):
         if z is None or (z >= least and abs(z - round(z)) <= ROUNDED):
             continue

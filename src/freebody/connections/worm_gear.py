@@ -21,7 +21,7 @@ from freebody.connections.base import Connection
 from freebody.connections.pitch_point import BornWheel, between, born_wheel, combined, meshing
 from freebody.connections.standing import is_near, number_of
 from freebody.connections.teeth import read_pressure_angle
-from freebody.language.expression import ONE, ZERO, Call, Expr, divide, negate, number
+from freebody.language.expression import ONE, ZERO, Call, Expr, divide, free_symbols, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.combination import Combination
@@ -143,6 +143,7 @@ connections:
         p = combined((side, normal))
         radius, starts = names.above_zero(self, "radius", LENGTH), names.above_zero(self, "starts", DIMENSIONLESS)
         teeth = names.above_zero(self, "teeth", DIMENSIONLESS)
+        names.counts.update(free_symbols(starts), free_symbols(teeth))
         self._look_at_distance(names, dot(gap, p), radius, radius * Call("tan", self._lead(names)) * teeth / starts)
         # the point of the worm's axis that is nearest to that of the wheel, and r_1 from there
         foot = combined((ONE, worm.at), (negate(dot(gap, a1)), a1))

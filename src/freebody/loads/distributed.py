@@ -87,7 +87,7 @@ loads: {it: {distributed: {between: [beam.start, beam.end], along: down, intensi
     def _parts(self, names: Names, first: Point, second: Point) -> Iterator[AppliedLoad]:
         length = _distance(names, first, second)
         (start, used), (end, _) = self._intensities(names)
-        sloped = add(end, negate(start))
+        sloped = ZERO if start == end else add(end, negate(start))
         if start != ZERO and end != ZERO:
             yield self._part(names, "even" if sloped != ZERO else "", Spread(first, second), start, used, length)
         if sloped == ZERO:

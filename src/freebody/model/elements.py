@@ -56,6 +56,7 @@ class Parameter:
     is_angle: bool = False
     form: Expr | None = None
     is_share: bool = False  # from 0 to 1: a coefficient of restitution
+    is_count: bool = False  # a number of teeth: neither zero nor without bound
 
     @property
     def is_bare(self) -> bool:

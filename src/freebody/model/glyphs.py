@@ -78,6 +78,7 @@ class Rail(Generic[P, D]):
     along: D
     turning: Turning = "not"
     has_thread: bool = False
+    is_support: bool = False  # on rollers, of what cannot move
 
 
 @dataclass(frozen=True)

@@ -260,6 +260,7 @@ class Names(Formulas):
         self.up: Components = (ZERO, ONE)
         self.unused = frozenset[str]()  # parameters that only questions can name
         self.shares: set[str] = set()  # parameters that are coefficients of restitution
+        self.counts: set[str] = set()  # parameters that are numbers of teeth
         self.usual_questions: tuple[str, ...] = ()  # what the file asks, in the words of the grammar
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
 

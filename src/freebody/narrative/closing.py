@@ -16,7 +16,7 @@ from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
 from freebody.narrative.lines.glossary import TrueWhen
-from freebody.narrative.lines.naming import asked_symbol, side_of
+from freebody.narrative.lines.naming import asked_symbol, own_symbols, side_of
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, OptionText, Script, Sentence, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
@@ -24,7 +24,6 @@ from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import ITS_RATE, Answer, point_moves
 from freebody.study.answering.named_formulas import Chain
-from freebody.symbolic.tidy import tidy
 
 
 def closing(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
@@ -49,7 +48,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     is_told |= is_steady_place(question.quantity) or (scope == "steady motion" and question.at_start)
     if answer.expression is not None and not is_told:
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
-        own = _own_symbol(context, question) if n == 1 else None
+        own = _own_symbols(context, question)
         left = side_of(asked_symbol(context, question, n), n) if own is None else own
         sides: tuple[Expr | tuple[Expr, ...], ...] = (left, answer.expression)
         if answer.form:
@@ -105,9 +104,12 @@ def _chain(script: Script, chain: Chain) -> None:
     script.add(Listing(tuple(items)))
 
 
-def _own_symbol(context: Context, question: Question) -> Expr | None:
-    """The symbol that formulas have for what is asked, where there is one: x'', a tension, the time of an event."""
+def _own_symbols(context: Context, question: Question) -> Expr | tuple[Expr, ...] | None:
+    """The symbols that formulas have for what is asked, where there are any: x'', a tension, the components of a
+    reaction, the time of an event."""
     q = question.quantity
+    if context.own is not None:
+        return context.own
     if question.transition is not None or has_phases(context.system):
         return None
     if q.is_of_event:
@@ -115,12 +117,10 @@ def _own_symbol(context: Context, question: Question) -> Expr | None:
     if q.scope != "instant":
         return None
     try:
-        (part, *more), _unknowns = parts_of(context, q)
+        parts, unknowns = parts_of(context, q)
     except CannotAnswer:
         return None
-    f = part.field
-    is_symbol = not more and any((part - f.variable(g)).is_zero() for g in part.generators())
-    own = tidy(part) if is_symbol else None
+    own = own_symbols(parts, unknowns if len(parts) > 1 else parts[0].generators())
     # what is a parameter itself (a length, a basic efficiency) has no other symbol: p = p says nothing
     return None if isinstance(own, Symbol) and own.name in context.system.parameters else own
 

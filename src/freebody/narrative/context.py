@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Symbol
+from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import changes_at_borders_alone, first_mode, has_phases, setup_of
 from freebody.narrative.lines.glossary import Glossary
@@ -17,6 +17,7 @@ from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.newton import AT_REST_WORDS, Newton, Solved
 from freebody.narrative.principles.planar_rates import PlanarRates
+from freebody.narrative.principles.planner import OF_STRUCTURES
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -41,6 +42,7 @@ class Context:
     found: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by derivations so far
     new: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by the one that is being written
     after_blow: tuple[int, ...] = ()  # lines of the opening: the speeds just after the blow at the start
+    own: Expr | tuple[Expr, ...] | None = None  # in which the derivation of a phase has ended: no name of the answer
     drawn: System | None = None  # the system of the pictures, where `system` is one mode of it
 
     @cached_property
@@ -63,9 +65,16 @@ class Context:
     @cached_property
     def newton(self) -> Newton:
         """Principles of the plane; where nothing can move they are the conditions of equilibrium."""
-        is_driven = any(row.is_driven for row in self.system.constraint_rows)
-        words = None if is_driven or self.setup.model.degrees_of_freedom else AT_REST_WORDS
-        return Newton(self.acting, self.glossary, self.rates, self.rates.symmetry, words=words)
+        if not self.acting.stands_still:
+            return Newton(self.acting, self.glossary, self.rates, self.rates.symmetry)
+        return Newton(
+            self.acting,
+            self.glossary,
+            self.rates,
+            self.rates.symmetry,
+            words=AT_REST_WORDS,
+            preferences=OF_STRUCTURES,
+        )
 
     def script(self) -> Script:
         """A derivation of its own, with numbers that go on."""

@@ -160,10 +160,12 @@ def _derived(
     told_of, question = question, _at_its_turn(context, of_motion(context.system, question))
     derive = derivation_of(context.system, question)
     here = context.of_question(question) if answer.is_answered else context
+    here.own = None
     stages, reason = _attempt(here, question, answer, method, derive)
     if reason and (turned := at_first_turn(context.system, question, answer)) is not None:
         question, derive = turned, derivation_of(context.system, turned)
         here = context.of_question(question)
+        here.own = None
         stages, trouble = _attempt(here, question, answer, method, derive)
         reason = reason if trouble else ""
     compared: Sequence[DerivationStage] = ()
@@ -176,11 +178,11 @@ def _derived(
         ends, reason = _attempt(here, question, answer, method, _closing)
     context.next_number = here.next_number
     new, again = told.shared(stages)
-    lines = lines_of(stages)
+    result = result_line(stages)
     if stages and stages[-1].title.key == "stage.numeric":  # nothing was found in its equations, told before or not
         new = [*(stage for stage in new if stage.title != stages[-1].title), stages[-1]]
-    elif lines and lines[-1].number in again:
-        found = Sentence("result.found", {"line": again[lines[-1].number]})
+    elif result is not None and result.number in again:
+        found = Sentence("result.found", {"line": again[result.number]})
         title = Sentence("stage.value")
         if new and new[-1].title == title:
             new[-1] = replace(new[-1], items=(*new[-1].items, found))

@@ -12,7 +12,7 @@ from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Call, Expr, Symbol, free_symbols, n_operations, rate_key
 from freebody.language.notation import Stated
 from freebody.language.truth import is_true
-from freebody.language.units import DIMENSIONLESS, INERTIA, MASS, Dimension
+from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
 from freebody.measures.geometry import ZERO
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Item, Listing, Sentence
@@ -62,8 +62,7 @@ def _told(
     """A case worth telling: its rank, the operations of its formula, its words. size: operations of the answer."""
     kind, p, q = names
     if not isinstance(limit, Ratio):
-        # more mass, more energy and larger forces: that tells nothing
-        if not (kind == "grows" and _dimension(context, p) in (MASS, INERTIA)):
+        if kind != "grows":  # more mass, more energy and larger forces: that tells nothing
             yield 1, 0, Sentence(f"limit.{kind}_infinite", {"p": p, "q": q})
         return
     shown = tidy(limit.field.lowest_terms(limit))
@@ -72,10 +71,6 @@ def _told(
         yield (0 if kind == "equal" else 1), 0, said
     elif n < size and (n < size / 2 or (n <= SHORT and kind != "right_angle")) and _is_like(context, names):
         yield 2 + n, n, said
-
-
-def _dimension(context: Context, p: Expr) -> Dimension:
-    return context.system.parameters[rate_key(p)].dimension
 
 
 def _is_like(context: Context, names: tuple[str, Expr, Expr]) -> bool:
@@ -97,8 +92,8 @@ def _is_admissible(context: Context, answer: Answer, names: tuple[str, Expr, Exp
     if not _is_possible(context, kind, p):
         return False
     parameter = context.system.parameters.get(rate_key(p))
-    if kind == "grows" and parameter is not None and parameter.is_share:
-        return False  # they are at most 1
+    if parameter is not None and ((kind == "grows" and parameter.is_share) or parameter.is_count):
+        return False  # they are at most 1; a gear has teeth, as many as fit on it, and fewer than the ring round it
     conditions = [c.expression for c in answer.conditions if isinstance(c, Stated)]
     own, inside = rate_key(q if kind == "equal" else p), 0
     for draw in context.setup.draws:

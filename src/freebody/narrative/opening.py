@@ -9,16 +9,29 @@ from typing import Any, cast
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, ProductOf, Sum, Symbol, evaluate, free_symbols, number
+from freebody.errors import CannotAnswer, UnitError
+from freebody.language.expression import (
+    ONE,
+    Expr,
+    ProductOf,
+    Sum,
+    Symbol,
+    divide,
+    evaluate,
+    free_symbols,
+    multiply,
+    n_operations,
+    number,
+)
 from freebody.language.sentences import Message
-from freebody.language.units import Dimension
+from freebody.language.units import INERTIA, MASS, Dimension, dimension_of
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.elements import NonholonomicForm, RigidBody
 from freebody.model.named_angles import offered_name
 from freebody.model.phrases import phrase_text
+from freebody.model.polynomials import polynomial
 from freebody.model.states import state_name
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
@@ -29,6 +42,7 @@ from freebody.study.answering.evidence import rank_freedom
 from freebody.study.answering.spread import disagreement
 from freebody.study.mobility.gruebler import Gruebler, gruebler
 from freebody.symbolic.spatial.bodies import SpatialBodies
+from freebody.system.system import System
 
 _ASIDE = 0.1  # of the system's size, or radians: a step away from the start
 
@@ -55,7 +69,7 @@ def _system(context: Context, script: Script) -> None:
     script.add(Diagram((), Sentence("figure.system", {"title": system.title})))
     wanted = ("body", "mass") if system.space else ("body", "mass", "inertia")
     header = tuple(Sentence(f"system.table_{name}") for name in wanted)
-    rows = tuple((body.name, *_mass(body), *(() if system.space else _inertia(body))) for body in system.moving)
+    rows = tuple((body.name, *_mass(body), *(() if system.space else _inertia(system, body))) for body in system.moving)
     if rows:
         script.add(FormulaTable(header, rows))
     for text in system.assumptions:
@@ -67,11 +81,36 @@ def _system(context: Context, script: Script) -> None:
 def _mass(body: RigidBody) -> tuple[Sentence | Expr | str]:
     if body.mass == ZERO:  # else only its inertia matters
         return ("–" if body.inertia != ZERO or body.tensor else Sentence("system.massless"),)
-    return (_with_unit(body.mass, "kg"),)
+    return (_with_unit(_shortened(body.mass), "kg"),)
 
 
-def _inertia(body: RigidBody) -> tuple[Expr | str]:
-    return (_with_unit(body.inertia, "kg m²") if body.turns and body.inertia != ZERO else "",)
+def _shortened(e: Expr, mass: Expr = ONE) -> Expr:
+    """A sum of what parts and holes have, in short, with the mass before lengths: 3 M/4, 5 m R^2/12."""
+    whole = polynomial(e).expression()
+    by_mass = multiply(mass, polynomial(divide(e, mass)).expression()) if isinstance(mass, Symbol) else whole
+    return min(by_mass, whole, e, key=n_operations)
+
+
+def _inertia(system: System, body: RigidBody) -> tuple[Sentence | Expr | str]:
+    """Where lengths in it are numbers, with their unit: 0.025 m² m, not m/40."""
+    if not body.turns or body.inertia == ZERO:
+        return ("",)
+    inertia = _shortened(body.inertia, body.mass)
+    symbols = sorted(free_symbols(inertia) - {"pi"})
+    if not symbols or _is_inertia(system, inertia):
+        return (_with_unit(inertia, "kg m²"),)
+    if len(symbols) == 1 and system.parameters[symbols[0]].dimension == MASS:
+        size = f"{float(evaluate(inertia, {symbols[0]: 1.0})):.4g}"
+        return (Sentence("system.inertia_of", {"size": f"@{size}", "mass": Symbol(symbols[0])}),)
+    return (Sentence("system.in_metres", {"formula": inertia}),)
+
+
+def _is_inertia(system: System, inertia: Expr) -> bool:
+    """Whether its dimension is that of a moment of inertia without the units of its numbers."""
+    try:
+        return dimension_of(inertia, {p.name: p.dimension for p in system.parameters.values()}) == INERTIA
+    except UnitError:
+        return False
 
 
 def _with_unit(e: Expr, unit: str) -> Expr | str:

@@ -10,11 +10,11 @@ from dataclasses import replace
 import numpy as np
 
 from freebody.model import glyphs
-from freebody.present.figures import GROUND, Array, Figure, Groove, Heading, Place, Rail, Track, turned
+from freebody.present.figures import GROUND, Array, Figure, Groove, Heading, Place, Rail, Track, positions, turned
 from freebody.present.layout import extent_across, travel
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path, Stroke
-from freebody.present.symbols import TOOTH, capsule, circle, hatched, n_teeth, toothed
+from freebody.present.symbols import TOOTH, capsule, circle, hatched, n_teeth, support, toothed
 
 _RAIL = 6.0  # half of the rail of what is short, in sizes of symbols
 _SHORT = 5.0  # what is shorter, in sizes of symbols
@@ -48,6 +48,9 @@ class Guides:
     def _rail(self, rail: Rail) -> Iterator[Stroke]:
         """A hatched rail on the ground, a line on a body; a slot for a pin that turns in it. Rails that lie on one line
         and nearly meet are one."""
+        if rail.is_support:
+            yield from self._support(rail)
+            return
         if rail.turning != "not":
             low, high, level = self._run(rail.point, rail.along, (3.0 * self.u, 3.0 * self.u))
             slot = capsule((low, 0.0), (high, 0.0), 0.9 * self.u)
@@ -68,6 +71,17 @@ class Guides:
             return  # drawn with the first of them
         low, high = min([low, *(a for a, _b, _k in together)]), max([high, *(b for _a, b, _k in together)])
         yield from self._edge(rail.along, level, low, high, -1.0)
+
+    def _support(self, rail: Rail) -> Iterator[Stroke]:
+        """A triangle on rollers, on the ground below, or on that side of an upright line that the bodies are not on."""
+        at = positions(self.poses, rail.point)[0]
+        x, y = turned(rail.along.angle, 0.0, 1.0)
+        centers = [positions(self.poses, figure.mass_center)[0] for figure in self.scene.figures]
+        inward = float(np.mean([(center - at) @ (x, y) for center in centers]))
+        side = -1.0 if y > 1e-6 or (abs(y) <= 1e-6 and inward > 0.0) else 1.0
+        angle = math.atan2(side * y, side * x) + np.pi / 2
+        for points, style, is_closed in support(self.u, on_rollers=True):
+            yield Path(Place(GROUND, *map(float, at)), GROUND, turned(angle, *points.T), style, is_closed)
 
     def _guided(self, rail: Rail) -> tuple[float, float, float]:
         """From where to where a body needs its rail, up to the springs that hold it from the ground on this line, and

@@ -11,7 +11,7 @@ import numpy as np
 
 from freebody.language.expression import ZERO, Expr
 from freebody.measures.geometry import GROUND as GROUND_NAME
-from freebody.measures.geometry import Point
+from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import Edge, RigidBody, SolidPart
 from freebody.model.glyphs import (
     Ball,
@@ -241,13 +241,28 @@ class _Reader:
             sign = shown.sign
             if isinstance(sign, Rope) and not shown.is_load and shown.owner not in taut:
                 continue
-            if isinstance(glyph.sign, Rail) and not self.system.bodies[glyph.sign.point.body].turns:
+            if isinstance(glyph.sign, Rail) and self._bears(glyph.sign):
+                assert isinstance(sign, Rail)
+                shown = replace(shown, sign=replace(sign, is_support=True))
+            elif isinstance(glyph.sign, Rail) and not self.system.bodies[glyph.sign.point.body].turns:
                 assert isinstance(sign, Rail)
                 shown = replace(shown, sign=replace(sign, turning="not"))
             elif isinstance(glyph.sign, Rail) and glyph.sign.point in wheels:
                 assert isinstance(sign, Rail)
                 shown = replace(shown, sign=self._road(wheels[glyph.sign.point], sign.along))
             yield shown
+
+    def _bears(self, rail: Rail[Point, Direction]) -> bool:
+        """Whether a slot is the support on rollers of a beam or a truss: one of the ground under what cannot move."""
+        on_ground = rail.along.body == GROUND_NAME != rail.point.body
+        return on_ground and rail.turning != "not" and not self.system.space and self._is_structure
+
+    @cached_property
+    def _is_structure(self) -> bool:
+        """Whether as much holds the bodies of the plane as they could move."""
+        rows = self.system.constraint_rows
+        freedoms = sum(3 if body.turns else 2 for body in self.system.moving)
+        return len(rows) >= freedoms and not any(row.is_driven for row in rows)
 
     def _roller(self, at: Point, radius: Expr) -> figures.Roller:
         foot, r = self.places.place(at), self.number(radius)

@@ -68,11 +68,17 @@ def hatched_ring(radius: float, depth: float, step: float) -> Array:
     return np.stack((r * np.cos(at), r * np.sin(at)), axis=-1).reshape(-1, 2)
 
 
-def support(size: float, *, upside_down: bool = False) -> Iterator[tuple[Array, str, bool]]:
-    """(points, style, whether closed) of a triangle on hatched ground below the origin, or above it."""
+_ROLLER = 0.24  # radius of the rollers of a support, in sizes of symbols
+
+
+def support(size: float, *, upside_down: bool = False, on_rollers: bool = False) -> Iterator[tuple[Array, str, bool]]:
+    """(points, style, whether closed) of a triangle on hatched ground below the origin, or above it; on rollers, where
+    it can move along the ground."""
     flip = (1.0, -1.0 if upside_down else 1.0)
-    base = -1.9
-    yield np.array([(0.0, 0.0), (-1.1, base), (1.1, base)]) * size * flip, "support", True
+    base, foot = -1.9, -1.9 + (2.2 * _ROLLER if on_rollers else 0.0)
+    yield np.array([(0.0, 0.0), (-1.1, foot), (1.1, foot)]) * size * flip, "support", True
+    for x in (-0.6, 0.6) if on_rollers else ():
+        yield (circle(_ROLLER) + np.array((x, base + _ROLLER))) * size * flip, "support", True
     yield np.array([(-1.7, base), (1.7, base)]) * size * flip, "surface", False
     yield (hatched(-1.7, 1.7, -0.75, 0.68) + np.array((0.0, base))) * size * flip, "hatch", False
 

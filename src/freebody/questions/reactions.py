@@ -88,6 +88,8 @@ questions: {it: reaction of rod on bob}
             )
         if self.moment:
             return Message("the moment that {connection} exerts on {body}", connection=connection, body=body)
+        if connection == body:  # a support of a truss is called as its node
+            return Message("the force that the support {connection} exerts", connection=connection)
         return Message("the force that {connection} exerts on {body}", connection=connection, body=body)
 
     def body(self, system: Described) -> str:

@@ -52,6 +52,8 @@ Side = Literal["", "before", "behind"]
 Order = tuple[tuple[Expr, ...], ...]  # places along a rod, in turn; those in one are the same
 Field = tuple[Direction, Expr]  # of gravity: where it pulls to, and its strength
 
+_LETTERS = 3  # of the name of a point that is said without its rod
+
 
 @dataclass(frozen=True)
 class SectionForce(Quantity, kind="section force"):
@@ -98,7 +100,9 @@ questions: {it: bending moment of beam at beam.center}
     def _at(self) -> Argument:
         if self.along is not None:
             return Sentence("what.section.along", {"x": self.along, "body": self.body})
-        return Sentence(f"what.section.{self.side or 'at'}", {"point": self.named}) if self.named else NOTHING
+        own = self.named.removeprefix(f"{self.body}.")
+        point = own if len(own) <= _LETTERS else self.named  # C of the beam that is cut, but the center of beam
+        return Sentence(f"what.section.{self.side or 'at'}", {"point": point}) if self.named else NOTHING
 
     @property
     def remarks(self) -> tuple[Message, ...]:

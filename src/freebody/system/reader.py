@@ -130,7 +130,10 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
         title=title(source),
         about=plain(str(source.data.get("about") or "")).strip(),
         parameters=KeptParameters(
-            {name: replace(p, is_share=name in names.shares) for name, p in names.parameters.items()}
+            {
+                name: replace(p, is_share=name in names.shares, is_count=name in names.counts)
+                for name, p in names.parameters.items()
+            }
         ),
         bodies=names.bodies | {it.carrier: it.body() for it in carried},
         constraint_rows=tuple(held),

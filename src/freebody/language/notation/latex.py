@@ -39,6 +39,9 @@ class _Latex(Typesetter):
         name = function.rstrip("'")  # of a function that is given in numbers
         return rf"\operatorname{{{name}}}" + function[len(name) :]
 
+    def degrees(self, digits: str) -> str:
+        return rf"{digits}^{{\circ}}"
+
     def applied(self, argument: str, is_bare: bool) -> str:
         return f" {argument}" if is_bare else self.in_brackets(argument)
 

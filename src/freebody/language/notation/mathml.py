@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from freebody.language.expression import Call, Expr, PowerOf, Symbol
-from freebody.language.notation.parts import ATOM, LETTER_OF, split_name
+from freebody.language.notation.parts import ATOM, LETTER_OF, as_on_paper, split_name
 from freebody.language.notation.typeset import Typesetter, dotted, letters_and_index
 
 _NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
@@ -55,6 +55,9 @@ class _MathML(Typesetter):
     def operator(self, function: str) -> str:
         return f"<mi>{_NAMES.get(function, function)}</mi>"
 
+    def degrees(self, digits: str) -> str:
+        return f"<mn>{digits}°</mn>"
+
     def applied(self, argument: str, is_bare: bool) -> str:
         return _APPLIED + (_THIN_SPACE + argument if is_bare else in_brackets(argument))
 
@@ -98,7 +101,7 @@ def _is_word(factor: Expr, is_before: bool = False) -> bool:
     neighbour ends with a bracket."""
     match factor:
         case Symbol(name):
-            letters, _ = split_name(name)
+            letters, _ = split_name(as_on_paper(name))
             return len(letters) > 1 and letters not in LETTER_OF
         case Call("rate", argument):
             return _is_word(argument, is_before)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from freebody.language.expression import (
@@ -31,6 +31,8 @@ from freebody.language.notation.parts import (
     SPECIAL,
     SUM,
     as_decimal,
+    as_on_paper,
+    in_degrees,
     is_whole,
     quotient,
     signed_terms,
@@ -136,6 +138,16 @@ def _text_call(call: Call, argument: str) -> str:
     return f"{TEXT_CALLS.get(call.function, call.function)}({argument})"
 
 
+def _call_in_figure(call: Call, argument: str) -> str:
+    """Numbers of angles in degrees, as on paper."""
+    degrees = in_degrees(call.argument) if call.function in ("sin", "cos", "tan") else None
+    return _text_call(call, argument if degrees is None else f"{with_sign(degrees)}°")
+
+
+def _name_in_figure(name: str) -> str:
+    return _text_name(as_on_paper(name))
+
+
 def _text_name(name: str) -> str:
     """Greek letters, and digits at the end as an index: theta1 -> θ₁, r_S -> r_S."""
     letters, rest = split_name(name)
@@ -165,3 +177,4 @@ def _split_index(rest: str) -> tuple[str, str]:
 
 PYTHON = OneLineWriter("*", str, _python_call, _python_power)
 TEXT = OneLineWriter("·", _text_name, _text_call, _text_power, _text_vector, with_sign)
+IN_FIGURES = replace(TEXT, name=_name_in_figure, call=_call_in_figure)  # for the eye alone

@@ -25,6 +25,7 @@ from freebody.language.expression import (
     Number,
     PowerOf,
     ProductOf,
+    Symbol,
     power,
 )
 from freebody.language.guards import MAX_DIGITS
@@ -109,6 +110,18 @@ def _without_sign(term: Expr) -> tuple[bool, Expr]:
             return False, term
 
 
+def in_degrees(argument: Expr) -> str | None:
+    """The degrees, as on paper, of the angle that sin, cos or tan is taken of, where it is a number: pi/9 is 20."""
+    factors = argument.factors if isinstance(argument, ProductOf) else ()
+    numbers = [f.value for f in factors if isinstance(f, Number)]
+    if len(factors) != len(numbers) + 1 or Symbol("pi") not in factors:
+        return None
+    value = 180 * math.prod(numbers, start=Fraction(1))
+    if value <= 0 or 10 % value.denominator:
+        return None
+    return f"{float(value):.10g}"
+
+
 def as_decimal(value: Fraction) -> str | None:
     """The decimal of a positive number whose denominator is over 10 and divides a power of ten. Of sixteenths and the
     like only people who halve make some: they stay fractions."""
@@ -189,6 +202,16 @@ def spaced_index(index: str) -> str:
     """An index as it is set: words follow each other with a space, all else with a comma: bottom_left_x -> bottom
     left,x; sun_P1 -> sun P1."""
     return _BETWEEN_WORDS.sub(" ", index).replace("_", ",")
+
+
+_CAPITALS = re.compile(rf"({'|'.join(sorted(LETTER_OF, key=len, reverse=True))}|[a-z])([A-Z]{{1,2}})(?![A-Za-z])(.*)")
+
+
+def as_on_paper(name: str) -> str:
+    """A name as it is printed: capitals behind a small or Greek letter are its index, m_R for mR, omega_S for omegaS.
+    Where the first letter is a capital as well a product may be meant, as by EI."""
+    found = _CAPITALS.fullmatch(name)
+    return name if found is None else f"{found[1]}_{found[2]}{found[3]}"
 
 
 def split_name(name: str) -> tuple[str, str]:

@@ -19,8 +19,10 @@ from freebody.language.notation.parts import (
     SPECIAL,
     SUM,
     as_decimal,
+    in_degrees,
     quotient,
     signed_terms,
+    with_sign,
 )
 
 
@@ -66,6 +68,8 @@ def stacked(expr: Expr) -> tuple[TextBox, int]:
         case Call(function, argument, modulus) if function in SPECIAL:
             arguments = [stacked(argument)[0]] + ([] if modulus is None else [flat(", "), stacked(modulus)[0]])
             return beside([flat(TEXT_CALLS[function]), in_brackets(beside(arguments))]), ATOM
+        case Call("sin" | "cos" | "tan" as function, argument) if (degrees := in_degrees(argument)) is not None:
+            return flat(f"{function}({with_sign(degrees)}°)"), ATOM
         case Call(function, argument) if function != "rate":
             return beside([flat(function), in_brackets(stacked(argument)[0])]), ATOM
         case _:

@@ -30,6 +30,8 @@ from freebody.language.notation.parts import (
     SPECIAL,
     SUM,
     as_decimal,
+    as_on_paper,
+    in_degrees,
     is_whole,
     quotient,
     signed_terms,
@@ -68,6 +70,10 @@ class Typesetter(ABC):
     @abstractmethod
     def operator(self, function: str) -> str:
         """The name of a function."""
+
+    @abstractmethod
+    def degrees(self, digits: str) -> str:
+        """An angle in degrees."""
 
     @abstractmethod
     def applied(self, argument: str, is_bare: bool) -> str:
@@ -120,7 +126,7 @@ class Typesetter(ABC):
                 is_whole(exponent)
             ):
                 operator = self.superscript(self.operator(function), self.write(exponent)[0])
-                return operator + self._argument(argument, is_followed), PRODUCT
+                return operator + self._argument(argument, is_followed, function), PRODUCT
             case PowerOf(base, exponent):
                 return self.raised(base, self.write(exponent)[0]), POWER
             case Call("sqrt", argument):
@@ -135,7 +141,7 @@ class Typesetter(ABC):
             case GivenCall(function, argument):  # a name of one's own before a bare letter would be a product
                 return self.operator(function) + self.applied(self.write(argument)[0], False), PRODUCT
             case Call(function, argument):
-                return self.operator(function) + self._argument(argument, is_followed), PRODUCT
+                return self.operator(function) + self._argument(argument, is_followed, function), PRODUCT
 
     def at_least(self, strength: int, expr: Expr, is_followed: bool = False) -> str:
         """An expression, in brackets where it binds less strongly."""
@@ -147,7 +153,10 @@ class Typesetter(ABC):
         text = self.digits(with_sign(mantissa, comma=self.comma), exponent)
         return (self.minus + text, MINUS) if is_negative else (text, PRODUCT if exponent else ATOM)
 
-    def _argument(self, argument: Expr, is_followed: bool) -> str:
+    def _argument(self, argument: Expr, is_followed: bool, function: str) -> str:
+        degrees = in_degrees(argument) if function in ("sin", "cos", "tan") else None
+        if degrees is not None:
+            return self.applied(self.degrees(with_sign(degrees, comma=self.comma)), not is_followed)
         return self.applied(self.write(argument)[0], isinstance(argument, Symbol) and not is_followed)
 
     def _fraction(self, factors: tuple[Expr, ...]) -> tuple[str, int]:
@@ -182,5 +191,5 @@ def dotted(expr: Expr) -> tuple[str, int]:
 
 def letters_and_index(name: str) -> tuple[str, str]:
     """The letters of a name and its index: theta_1_x -> theta, "1,x"."""
-    letters, rest = split_name(name)
+    letters, rest = split_name(as_on_paper(name))
     return letters, spaced_index(rest.removeprefix("_"))

@@ -40,6 +40,9 @@ class _Typst(Typesetter):
             return f'op("{name}"){function[len(name) :]}'
         return _OPERATORS.get(function, function)
 
+    def degrees(self, digits: str) -> str:
+        return f"{digits} degree"
+
     def applied(self, argument: str, is_bare: bool) -> str:
         return f" {argument}" if is_bare else f" ({argument})"
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar
 
-from freebody.language.expression import ONE, divide, multiply, number
+from freebody.language.expression import ONE, divide, free_symbols, multiply, number
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, MASS
 from freebody.model.elements import Teeth
@@ -65,6 +65,7 @@ class Gear(Gyrating, kind="gear"):
             names.problem(Message("a gear has teeth and a module, e.g. gear: {{teeth: 20, module: 2 mm}}"))
             return Teeth(ONE, ONE, ONE, is_internal=self.internal)
         z, m = names.positive(self, "teeth", DIMENSIONLESS), names.positive(self, "module", LENGTH)
+        names.counts.update(free_symbols(z))
         count = names.numeric(z)
         if count is not None and abs(count - round(count)) > ROUNDED:
             near = max(1, round(count))

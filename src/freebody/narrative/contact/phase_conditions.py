@@ -148,7 +148,8 @@ def tell_conditions(script: Script, way: PhaseSequence, lines: Mapping[str, tupl
     if not found:
         return
     with script.stage("stage.conditions", "hint.conditions"):
-        script.say("condition.intro")
+        still = all(leg.newton.acting.stands_still for leg in way.legs)
+        script.say("condition.intro_at_rest" if still else "condition.intro")
         for r in found:
             left, sign, right = _sides(r)
             key, args = _purpose(r)

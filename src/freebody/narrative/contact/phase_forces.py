@@ -14,7 +14,7 @@ from freebody.model.elements import DryFriction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.acting import Acting, FrictionLaw, Known
-from freebody.narrative.principles.newton import Newton
+from freebody.narrative.principles.newton import AT_REST_WORDS, Newton
 from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.principles.planner import SLIDING_IN_SPACE, WITH_CONTACTS
 from freebody.narrative.principles.reactions import words_of
@@ -49,6 +49,7 @@ def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
         glossary,
         rates,
         symmetry,
+        words=AT_REST_WORDS if acting.stands_still else None,
         preferences=SLIDING_IN_SPACE if phase.system.space else WITH_CONTACTS,
         value_of=lambda quantity, state: value_in_mode(quantity, phase.base, phase.system, state),
     )

@@ -17,7 +17,7 @@ from freebody.narrative.contact.phase_impact import tell_impact
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.naming import written
+from freebody.narrative.lines.naming import own_symbols, written
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -271,6 +271,10 @@ def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: An
     lines = tuple(line for _v, line in values.values())
     tell_conditions(script, way, {"sticks": sticks, "slips": tuple(signs)})
     assert answer.expression is not None
+    own = own_symbols(parts, values) if values and not question.at_start else None
+    if own is not None and len(parts) == 1:  # its lines end in what is asked
+        context.own = own
+        return script.stages
     drawn_back = next((u for u in values if len(parts) == 1 and (parts[0] + f.variable(u)).is_zero()), None)
     with script.stage("stage.value", "hint.value") if drawn_back is None else script.stage("stage.counted"):
         left = asked_side(context, way, leg, script, question)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -126,6 +126,14 @@ def written(parts: Sequence[Ratio]) -> Expr | tuple[Expr, ...]:
     """A scalar as it is written, or the components of a vector."""
     shown = tuple(map(tidy, parts))
     return shown[0] if len(shown) == 1 else shown
+
+
+def own_symbols(parts: Sequence[Ratio], among: Collection[int]) -> Expr | tuple[Expr, ...] | None:
+    """The symbols of what is asked, where each part is one of some unknowns, or None: A_x and A_y need no other
+    name."""
+    f = parts[0].field
+    are_own = all(any((part - f.variable(u)).is_zero() for u in among) for part in parts)
+    return written(parts) if are_own else None
 
 
 def names_of(name: Symbol, n: int) -> tuple[Symbol, ...]:

@@ -74,6 +74,12 @@ class Acting:
         self.is_at_rest = here is not None
         self._here = here
 
+    @cached_property
+    def stands_still(self) -> bool:
+        """Whether nothing can move, and nothing is driven: then forces and moments balance for any bodies together."""
+        is_driven = any(row.is_driven for row in self.system.constraint_rows)
+        return self.is_at_rest or not (is_driven or self.model.degrees_of_freedom)
+
     def here(self, x: Ratio) -> Ratio:
         """An element in the pose that is looked at."""
         return x if self._here is None else self._here(x)

@@ -52,6 +52,7 @@ class Words:
 IN_PLANE_WORDS = Words("principle")
 IN_SPACE_WORDS = Words("space", has_labels=False)
 AT_REST_WORDS = Words("balance", "equilibrium", "verge", intro="rest.no_acceleration")
+_NAMED = 2  # bodies together whose names are said
 ALONG_WORDS = replace(AT_REST_WORDS, intro="rest.along")
 
 
@@ -227,8 +228,8 @@ class Newton:
                 script.say("symmetry.said", bodies=group.bodies, first=group.bodies[0])
         told = tuple(sorted(row for row in self.idle if self._is_told(row, plan)))
         for bodies in dict.fromkeys(p.bodies for p in plan.principles) if self.is_drawn else ():
-            key = "figure.free_body" if len(bodies) == 1 else "figure.free_bodies"
-            script.add(Diagram(bodies, Sentence(key, {"bodies": bodies}), told))
+            key = "free_body" if len(bodies) == 1 else "free_whole" if self._is_whole(bodies) else "free_bodies"
+            script.add(Diagram(bodies, Sentence(f"figure.{key}", {"bodies": bodies}), told))
         acting = [
             row for p in plan.principles for row in self.acting.from_outside(p.bodies) if self._is_told(row, plan)
         ]
@@ -252,7 +253,8 @@ class Newton:
     # -- principles ---------------------------------------------------------------------------
     def _principle(self, script: Script, p: WritablePrinciple, avoided: Sequence[str]) -> WrittenPrinciple:
         p = self._without_roots(self._oriented(p))
-        script.say(f"{self.words.group}.{p.kind}", bodies=p.bodies, **_where(p))
+        kind = f"{p.kind}_whole" if self._is_whole(p.bodies) else p.kind
+        script.say(f"{self.words.group}.{kind}", bodies=p.bodies, **_where(p))
         self._say_why(script, p, avoided)
         if p.kind == "angular":
             self.rates.say_of_centre(script, p)
@@ -269,6 +271,11 @@ class Newton:
             label=label if self.words.has_labels else None,
         )
         return WrittenPrinciple(number, left, rest, reactions)
+
+    def _is_whole(self, bodies: Sequence[str]) -> bool:
+        """Whether some bodies are all of a frame or truss at rest, so many that nobody reads out their names."""
+        n = len(self.acting.system.moving)
+        return self.words.group == "balance" and len(bodies) == n > _NAMED
 
     def _oriented(self, p: WritablePrinciple) -> WritablePrinciple:
         """Moments in the plane are counted in the sense that leaves fewer minus signs."""
@@ -301,7 +308,7 @@ class Newton:
             else:
                 script.say(f"why.{key}", forces=forces, **_where(p))
         if len(p.bodies) > 1:
-            script.say("why.internal", bodies=p.bodies)
+            script.say("why.internal_whole" if self._is_whole(p.bodies) else "why.internal", bodies=p.bodies)
 
     def _forces(self, p: WritablePrinciple) -> tuple[Expr, Ratio, dict[str, Ratio]]:
         """Loads and reactions on the right: as written, the loads as an element, coefficients of reactions."""

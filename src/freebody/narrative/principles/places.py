@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import combinations
 from operator import attrgetter
 from typing import Protocol
 
 from freebody.language.expression import ZERO, Symbol
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, Pose
+from freebody.measures.geometry import GROUND, Pose, position
 from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.acting import Acting
@@ -27,6 +28,7 @@ Vector = tuple[Ratio, ...]  # by ground components: two in the plane
 MOST_TOGETHER = 7  # bodies that are put together in every possible way
 MOST_AIMS = 6  # directions for several bodies
 MOST_MEETINGS = 12  # of lines of action
+_LETTERS = 3  # of the name of a point that figures show
 
 
 @dataclass(frozen=True)
@@ -106,14 +108,17 @@ class PlanarPlaces:
         self._aims: dict[str, list[Aim]] = {}
 
     def sizes(self, n: int) -> Iterable[int]:
-        return range(2, n + 1) if n <= MOST_TOGETHER else ()
+        if n <= MOST_TOGETHER:
+            return range(2, n + 1)
+        return (n,) if self.acting.stands_still else ()
 
     def position(self, body: str) -> Vector:
         x, y = place_in_plane(self.model, body)
         return self.acting.here(x), self.acting.here(y)
 
     def axes(self, bodies: tuple[str, ...]) -> list[MomentAxis]:
-        turn = any(self.system.bodies[body].turns for body in bodies)
+        is_part = len(bodies) > 1 and self.acting.stands_still  # of a truss
+        turn = is_part or any(self.system.bodies[body].turns for body in bodies)
         return [MomentAxis((self.field.one,))] if turn else []
 
     def across(self, axis: MomentAxis, arm: Vector) -> Vector:
@@ -184,10 +189,14 @@ class PlanarPlaces:
             x = f.lowest_terms((a[0] * b[2] - b[0] * a[2]) / determinant)
             y = f.lowest_terms((a[1] * b[2] - b[1] * a[2]) / determinant)
             words, is_still = self._point_words(row_a, row_b), self._is_still((x, y))
+            if words.key == "point.meeting" and self.acting.stands_still and (name := self._named_at((x, y))):
+                words = Sentence("point.named", {"point": name})
             if not any(c.place == (x, y) for c in found):
                 found.append(MomentCentre((x, y), words, is_still))
             elif not has_mass and is_still and found[0].place == (x, y) and words.key == "point.named":
                 found[0] = replace(found[0], words=words)
+        if not has_mass and len(found) > 1 and found[0].words.key == "point.mass_center":
+            del found[0]  # what has no mass has no mass centre
         return found
 
     def _is_still(self, place: Vector) -> bool:
@@ -209,6 +218,31 @@ class PlanarPlaces:
 
     def _meeting(self, row_a: str, row_b: str) -> Sentence:
         return Sentence("point.meeting", {"first": self.acting.symbol(row_a), "second": self.acting.symbol(row_b)})
+
+    @cached_property
+    def _named_places(self) -> dict[str, Vector]:
+        """Nodes of trusses, and the points of the ground with a name."""
+        ground = self.system.bodies[GROUND]
+        found = {
+            body.name: self.position(body.name)
+            for body in self.system.moving
+            if not body.turns and len(body.name) <= _LETTERS
+        }
+        for name in ground.points:
+            if len(name) > _LETTERS:  # no figure names it
+                continue
+            at = position(self.model.geometry, ground.point(name))
+            found.setdefault(name, (self.acting.here(at.x), self.acting.here(at.y)))
+        return found
+
+    def _named_at(self, place: Vector) -> str:
+        """The name of what is at a place, or nothing."""
+        same = (
+            name
+            for name, at in self._named_places.items()
+            if all((a - b).is_zero() for a, b in zip(at, place, strict=True))
+        )
+        return next(same, "")
 
     def _rows_of(self, connection: str) -> list[ConstraintRow]:
         return [row for row in self.acting.rows.values() if row.connection == connection]

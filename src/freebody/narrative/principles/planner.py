@@ -48,6 +48,7 @@ class Preferences:
 
     more_bodies: Mapping[Kind, float] = field(default_factory=lambda: {"linear": 0.8, "angular": 1.5})
     moving_point: float = 0.05
+    whole: float | None = None  # all bodies together, where that is less than their number says
     force: float = 0.0  # for every reaction in it
     most_alike: int | None = 2  # equations of the same unknowns
     is_wide: bool = False  # whether every principle that touches what is unknown so far is looked at
@@ -55,6 +56,8 @@ class Preferences:
 
 
 IN_THE_PLANE = Preferences()
+# where nothing moves there are no momenta to be added up: the whole of a frame or truss, or a part of it, comes first
+OF_STRUCTURES = Preferences(more_bodies={"linear": 0.1, "angular": 0.1}, whole=0.05)
 # in space it is the equations of one body that are many: those of several bodies together are preferred
 IN_SPACE = Preferences(more_bodies={"linear": 0.2, "angular": 0.2}, one_by_one=True)
 # where a friction counts as its normal force, an equation may be needed although no unknown of it is alone; moments
@@ -190,7 +193,10 @@ class Planner:
         }
 
     def _cost(self, p: WritablePrinciple, row: Array, place: int) -> float:
-        cost = EQUATION + self.preferences.more_bodies[p.kind] * (len(p.bodies) - 1)
+        more = self.preferences.more_bodies[p.kind] * (len(p.bodies) - 1)
+        if self.preferences.whole is not None and len(p.bodies) == len(self.table.system.moving):
+            more = min(more, self.preferences.whole)
+        cost = EQUATION + more
         if p.centre is not None and not p.centre.mass_center_of:
             cost += OTHER_POINT + (0.0 if p.centre.is_fixed else self.preferences.moving_point)
         if p.kind == "linear":

@@ -50,6 +50,9 @@ class PrincipleTable:
     def groups(self) -> Iterator[tuple[str, ...]]:
         """Each body, then those that connections join, up to the whole system."""
         names = [body.name for body in self.system.moving]
+        if self.acting.stands_still and not self.acting.is_at_rest:  # nodes in the order of the file
+            written = [*(self.system.document.data.get("bodies") or ())]
+            names.sort(key=lambda name: written.index(name) if name in written else len(written))
         yield from ((name,) for name in names)
         joined = [{b for b, _slot in slopes if b in names} for slopes in self.acting.directions.values()]
         for size in self.places.sizes(len(names)):

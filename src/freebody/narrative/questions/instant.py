@@ -10,7 +10,7 @@ from freebody.language.expression import Expr, Sum
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import TrueWhen
-from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
+from freebody.narrative.lines.naming import asked_entry, asked_symbol, own_symbols, side_of, written
 from freebody.narrative.lines.script import Argument, DerivationStage, Script
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.momentum import by_method, parts_of
@@ -91,7 +91,9 @@ def finish(
     f = model.field
     values = {unknown: value for unknown, (value, _line) in found.items()}
     general = tuple(f.lowest_terms(f.follow(part, values)) for part in parts)
+    own = own_symbols(parts, found) if len(parts) > 1 else None
     name = asked_symbol(context, question, len(parts))
+    called = side_of(name, len(parts)) if own is None else own
     lines = (*(before.lines if before else ()), *(line for _value, line in found.values()))
     is_there = len(parts) == 1 and any((parts[0] - f.variable(u)).is_zero() for u in found)
     if kept := _kept_from_start(context, script, general):
@@ -107,13 +109,14 @@ def finish(
         with script.stage(*stage):
             if (reason := question.quantity.reason) is not None:
                 script.say(reason.key, **reason.args)
-            script.add(asked_entry(name, question, n=len(parts)))
+            if own is None:
+                script.add(asked_entry(name, question, n=len(parts)))
             shown = written(general)
-            sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]
+            sides: list[Expr | tuple[Expr, ...]] = [called]
             unsolved = written(parts)
             if before is not None and before.total is not None:
                 sides.append(before.total)
-            elif found and unsolved != shown:
+            elif found and unsolved not in (shown, called):
                 sides.append(unsolved)
             why, args = ("value.follows" if lines else "value.is"), dict[str, Argument](lines=lines)
             if not lines and question.quantity.is_of_parameters and question.quantity.is_by_law:
@@ -127,12 +130,12 @@ def finish(
             here = setup.start_for(question.quantity)
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
             shown = written(wanted)
-            left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
+            left = called if not is_there else tidy(parts[0])
             after = context.after_blow if setup.system.is_struck else ()
             args = {"lines": (last,), "given": after}
             why = "value.after_blow" if after else "value.start"
             last = script.line(left, shown, why=why, args=args, uses=(last, *after), when="start")
-    left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
+    left = called if not is_there else tidy(parts[0])
     tell_loops(context, script, wanted, left, last, "start" if question.at_start else "always")
     _ends_in_answer(context, question, wanted)
 

@@ -168,6 +168,7 @@ class SmallTelling:
             what = Sentence("small.slope", {"name": rates_of(c.name, 2)})
             named(self.context, script, Meaning(slope, what, self.readers.slope))
             args: dict[str, Argument] = {"name": Symbol(c.name), "slope": slope, "second": rates_of(c.name, 2)}
+            self._say_undamped()
             script.say("small.beside_one", **args)
             line = script.line(slope, value, why="small.slope_is", args={"lines": uses}, uses=uses, when="never")
         with script.stage("small.characteristic", "small.characteristic_hint"):
@@ -175,14 +176,23 @@ class SmallTelling:
             square = power(symbol, number(2))
             return (
                 script.line(
-                    square, slope, value, why="small.harmonic", args={"line": line}, uses=(line,), when="never"
+                    *(square, slope, value),
+                    why="small.harmonic",
+                    args={"line": line, "slope": slope},
+                    uses=(line,),
+                    when="never",
                 ),
             )
+
+    def _say_undamped(self) -> None:
+        """That frequencies are those without damping, where there is any."""
+        if any(not x.is_zero() for row in self.linear.damping for x in row):
+            self.script.say("small.undamped")
 
     def _several(self, symbols: list[Symbol]) -> tuple[int, ...]:
         """det(K - w^2 M) = 0"""
         M, K = self.linear.mass, self.linear.stiffness
-        lines = self.matrices() if self.found else ()
+        lines = self.matrices(undamped=True) if self.found else ()
         script, from_what = self.script, "small.polynomial" if self.found else "small.polynomial_at_rest"
         with script.stage("small.characteristic", "small.characteristic_hint"):
             named(self.context, script, *(self._frequency(k, s) for k, s in enumerate(symbols)))
@@ -200,8 +210,9 @@ class SmallTelling:
     def linear(self) -> Linearised:
         return self.free.linear
 
-    def matrices(self, *, with_damping: bool = False) -> tuple[int, ...]:
-        """M and K, and C where damping is asked for, row by row."""
+    def matrices(self, *, with_damping: bool = False, undamped: bool = False) -> tuple[int, ...]:
+        """M and K, and C where damping is asked for, row by row. undamped: where there is any, that it is
+        left out is said."""
         script, n, f = self.script, len(self.model.coordinates), self.field
         uses, lines = (*(e.line for e in self.found), *self.places), list[int]()
         linear, read = self.linear, self.readers
@@ -214,6 +225,8 @@ class SmallTelling:
         with script.stage("small.linear", "small.linear_hint"):
             one, many = ("beside_damped_one", "beside_damped") if with_damping else ("beside_one_free", "beside")
             key = f"small.{one if n == 1 else many}"
+            if undamped:
+                self._say_undamped()
             script.say(key, names=tuple(Symbol(c.name) for c in self.model.coordinates))
             for letter, values, reader in shown:
                 entries = self.entries(letter)

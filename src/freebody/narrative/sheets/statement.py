@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, cast
 
-from freebody.errors import ExpressionError, FreebodyError
+from freebody.errors import ExpressionError, FreebodyError, UnitError
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
 from freebody.language.parser import parse
 from freebody.language.raising import raised, typeset
-from freebody.language.units import DIMENSIONLESS, TIME, quantities_within
+from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity, quantities_within
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
@@ -36,6 +36,8 @@ from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.mobility.gruebler import gruebler
 from freebody.system.system import System
+
+_UNSEEN = ("rest_length", "friction", "restitution", "pressure_angle")
 
 
 class ExerciseStatement:
@@ -129,6 +131,7 @@ class ExerciseStatement:
         # that of a homogeneous body follows from its mass and its size
         inertia = _inertia(body) if body.turns and ("inertia" in own or not sizes) else ()
         is_massless = body.mass == ZERO and not inertia
+        shape = shape.replace("_", " ")
         bare = f"massless.{shape}" if is_massless and self.catalogue.has(f"massless.{shape}") else f"shape.{shape}"
         parts: list[Text] = [self._say("sheet.shape_of", shape=f"@{bare}")]
         if body.mass != ZERO:
@@ -227,11 +230,23 @@ class ExerciseStatement:
                 is_open = True
                 continue
             known.append(_value(p.name, str(text)))
+        known += self._unnamed()
         if known:
             joined = [piece for k, text in enumerate(known) for piece in ((", ", *text) if k else text)]
             yield Paragraph((*self._say("sheet.given"), " ", *joined, "."))
         if is_open:
             yield Paragraph(self._say("sheet.in_symbols"))
+
+    def _unnamed(self) -> Iterator[Text]:
+        """What no figure shows and no parameter names: the number for the length of a spring, or for a friction."""
+        for section in ("connections", "loads"):
+            data = self.system.document.data.get(section)
+            for name, entry in cast("dict[str, Any]", data).items() if isinstance(data, dict) else ():
+                told = cast("dict[str, Any]", entry) if isinstance(entry, dict) else {}
+                for of in (told, *(inner for inner in told.values() if isinstance(inner, dict))):
+                    for field in _UNSEEN:
+                        if (number := _plain_number(of.get(field))) is not None:
+                            yield (*self._say(f"unseen.{field}", name=name), " ", raised(number).replace(" deg", "°"))
 
     # -- questions ----------------------------------------------------------------------------
     def _question(self, question: Question, k: int) -> Iterator[Block]:
@@ -262,6 +277,15 @@ def _value(name: str, text: str) -> Text:
     except ValueError:
         return Formula((Symbol(name),)), f" = {raised(text)}"
     return Formula((Symbol(name),)), f" = {typeset(digits)}{shown}"
+
+
+def _plain_number(value: object) -> str | None:
+    """A number that the file gives, with its unit; nothing for a zero and for formulas."""
+    try:
+        quantity = parse_quantity(str(value)) if isinstance(value, (str, int, float)) else None
+    except UnitError:
+        return None
+    return str(value) if quantity is not None and quantity.value else None
 
 
 def _with_unit(value: Expr, unit: str) -> Text:

@@ -9,7 +9,7 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from freebody.errors import FreebodyError
-from freebody.language.expression import Expr, Symbol, evaluate, free_symbols
+from freebody.language.expression import ZERO, Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Components
@@ -50,6 +50,8 @@ class Dimensions(Dimensioned):
                 self._radius(figure, body.radius, figure.radius)
                 for hub in body.middle_circles.values():
                     self._radius(figure, hub, self.places.number(hub))
+        if any(rail.is_support for rail in self.drawing.scene.rails):
+            self._ground()  # the span first, of which parts along a beam may be shares
         for figure in self.drawing.scene.figures:
             self._lengths(figure, self.system.bodies[figure.name])
         self._links()
@@ -125,8 +127,11 @@ class Dimensions(Dimensioned):
                 self.dimension(label, a, b, -1.0)
 
     def _held(self) -> Iterator[tuple[Place, Place]]:
-        """The ends of springs and strings."""
+        """The ends of springs and strings, and supports on rollers."""
         scene = self.drawing.scene
+        for rail in scene.rails:
+            if rail.is_support and rail.through is not None:
+                yield rail.through, rail.point
         yield from ((spring.first, spring.second) for spring in scene.springs)
         yield from ((rope.nodes[0].place, rope.nodes[-1].place) for rope in scene.ropes)
 
@@ -146,7 +151,8 @@ class Dimensions(Dimensioned):
         if figure.radius is not None or len(figure.outline) != 2:
             return
         along = figure.outline[1] - figure.outline[0]
-        order = sorted(figure.points, key=lambda n: float(along @ np.array(figure.points[n].xy)))
+        points = [n for n in figure.points if n not in ("center", "mass_center") or body.mass != ZERO]
+        order = sorted(points, key=lambda n: float(along @ np.array(figure.points[n].xy)))
         distinct: list[str] = []
         for name in order:
             if (

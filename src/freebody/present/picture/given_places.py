@@ -8,9 +8,9 @@ from itertools import combinations
 
 import numpy as np
 
-from freebody.language.expression import ZERO, add, negate
+from freebody.language.expression import ZERO, Expr, add, negate
 from freebody.measures.geometry import GROUND as GROUND_NAME
-from freebody.measures.geometry import Components
+from freebody.model.glyphs import Rail
 from freebody.present.figures import GROUND, Array, Figure, places_in
 from freebody.present.picture.dimensioned import INK, LEAST
 from freebody.present.picture.dimensions import Dimensions
@@ -22,10 +22,10 @@ _APART = 1.0  # [points] less is no distance
 
 @dataclass(frozen=True)
 class _Spot:
-    """A point with its coordinates in formulas, where it is drawn (2,) [points], and the directions of its coordinates
-    on paper, a row for each (2, 2)."""
+    """A point with its coordinates in formulas (None where it moves), where it is drawn (2,) [points], and the
+    directions of its coordinates on paper, a row for each (2, 2)."""
 
-    place: Components
+    place: tuple[Expr | None, ...]
     at: Array
     axes: Array
 
@@ -45,7 +45,10 @@ class GivenPlaces:
 
     def _between(self, first: _Spot, second: _Spot, k: int) -> None:
         """The difference of one coordinate of two points, if it is a parameter that has no dimension yet."""
-        label = self.dimensions.plain(add(second.place[k], negate(first.place[k])))
+        from_there, to_there = first.place[k], second.place[k]
+        if from_there is None or to_there is None:
+            return
+        label = self.dimensions.plain(add(to_there, negate(from_there)))
         length = float((second.at - first.at) @ first.axes[k])
         if label is None or not self.dimensions.is_new(label) or abs(length) < LEAST:
             return
@@ -74,10 +77,24 @@ class GivenPlaces:
             lines = [line for line in ground.lines.values() if all(c == ZERO for c in line.through.offset)]
             if at.xy in drawn or (name == "origin" and lines):
                 yield _Spot(place, self.dimensions.spot(at), np.eye(2))
+        yield from self._on_guides()
         for figure in scene.figures:
             start = self.system.bodies[figure.name].start
             if start.at is not None and figure.name not in self.drawing.moved and start.at[0] in figure.points:
                 yield _Spot(start.at[1], self.dimensions.spot(figure.points[start.at[0]]), np.eye(2))
+
+    def _on_guides(self) -> Iterator[_Spot]:
+        """What is guided along an axis, with the coordinate across its guide: the offset of a slider-crank."""
+        for shown in self.system.glyphs:
+            rail = shown.sign
+            if not isinstance(rail, Rail) or rail.through is None or rail.point.body not in self.system.bodies:
+                continue
+            if {rail.through.body, rail.along.body} != {GROUND_NAME} or rail.point.body in self.drawing.moved:
+                continue
+            (x, y), (e, f) = rail.through.offset[:2], rail.along.components[:2]
+            place = (x, None) if e == ZERO else (None, y) if f == ZERO else None
+            if place is not None:
+                yield _Spot(place, self.dimensions.spot(self.dimensions.places.place(rail.point)), np.eye(2))
 
 
 def _distinct(spots: Iterable[_Spot]) -> list[_Spot]:

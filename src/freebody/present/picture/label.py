@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from freebody.errors import ExpressionError
 from freebody.language.expression import Expr, Symbol
-from freebody.language.notation import to_latex, to_text
+from freebody.language.notation import to_latex
+from freebody.language.notation.one_line import IN_FIGURES
 from freebody.language.notation.parts import spaced_index
 from freebody.language.parser import parse
 
@@ -74,7 +75,7 @@ def words(text: str) -> Label:
 
 def formula(expr: Expr) -> Label:
     """An expression on one line."""
-    return Label(tuple(_runs(to_text(expr))), to_latex(expr))
+    return Label(tuple(_runs(IN_FIGURES.write(expr)[0])), to_latex(expr))
 
 
 def name(text: str) -> Label:

@@ -135,10 +135,12 @@ class Whole(ABC):
                 place = self.places.place(body.point(called))
                 if place in used and len(called) <= 2:
                     named.setdefault(place, called)
+        named = {place: called for place, called in named.items() if not self._is_of_node(called, place)}
         for shown in scene.shown:  # a joint with a letter of its own (A, B_1) names its place, unless that has a name
             at = shown.sign.second if isinstance(shown.sign, Pin) else getattr(shown.sign, "point", None)
             is_letter = len(shown.owner) <= 2 and shown.owner[:1].isupper()
-            if isinstance(shown.sign, (Pin, Rail)) and is_letter and at is not None:
+            is_said = at is not None and self._is_of_node(shown.owner, at)
+            if isinstance(shown.sign, (Pin, Rail)) and is_letter and at is not None and not is_said:
                 others = [self.at(place) for place in named]
                 if all(float(np.abs(self.at(at) - other).max()) > 1.0 for other in others):
                     named[at] = shown.owner
@@ -150,6 +152,11 @@ class Whole(ABC):
                 seen.add(key)
                 places = tuple((spot + 2.0 * way, way) for spot, way in around(at, (-1.0, 1.0)))
                 self.sketch.wish(Wish(words(called), places, 9.5, Ink(), is_needed=False, weight=2.0))
+
+    def _is_of_node(self, called: str, place: Place) -> bool:
+        """Whether a node of a truss lies at a place and is called so itself."""
+        nodes = (figure for figure in self.scene.figures if figure.is_particle and figure.name == called)
+        return any(float(np.abs(self.at(node.mass_center) - self.at(place)).max()) < 1.0 for node in nodes)
 
 
 class WholeInPlane(Whole):

@@ -87,7 +87,7 @@ def oscillations(setup: Setup, question: Question, q: SmallOscillations) -> Find
             notes.append(Message("beside it there is a motion that nothing drives back to first order"))
         del squares[1:]
     if any(not x.is_zero() for row in found.linear.damping for x in row):
-        notes.append(Message("damping is left out of it; damped frequency and damped period have it"))
+        notes.append(Message("without damping; the damped frequency and the damped period take it into account"))
     if q.what == "period" and "small" not in question.text:
         notes.append(Message("of small oscillations; that of the motion as it starts is the period of a measure"))
     is_negative = _turning([*resting, *swings])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from freebody.language.notation import as_equation
 from freebody.language.sentences import Message, in_turn
 from freebody.measures.combination import Combination
@@ -97,9 +99,15 @@ def rolls(rub: DryFriction) -> bool:
     return isinstance(measure, Combination) and any(not isinstance(m, Displacement) for _c, m in measure.terms)
 
 
+_EDGE = re.compile(r"(?P<what>.+) on (?P<body>\w+) (?P<start>\w+)-(?P<end>\w+)")  # of a box, by its corners
+
+
 def label(name: str) -> str:
-    """contact.contact is the contact; contact.foot on floor is said in full."""
+    """contact.contact is the contact; contact.foot on floor is said in full, the edge of a box as its side."""
     connection, _, component = name.partition(".")
+    edge = _EDGE.fullmatch(component)
+    if edge is not None and (side := [word for word in edge["start"].split("_") if word in edge["end"].split("_")]):
+        component = f"{edge['what']} on {edge['body']}.{side[0]}"
     plain = ("contact", "slip", "length", "gap", "normal", "friction", "min", "max", "torque")
     return connection if component in plain else f"{connection} ({component})"
 
@@ -116,7 +124,9 @@ def action(phase: Phase) -> str:
     if not spoken:
         if "taut" in found.values() and phase.base.borders:
             return Message("moves with a taut string")
-        return Message("moves in contact") if any(w == "touches" for w in found.values()) else Message("moves")
+        if not any(w == "touches" for w in found.values()):
+            return Message("moves")
+        return Message("moves in contact") if phase.model.coordinates else Message("stays in contact")
     if len(spoken) == 1:
         (word,) = spoken.values()
         alone = all(w == "open" for w in found.values())
