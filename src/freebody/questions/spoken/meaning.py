@@ -9,10 +9,6 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND, ZERO
-<<<<<<< HEAD
-from freebody.questions.spoken import beginning, given, joining, lookup, of_sections, poses, rewording, turning_round
-from freebody.questions.spoken.after_impacts import gone_on
-=======
 from freebody.questions.spoken import (
     beginning,
     given,
@@ -24,7 +20,7 @@ from freebody.questions.spoken import (
     transmitting,
     turning_round,
 )
->>>>>>> hB
+from freebody.questions.spoken.after_impacts import gone_on
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
 from freebody.questions.spoken.averaging import averaged
