@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
 _WAYS = ("distance", "displacement", "distance travelled")
 _STAYS = {"hold", "fly", "move", "stay_on"}  # verbs of what is in the air
-_COMES = ("hit", "leave", "slack", "turn_back", "return", "run_off", "slide", "stop")  # what a motion may come to
 _TO_THE_END = ("ask", "quantity", "verb", "name", *SILENT)
 _LOSSES = ("energy lost", "kinetic energy lost")
 COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event, and at no instant
@@ -129,19 +128,6 @@ def _in_contact(names: Names, head: Clause) -> Groups:
         acted = {body for p in names.applied_loads if p.load == load for body in p.measure.bodies()}
         if all(name == load or name in acted for name in of):
             yield [f"time between {load} is reached and {load} is relaxed"]
-
-
-def whether(names: Names, sentence: Sentence) -> Groups:
-    """Does the rod lift off? If so, when: of what moves, for of what rests it is asked whether it holds."""
-    main, verbs = sentence.main, sentence.main.all("verb")
-    plain = main.only("verb", "name", *SILENT) and not sentence.others
-    sticks = lookup.rests(names) and any("contact" in names.called.get(name, ()) for name in joining.rough(names, ""))
-    is_begun = verbs == ["slide"] and not sticks  # what slides already does not begin to
-    is_begun |= verbs == ["stop"] and lookup.rests(names)
-    is_begun |= verbs == ["turn_back"] and joining.is_rough(names)  # where it comes to rest it may stay
-    if plain and len(verbs) == 1 and verbs[0] in _COMES and not joining.is_still(names) and not is_begun:
-        for group in conditions(names, main):
-            yield [f"time when {condition}" for condition in group]
 
 
 def _lifting(names: Names, main: Clause) -> Groups:

@@ -215,7 +215,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|"
         rf"energy|work|down|lower",
         "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|"
-        rf"energy|work|power|up|efficiency|lift|tip",
+        rf"energy|work|power|up|efficiency|lift|tip|leaves",
         "hit": rf"{_IMPACT}|reach|{_EQUAL}|\bwhen\b|until|turns back|value of|range of|least|largest",
         "leave": r"leav|open|contact|lost|lift|stays on|keeps|off|after the|>= 0|= 0|until|at once|slack|run|taut|"
         r"range|"
@@ -223,6 +223,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "be_open": r"=|open",
         "lock": rf"lock|rate\(|= 0|slip|{_CHOICE}|first|hold",
         "stop": rf"stop|dead|rest|rate\(|= 0|hold|equilibrium|{_CHOICE}|slip|end|until|turns back|upright|=|roll",
+        "remain": rf"{_REST}|stops|turns back",
         "turn_back": r"dead|rate\(|turns? back|highest|greatest|top|stop|farthest|until|=",
         "return": rf"return|back|{_EQUAL}|changed|rate\(|{_CHOICE}|period",
         "reach": rf"{_EQUAL}|reach|greatest|largest|{_CHOICE}|highest|when|until|hit|touch|at the|terminal|"
@@ -236,12 +237,12 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "slack": r"slack|taut|tension|relaxed|= 0|loose|free|>= 0|length|force",
         "taut": r"slack|taut|tension|tight|>= 0|jerk|stretched|blow|impact",
         "hold": rf"{_REST}|friction|force|torque|moment|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|"
-        rf"normal|stop|held",
+        rf"normal|stop|held|never leaves",
         "tip": rf"tip|turn over|lift|topple|{_CHOICE}|angular|=|open",
         "conserved": r"conserved|constant|is ",
         "stable": r"stable|stability|equilib|steady|does it hold",
         "unstable": r"stable|stability|equilib|steady",
-        "turn_fully": rf"fully|crank|grashof|degrees|turn|round|taut|reach|{_CHOICE}|can|is ",
+        "turn_fully": rf"fully|tips|crank|grashof|degrees|turn|round|taut|reach|{_CHOICE}|can|is ",
         "assemble": r"assembl|close|built|degrees|range",
         "grow": r"grow|increas|->|as |rate|acceleration|derivative|sensitivity|does|steady| - ",
         "top": rf"{_END_OF_SWING}|reach|height|rate\(|>= 0|time",

@@ -14,7 +14,7 @@ from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
 from freebody.questions.spoken.between_events import time_between
 from freebody.questions.spoken.composing import SILENT, Groups
-from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
+from freebody.questions.spoken.counting import counted, lost, stopping, time
 from freebody.questions.spoken.decaying import decaying
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.frames import FORCES, MOTION
@@ -25,8 +25,10 @@ from freebody.questions.spoken.limits import limits
 from freebody.questions.spoken.of_motion import MASS_CENTER
 from freebody.questions.spoken.recomposing import recomposed
 from freebody.questions.spoken.sentence import Sentence, parted, told_who
+from freebody.questions.spoken.so_that import stands
 from freebody.questions.spoken.stated import stated
 from freebody.questions.spoken.unneeded import without_unneeded
+from freebody.questions.spoken.whether import whether
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -41,7 +43,10 @@ _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at star
 _WHILE = Word("mark", "while")
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _SO_THAT = Word("mark", "so_that")
-_WHETHER = re.compile(r"(?:does|is|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b")
+_WHETHER = re.compile(
+    r"(?:does|is|whether|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b"
+)
+_WHETHER_WORDS = (Word("filler", "does"), Word("filler", "may"))  # does it, may it, as it begins a question
 _OF_ITSELF = re.compile(r"ratio of (.+) to \1")
 _FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
@@ -74,7 +79,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
+    is_whether = words[0] in _WHETHER_WORDS or words[0].kind == "verb"
     words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
@@ -112,7 +117,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         yield from turning_round.parameters(names, lasting, meanings)
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
-    if sentence is not None and is_whether:
+    if sentence is not None and is_whether and not joining.is_still(names):
         yield from whether(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
         for told in (
@@ -132,6 +137,8 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _at_extreme,
         ):
             yield from told(names, sentence)
+    if sentence is not None and is_whether:
+        yield from whether(names, sentence)
     yield from time_between(names, said)
     yield from efficiency_of_planets(names, said)
     yield from stated(names, words)
@@ -429,7 +436,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
     everything = all(lookup.is_all_that_moves(names, name) or joining.is_all_that_slips(names, name) for name in of)
-    if verbs and verbs <= {"hold", "move", "stop"} and verbs & {"hold", "stop"} and asks_nothing and everything:
+    if verbs and verbs <= {"hold", "move", "stop", "remain"} and verbs - {"move"} and asks_nothing and everything:
         yield ["does it hold"] if lookup.rests(names) else []
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
     if lookup.rests(names) and at_rest:
@@ -445,13 +452,13 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         spins = names.space and not lookup.rests(names) and not asked
         if not asked and (lookup.is_controlled(names) or spins) and is_all:
             yield ["stability of steady motion"]
-        stands = joining.is_rough(names) and lookup.rests(names) and verbs == {"stable"} and not main.has("ask")
-        if stands and not asked and everything and not main.all("instant"):  # of what friction holds
+        is_held = joining.is_rough(names) and lookup.rests(names) and verbs == {"stable"} and not main.has("ask")
+        if is_held and not asked and everything and not main.all("instant"):  # of what friction holds
             yield ["does it hold"]
         if asked == ["equilibrium"] or (not asked and is_all and not spins):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
-        yield [f"does {of[0]} turn fully"]
+        yield [f"does {of[0]} turn fully"] if not stands(names, of[0]) else []
     is_chosen = any(name in names.parameters for name in of)  # for which b it locks itself
     if (
         verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT) and not is_chosen
@@ -461,8 +468,6 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
             name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])
         ]
         yield [f"range of {push} that keeps it at rest" for push in pushes]
-    if verbs == {"return"} and asks_nothing and main.only("verb", "name", *SILENT) and len(of) <= 1:  # if so, when
-        yield [f"time when {way} = 0" for way in lookup.ways(names, of[0] if of else "")]
     if "assemble" in verbs and not main.has("quantity") and not of:
         yield ["when does the loop assemble"]
     if verbs == {"damped"} and main.only("verb", "name", "pronoun"):

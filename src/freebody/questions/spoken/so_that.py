@@ -309,7 +309,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
         yield [f"{who or 'it'} stays taut"]
-    elif verbs == {"turn_fully"} and not negated and who and not _stands(names, who):
+    elif verbs == {"turn_fully"} and not negated and who and not stands(names, who):
         yield [f"{who} turns fully"]
     elif verbs == {"self_locking"} and not negated:
         yield [f"{thread} is self-locking" for thread in joining.threads(names, of)]
@@ -329,7 +329,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
             yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
 
 
-def _stands(names: Names, who: str) -> bool:
+def stands(names: Names, who: str) -> bool:
     """Whether a body stands on what it may leave: what turns over there tips."""
     return (
         who in names.bodies
