@@ -36,7 +36,8 @@ def time(names: Names, sentence: Sentence) -> Groups:
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
     if asks and main.has("verb", "leave") and not sentence.others and main.only("ask", "verb", "name", *SILENT):
         yield from _lifting(names, main)
-    if not asks or len(main.all("quantity")) > main.has("quantity", "time") + _is_of_event(main):
+    n_of_event = _is_of_event(main) + (len(main.all("quantity")) > 1 and main.has("relation", "="))
+    if not asks or len(main.all("quantity")) > main.has("quantity", "time") + n_of_event:
         return
     head = main.without("ask").without("quantity", "time")
     if not sentence.others and (main.has("ask", "long") or main.has("quantity", "time")):
@@ -182,7 +183,12 @@ def _is_pushed(names: Names) -> bool:
 
 def _is_of_event(main: Clause) -> bool:
     """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s."""
-    return main.has("value") or main.has("verb", "vanish", "reach", "halve") or main.has("quantity", *_WAYS)
+    return (
+        main.has("value")
+        or main.has("relation", "=")
+        or main.has("verb", "vanish", "reach", "halve")
+        or main.has("quantity", *_WAYS)
+    )
 
 
 def lost(names: Names, sentence: Sentence) -> Groups:

@@ -92,6 +92,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "vertical": rf"vertical|\bup\b|down|along|\by\b|component|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|"
         rf"level|tension|when",
         "initial": rf"start|initial|before the blow|{_CHOICE}|\d",
+        "mean": r"average",
         "size": r"size|\||speed|magnitude|of|greatest|largest",
         "small": r"small|frequenc|period|damp|stab|mode|decrement|swing|natural|equation|acceleration",
         "driving": r"driving|motor|torque|force|power",

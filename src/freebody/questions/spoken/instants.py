@@ -359,6 +359,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         if found is not None:
             main, condition = found
             tails.append([f" when {condition}"])
+        elif (compared := within.two_compared(main)) is not None:
+            main, at = compared
+            tails.append([f" when {condition}" for group in conditions(names, at) for condition in group])
     elif not main.values and (asked := within.place_by_parameter(names, main)) is not None:
         head, at = asked
         if found_at := [c for group in conditions(names, at) for c in group]:

@@ -12,6 +12,7 @@ from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import beginning, given, joining, lookup, of_sections, poses, rewording, turning_round
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
+from freebody.questions.spoken.averages import averages
 from freebody.questions.spoken.between_events import time_between
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import counted, lost, stopping, time
@@ -47,6 +48,7 @@ _WHETHER = re.compile(
     r"(?:does|is|whether|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b"
 )
 _WHETHER_WORDS = (Word("filler", "does"), Word("filler", "may"))  # does it, may it, as it begins a question
+_WITHOUT = ("no_slip", "no_move", "no_accel")  # said of how something is done: without slipping
 _OF_ITSELF = re.compile(r"ratio of (.+) to \1")
 _FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
@@ -79,7 +81,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    is_whether = words[0] in _WHETHER_WORDS or words[0].kind == "verb"
+    is_whether = words[0] in _WHETHER_WORDS or (words[0].kind == "verb" and words[0].what not in _WITHOUT)
     words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
@@ -125,6 +127,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _structure,
             _which_way,
             _conserved,
+            averages,
             decaying,
             lost,
             time,
