@@ -51,7 +51,8 @@ _SHARES = tuple(
         (
             r"^(?:welche[rn]? (?:prozentuale[rn]? )?(?:anteil|bruchteil)|wie ?viele? prozent) (?:des|der|vom) "
             r"(?:gesamt|eigen|fahrzeug)?(?:gewichte?s?|gewichtskraft|last) "
-            r"(?:trägt|nimmt|(?:ruh|last)e[tn]|ruht|lie(?:g|ge)[tn]|entf(?:ä|a)ll(?:t|en)|wird von)(?: auf)? (?:der |die |das |dem |den )?(?P<on>.+?)(?: auf| getragen)?$",
+            r"(?:trägt|nimmt|(?:ruh|last)e[tn]|ruht|lie(?:g|ge)[tn]|entf(?:ä|a)ll(?:t|en)|wird von)"
+            r"(?: auf)? (?:der |die |das |dem |den )?(?P<on>.+?)(?: auf| getragen)?$",
             "Normalkraft von",
         ),
         (
