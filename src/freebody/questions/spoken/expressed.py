@@ -36,7 +36,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
     "instant": {
         "at start": rf"start|begin|once|initial|release|blow|time |until|change of|before|after |{_CHOICE}",
         "in steady motion": r"steady|grows|terminal|stationary|resonance|mean",
-        "when t grows": r"grows|steady|end|terminal|stop|until|limit|when",
+        "when t grows": r"^whether |grows|steady|end|terminal|stop|until|limit|when",
         "at the end": r"grows|steady|end|terminal|stop|until|limit|when|=|equilibrium",
         "over the motion": r"over|until|greatest|least|work|period|^(?!.*\b(?:when|at start)\b)",
         "for a full turn": r"turn|cycle|period|round|stroke|range of|largest|least .* so that|pi \* ratio",

@@ -81,7 +81,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    is_whether = words[0] in _WHETHER_WORDS or (words[0].kind == "verb" and words[0].what not in _WITHOUT)
+    is_whether = words[0] in _WHETHER_WORDS or _begins_with_verb(words)
     words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
@@ -146,6 +146,12 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     yield from efficiency_of_planets(names, said)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _begins_with_verb(words: list[Word]) -> bool:
+    """Whether a question begins with what something does: rutscht die Kiste, but not: slip of the crate."""
+    after = next((word for word in words[1:] if word.kind != "filler"), None)
+    return words[0].kind == "verb" and words[0].what not in _WITHOUT and after != Word("preposition", "of")
 
 
 def _as_large(words: list[Word]) -> list[Word]:

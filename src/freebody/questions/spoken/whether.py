@@ -20,6 +20,8 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_EVER = ("when t grows", "over the motion")  # at some time, ever
+_HOW_FAR = ("height", "position", "distance", "angle")  # kinds of a measure that reaches a value
 _TOLD = ("verb", "name", "not", "value", "relation", "part", "instant", *SILENT)
 _GOES_BACK = {"turn_back", "return"}  # verbs of what comes to rest and does not stay there
 _BEGINS_TO_SLIP = re.compile(r"(?P<who>.+?) begins to slip|slipping begins")
@@ -30,8 +32,10 @@ _BEGINS = ("start", "move", "act")  # verbs that say no more than that something
 
 def whether(names: Names, sentence: Sentence) -> Groups:
     """Whether something comes, or lasts, in the motion, perhaps before something else."""
-    main = _staying_on(names, _without_beginning(sentence.main))
-    if not main.has("verb") or not main.only(*_TOLD) or any(mark != "until" for mark, _ in sentence.others):
+    main = _staying_on(names, _without_beginning(sentence.main.without("instant", *_EVER)))
+    if not set(main.all("quantity")) <= {*_HOW_FAR} or not main.has("verb") or not main.only("quantity", *_TOLD):
+        return
+    if any(mark != "until" for mark, _ in sentence.others):
         return
     if len(sentence.others) > 1:
         return
@@ -62,9 +66,10 @@ def _states(names: Names, main: Clause) -> Groups:
     if verbs == {"remain"}:
         yield from _remaining(names, main, "" if who == "it" else who, negated=negated)
         return
-    if verbs == {"slide"} and not joining.rough(names, "" if who == "it" else who):
+    if verbs == {"slide"} and who not in names.connections and not joining.rough(names, "" if who == "it" else who):
         return
-    yield from so(names, main, lambda *_: iter(()))
+    if "end" not in verbs:  # that slipping ends is no state
+        yield from so(names, main, lambda *_: iter(()))
     for group in conditions(names, main.without("not")):
         yield [state for condition in group for state in _stated(names, condition, verbs, negated=negated)]
 
