@@ -22,6 +22,7 @@ _MEAN = Word("part", "mean")
 _AVERAGED = re.compile(
     r"(?P<size>\|?)(?P<what>(?:power|speed|velocity|acceleration|force) (?:of|in|along) [^|]+)(?P=size)"
 )
+_PLAIN = {"become", "act", "exert", "move", "turn", "reach"}  # verbs that say no more than the quantity
 _UNTIL = ("until", "after", "while")
 
 
@@ -33,6 +34,8 @@ def averages(names: Names, sentence: Sentence) -> Groups:
     ends = [*_ends_of(names, sentence)]
     main, within = _within(names, main)
     ends += within
+    if not set(main.all("verb")) <= _PLAIN:  # from the impact on: not from the start
+        return
     if len(ends) != 1 or not main.only("quantity", "name", "ask", "verb", *SILENT):
         return
     for group in quantities(names, main.without("verb").without("ask")):

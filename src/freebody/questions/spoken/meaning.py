@@ -9,7 +9,17 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import beginning, given, joining, lookup, of_sections, poses, rewording, turning_round
+from freebody.questions.spoken import (
+    beginning,
+    given,
+    joining,
+    lookup,
+    of_sections,
+    poses,
+    rewording,
+    speeds,
+    turning_round,
+)
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
 from freebody.questions.spoken.averages import averages
@@ -88,12 +98,13 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = rewording.on_the_way_back(names, rewording.placed(said, modal))
     said = rewording.so_far_that(names, rewording.hauled(names, said, modal), modal)
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
-    said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said))))
+    said = _without_auxiliary(speeds.lifted(names, said))
+    said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(said)))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
-    said = without_unneeded(names, said)
+    said = speeds.onto_buffer(names, without_unneeded(names, said))
     said = rewording.sliding_in_slots(names, rewording.holding_fast(names, said))
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
     said = rewording.by_joint(names, rewording.given_by_joint(names, rewording.taken_along(names, said)))
