@@ -331,7 +331,7 @@ def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
     if any(one.at_start and one.quantity.scope == "whole motion" for one in asked):
         return False  # what is greatest over the motion is so at no instant
     lasts = any(one.quantity.scope in _OF_EVERY_TURN for one in timed)
-    return not timed or not (lasts or words.startswith(("stroke of ", "phase lag of ")))
+    return not timed or not (lasts or words.startswith(("stroke of ", "phase lag of ", "mass of ")))
 
 
 def _fits_event(asked: Asked) -> bool:

@@ -59,7 +59,7 @@ def _states(names: Names, main: Clause) -> Groups:
     ):
         yield [f"{who} {'does not tip' if negated else 'tips'}"]
         return
-    if (verbs & {"hold"} and "taut" not in verbs) or (verbs & {"stop", "remain"} and lookup.rests(names)):
+    if (verbs & {"hold"} and "taut" not in verbs) or (verbs & {"stop", "remain"} and _stays_at_rest(names)):
         return  # of rest it is asked whether it holds, and what moves does not stay where it is
     if verbs & {"leave", "stay_on"} and joining.tracks(names):
         return  # what a link stands for holds on both sides
@@ -72,6 +72,11 @@ def _states(names: Names, main: Clause) -> Groups:
         yield from so(names, main, lambda *_: iter(()))
     for group in conditions(names, main.without("not")):
         yield [state for condition in group for state in _stated(names, condition, verbs, negated=negated)]
+
+
+def _stays_at_rest(names: Names) -> bool:
+    """Whether what is at rest at the start is not let fall onto something."""
+    return lookup.rests(names) and not joining.comes_to_strike(names)
 
 
 def _stated(names: Names, condition: str, verbs: set[str], *, negated: bool) -> list[str]:
