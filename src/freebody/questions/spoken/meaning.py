@@ -456,7 +456,7 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
     everything = all(lookup.is_all_that_moves(names, name) or joining.is_all_that_slips(names, name) for name in of)
-    comes_to_rest = "stop" in verbs and joining.comes_to_strike(names)  # what is let fall
+    comes_to_rest = "stop" in verbs and joining.comes_to_strike(names) and not joining.is_rough(names)  # let fall
     if verbs and verbs <= {"hold", "move", "stop", "remain"} and verbs - {"move"} and asks_nothing and everything:
         yield ["does it hold"] if lookup.rests(names) and not comes_to_rest else []
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything

@@ -76,7 +76,7 @@ def _states(names: Names, main: Clause) -> Groups:
 
 def _stays_at_rest(names: Names) -> bool:
     """Whether what is at rest at the start is not let fall onto something."""
-    return lookup.rests(names) and not joining.comes_to_strike(names)
+    return lookup.rests(names) and (joining.is_rough(names) or not joining.comes_to_strike(names))
 
 
 def _stated(names: Names, condition: str, verbs: set[str], *, negated: bool) -> list[str]:
