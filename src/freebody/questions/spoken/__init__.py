@@ -16,14 +16,16 @@ Between words and meanings a sentence is parted into clauses (sentence.py); a cl
 quantity (asking.py, with a room for each family: of_motion.py, polar.py, of_forces.py with at_joints.py and
 transmitting.py, of_springs.py, of_transmissions.py, of_sections.py, of_systems.py; what a question word and a verb ask
 for together says frames.py), at an instant (instants.py), up to an event
-(counting.py), or a question turned round (turning_round.py, and what is to be so in so_that.py). Where an equation
+(counting.py, averages.py), whether it comes (whether.py),
+or a question turned round (turning_round.py, and what is to be so in so_that.py). Where an equation
 says when, what else is said of that instant describes it (stated.py); up to which value of a parameter rest
 lasts is put in many ways
 (limits.py).
 What a model has for words that name nothing stands in lookup.py, joining.py (connections), poses.py (what hangs,
 stands, lies level), strings.py, losing.py (what takes energy away) and given.py (parameters by what they are of).
 Words that say no more than others beside them are left out (unneeded.py). A speed for that of something else is a
-ratio (geared.py); words put as others put them are told before clauses are
+ratio (geared.py), that at which something is lifted or arrives is told in speeds.py;
+words put as others put them are told before clauses are
 parted (rewording.py; beginning.py: what begins, varies, settles), and where something is meant within a clause in
 within.py. What is said of other values than the file gives is told in other_values.py, with its wording in a file of
 its own (xx.values.toml); forces that nobody chooses are told from others in unchosen.py, and what is assumed in

@@ -26,6 +26,7 @@ from freebody.questions.spoken.lexicon import (
 _WORD = re.compile(r"(?<![\w.«])[^\W\d_]+(?![\w/(»])")
 _LINKS = ("", "s", "n", "en", "es", "e", "er")  # letters between the parts of a word
 _FIXED = re.compile(r"(\w{3,})fest(?:e|en|em|er|es)")
+_PLURAL = re.compile(r"\b(?:die|der|den|beiden?|zwei|drei|vier|aller?|allen)\s+$", re.IGNORECASE)  # before a noun
 _SHORTEST = 3  # letters of a part
 
 
@@ -44,6 +45,9 @@ def in_english_nouns(text: str, language: str, taken: Container[str] = ()) -> st
             return word  # to swing, which is no rocker
         if (stem := _bare(word, language)) in taken:
             return stem
+        is_plural = word[0].isupper() and _PLURAL.search(text[: found.start()]) is not None
+        if is_plural and word.lower() in no_nouns(language) and (noun := word.lower().removesuffix("n")):
+            return _fitting(noun, language, taken) if noun in translated(language) else word  # the two Rollen
         return _noun(word, language, taken) or _apart(word, language, taken) or word
 
     return _WORD.sub(told, text)

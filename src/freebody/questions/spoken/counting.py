@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
 _WAYS = ("distance", "displacement", "distance travelled")
 _STAYS = {"hold", "fly", "move", "stay_on"}  # verbs of what is in the air
-_COMES = ("hit", "leave", "slack", "turn_back", "return", "run_off", "slide", "stop")  # what a motion may come to
 _TO_THE_END = ("ask", "quantity", "verb", "name", *SILENT)
 _LOSSES = ("energy lost", "kinetic energy lost")
 COUNTED = ("work", "work of friction", "energy lost", "turns")  # up to an event, and at no instant
@@ -37,7 +36,8 @@ def time(names: Names, sentence: Sentence) -> Groups:
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
     if asks and main.has("verb", "leave") and not sentence.others and main.only("ask", "verb", "name", *SILENT):
         yield from _lifting(names, main)
-    if not asks or len(main.all("quantity")) > main.has("quantity", "time") + _is_of_event(main):
+    n_of_event = _is_of_event(main) + (len(main.all("quantity")) > 1 and main.has("relation", "="))
+    if not asks or len(main.all("quantity")) > main.has("quantity", "time") + n_of_event:
         return
     head = main.without("ask").without("quantity", "time")
     if not sentence.others and (main.has("ask", "long") or main.has("quantity", "time")):
@@ -131,21 +131,6 @@ def _in_contact(names: Names, head: Clause) -> Groups:
             yield [f"time between {load} is reached and {load} is relaxed"]
 
 
-def whether(names: Names, sentence: Sentence) -> Groups:
-    """Does the rod lift off, does the rope go slack: of what moves, for of what rests it is asked whether it holds. If
-    the grammar has no verdict on it, when it does."""
-    main, verbs = sentence.main, sentence.main.all("verb")
-    plain = main.only("verb", "name", *SILENT) and not sentence.others
-    sticks = lookup.rests(names) and any("contact" in names.called.get(name, ()) for name in joining.rough(names, ""))
-    is_begun = verbs == ["slide"] and not sticks  # what slides already does not begin to
-    is_begun |= verbs == ["stop"] and lookup.rests(names)
-    is_begun |= verbs == ["turn_back"] and joining.is_rough(names)  # where it comes to rest it may stay
-    if plain and len(verbs) == 1 and verbs[0] in _COMES and not joining.is_still(names) and not is_begun:
-        for group in conditions(names, main):
-            yield [f"whether {condition}" for condition in group]
-            yield [f"time when {condition}" for condition in group]
-
-
 def _lifting(names: Names, main: Clause) -> Groups:
     """When do the wheels lift off that nothing lets go: with which push, where there is one alone."""
     bound = {row.connection for row in names.constraint_rows if row.unilateral}
@@ -199,7 +184,12 @@ def _is_pushed(names: Names) -> bool:
 
 def _is_of_event(main: Clause) -> bool:
     """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s."""
-    return main.has("value") or main.has("verb", "vanish", "reach", "halve") or main.has("quantity", *_WAYS)
+    return (
+        main.has("value")
+        or main.has("relation", "=")
+        or main.has("verb", "vanish", "reach", "halve")
+        or main.has("quantity", *_WAYS)
+    )
 
 
 def lost(names: Names, sentence: Sentence) -> Groups:

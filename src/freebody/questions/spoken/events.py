@@ -28,6 +28,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
 _FINAL = ("terminal velocity", "terminal angular velocity")
+_NUMBER = re.compile(r"\d+(?:\.\d+)?(?:/\d+)?")
 _SHARE = re.compile(r"\d+(?:\.\d+)?/\d+")
 _LIES = {"stop", "hang", "hold", "reach", "move", "become", "turn", "fall", "rise"}  # verbs of what is in a pose
 GOES_ON = ("move", "slide", "roll", "turn", "fall", "rise", "accelerate", "fly")
@@ -99,6 +100,9 @@ def _equations(names: Names, clause: Clause) -> Groups:
     """x = d; the tension = 0; the speed = 2 m/s."""
     k = next(k for k, word in enumerate(clause.words) if word.kind == "relation")
     left, right = Clause(clause.words[:k]), Clause(clause.words[k + 1 :])
+    if clause.words[k].what == "=" and left.has("quantity") and right.has("quantity"):
+        yield from _multiples(names, left, right)
+        return
     if clause.words[k].what != "=" or not right.only("value", "name", *SILENT, "verb"):
         return
     value = next((word.what for word in right.words if word.kind in ("value", "name")), None)
@@ -116,6 +120,20 @@ def _equations(names: Names, clause: Clause) -> Groups:
     owners = {GROUND, *(() if measure is None else measure.bodies())}
     if len(of) == 1 or set(of[:-1]) <= owners:  # the ball reaches x = 2 m
         yield [f"{of[-1]} = {value}"]
+
+
+def _multiples(names: Names, left: Clause, right: Clause) -> Groups:
+    """One quantity is equal to another one, or to so many times it: a number before it."""
+    factors = [value for _, value in right.values]
+    is_product = len(factors) == 1 and _NUMBER.fullmatch(factors[0]) is not None
+    if factors and not is_product:
+        return
+    other = right.without("value").without("verb")
+    if not any(name for _, name in other.names):
+        other = Clause([*other.words, *(word for word in left.words if word.kind == "name")])
+    for one in quantities(names, left.without("verb", "become", "reach")):
+        for group in quantities(names, other):
+            yield [f"{a} = {f'{factors[0]}*' if factors else ''}({b})" for a in one for b in group if a != b]
 
 
 def _of_quantity(names: Names, clause: Clause, verbs: list[str]) -> Groups:

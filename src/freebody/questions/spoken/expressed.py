@@ -36,7 +36,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
     "instant": {
         "at start": rf"start|begin|once|initial|release|blow|time |until|change of|before|after |{_CHOICE}",
         "in steady motion": r"steady|grows|terminal|stationary|resonance|mean",
-        "when t grows": r"grows|steady|end|terminal|stop|until|limit|when",
+        "when t grows": r"^whether |grows|steady|end|terminal|stop|until|limit|when",
         "at the end": r"grows|steady|end|terminal|stop|until|limit|when|=|equilibrium",
         "over the motion": r"over|until|greatest|least|work|period|^(?!.*\b(?:when|at start)\b)",
         "for a full turn": r"turn|cycle|period|round|stroke|range of|largest|least .* so that|pi \* ratio",
@@ -92,6 +92,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "vertical": rf"vertical|\bup\b|down|along|\by\b|component|{_CHOICE}|{_EQUAL}|height|change of|steady|upright|"
         rf"level|tension|when",
         "initial": rf"start|initial|before the blow|{_CHOICE}|\d",
+        "mean": r"average",
         "size": r"size|\||speed|magnitude|of|greatest|largest",
         "small": r"small|frequenc|period|damp|stab|mode|decrement|swing|natural|equation|acceleration",
         "driving": r"driving|motor|torque|force|power",
@@ -187,7 +188,6 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "difference": r" - |belt force|relative",
         "sum": r" [+] ",
         "fraction": r"ratio|/",
-        "mean value": r"average",
         "change": r"change|kinetic energy| - |lost|sensitivity|derivative",
         "instant centre": r"instant centre",
         "degrees of freedom": r"degrees of freedom",
@@ -216,7 +216,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "fall": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|tip|{_REST}|changed|tension|force|reaction|"
         rf"energy|work|down|lower",
         "rise": rf"{_WAY}|time|{_MOVES}|{_EQUAL}|height|{_CHOICE}|{_REST}|changed|tension|force|torque|reaction|"
-        rf"energy|work|power|up|efficiency|lift|tip|whether",
+        rf"energy|work|power|up|efficiency|lift|tip|leaves|whether",
         "hit": rf"{_IMPACT}|reach|{_EQUAL}|\bwhen\b|until|turns back|value of|range of|least|largest",
         "leave": r"leav|open|contact|lost|lift|stays on|keeps|off|after the|>= 0|= 0|until|at once|slack|run|taut|"
         r"range|"
@@ -224,6 +224,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "be_open": r"=|open",
         "lock": rf"lock|rate\(|= 0|slip|{_CHOICE}|first|hold",
         "stop": rf"stop|dead|rest|rate\(|= 0|hold|equilibrium|{_CHOICE}|slip|end|until|turns back|upright|=|roll",
+        "remain": rf"{_REST}|stops|turns back",
         "turn_back": r"dead|rate\(|turns? back|highest|greatest|top|stop|farthest|until|=",
         "return": rf"return|back|{_EQUAL}|changed|rate\(|{_CHOICE}|period",
         "reach": rf"{_EQUAL}|reach|greatest|largest|{_CHOICE}|highest|when|until|hit|touch|at the|terminal|"
@@ -237,12 +238,12 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "slack": r"slack|taut|tension|relaxed|= 0|loose|free|>= 0|length|force",
         "taut": r"slack|taut|tension|tight|>= 0|jerk|stretched|blow|impact",
         "hold": rf"{_REST}|friction|force|torque|moment|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|"
-        rf"normal|stop|held",
+        rf"normal|stop|held|never leaves",
         "tip": rf"tip|turn over|lift|topple|{_CHOICE}|angular|=|open",
         "conserved": r"conserved|constant|is ",
         "stable": r"stable|stability|equilib|steady|does it hold",
         "unstable": r"stable|stability|equilib|steady",
-        "turn_fully": rf"fully|crank|grashof|degrees|turn|round|taut|reach|{_CHOICE}|can|is ",
+        "turn_fully": rf"fully|tips|crank|grashof|degrees|turn|round|taut|reach|{_CHOICE}|can|is ",
         "assemble": r"assembl|close|built|degrees|range",
         "grow": r"grow|increas|->|as |rate|acceleration|derivative|sensitivity|does|steady| - ",
         "top": rf"{_END_OF_SWING}|reach|height|rate\(|>= 0|time",

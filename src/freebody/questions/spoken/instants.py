@@ -359,6 +359,9 @@ def _tails(names: Names, main: Clause) -> tuple[list[list[str]], Clause]:
         if found is not None:
             main, condition = found
             tails.append([f" when {condition}"])
+        elif (compared := within.two_compared(main)) is not None:
+            main, at = compared
+            tails.append([f" when {condition}" for group in conditions(names, at) for condition in group])
     elif not main.values and (asked := within.place_by_parameter(names, main)) is not None:
         head, at = asked
         if found_at := [c for group in conditions(names, at) for c in group]:
@@ -565,6 +568,11 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         clause = Clause([w for w in kept[begin + 1 : end] if w.kind != "filler"])
         is_empty = kept[begin].what == "while" and not clause.words and begin > 0  # while braking
         is_fixed = kept[begin].what == "when" and begin > 0 and _is_given(names, clause.without("verb", "become"))
+        holding = {"conserved"} <= set(clause.all("verb")) <= {"conserved", "hold", "become"}
+        steady = holding and set(clause.all("quantity")) <= {"angular velocity", "velocity", "speed"}
+        if kept[begin].what == "to" and steady and joining.is_driven(names):  # to keep the speed that a motor has
+            kept = [*kept[:begin], *kept[end:]]
+            continue
         passive = {"hold", "become"} <= set(clause.all("verb")) and not clause.has("value")
         if passive and not is_fixed and kept[begin].what == "when" and clause.names:
             return [*kept, Word("other", "held")]  # by a hand that the model has not: no instant of its motion

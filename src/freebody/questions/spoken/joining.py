@@ -556,6 +556,11 @@ def is_still(names: Names) -> bool:
     return is_rough(names) and lookup.rests(names) and not names.measures and not driven(names)
 
 
+def is_carried(names: Names) -> bool:
+    """Whether friction may hold all there is on what a drive moves: the can on a truck that starts."""
+    return is_rough(names) and lookup.rests(names) and bool(drive_parameters(names))
+
+
 def is_at(names: Names, name: str, thing: str) -> bool:
     return name in names.connections and _is_of(names, name, thing)
 

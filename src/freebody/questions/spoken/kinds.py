@@ -41,7 +41,7 @@ _DIMENSIONS: dict[str, Dimension] = {
     "mass": MASS,
     "stiffness": STIFFNESS,
 }  # by what the lexicon calls them
-_VERDICTS = ("does ", "is ", "when ")
+_VERDICTS = ("does ", "is ", "when ", "whether ")
 # of what turns: the same of its angle
 _OF_ANGLE = {VELOCITY: _RATE, ACCELERATION: _RATE_2, LENGTH: DIMENSIONLESS, FORCE: TORQUE, MOMENTUM: ANGULAR_MOMENTUM}
 

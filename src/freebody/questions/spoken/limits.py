@@ -36,7 +36,7 @@ _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
-    if joining.is_still(names):  # the acceleration that can be reached
+    if joining.is_still(names) or joining.is_carried(names):  # the acceleration that can be reached
         light = {"reach", "accelerate"} | ({"move"} if Word("ask", "fast") in words and "may" in modal else set[str]())
         words = [w for w in words if w.kind != "verb" or w.what not in light]
     is_tilted = "may" in modal and {Word("ask", "far"), Word("verb", "turn")} <= {*words}

@@ -17,16 +17,17 @@ from freebody.questions.spoken import (
     of_sections,
     poses,
     rewording,
+    speeds,
     transmitting,
     turning_round,
 )
 from freebody.questions.spoken.after_impacts import gone_on
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.at_two_instants import compared
-from freebody.questions.spoken.averaging import averaged
+from freebody.questions.spoken.averages import averages
 from freebody.questions.spoken.between_events import time_between
 from freebody.questions.spoken.composing import SILENT, Groups
-from freebody.questions.spoken.counting import counted, lost, stopping, time, whether
+from freebody.questions.spoken.counting import counted, lost, stopping, time
 from freebody.questions.spoken.decaying import decaying
 from freebody.questions.spoken.events import GOES_ON
 from freebody.questions.spoken.frames import FORCES, MOTION
@@ -37,8 +38,10 @@ from freebody.questions.spoken.limits import limits
 from freebody.questions.spoken.of_motion import MASS_CENTER
 from freebody.questions.spoken.recomposing import recomposed
 from freebody.questions.spoken.sentence import Sentence, parted, told_who
+from freebody.questions.spoken.so_that import stands
 from freebody.questions.spoken.stated import stated
 from freebody.questions.spoken.unneeded import without_unneeded
+from freebody.questions.spoken.whether import whether
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -56,6 +59,8 @@ _SO_THAT = Word("mark", "so_that")
 _WHETHER = re.compile(
     r"(?:does|is|whether|when|time|which|range|largest|least|value|damping|stability|degrees|greatest)\b"
 )
+_WHETHER_WORDS = (Word("filler", "does"), Word("filler", "may"))  # does it, may it, as it begins a question
+_WITHOUT = ("no_slip", "no_move", "no_accel")  # said of how something is done: without slipping
 _OF_ITSELF = re.compile(r"ratio of (.+) to \1")
 _FAILS = {"leave": "tip", "rise": "tip", "turn": "slide"}  # how what stands on wheels fails
 _FREE_END = "free_end"  # of a body, as the spelling writes it
@@ -88,19 +93,20 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     if not words:
         return
     modal = {word.what for word in words if word.kind == "filler"} & {"may", "must"}
-    is_whether = words[0] == Word("filler", "does") or words[0].kind == "verb"
+    is_whether = words[0] in _WHETHER_WORDS or _begins_with_verb(words)
     words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(rewording.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
     said = rewording.on_the_way_back(names, rewording.placed(said, modal))
     said = rewording.so_far_that(names, rewording.hauled(names, said, modal), modal)
     said = rewording.in_turns(rewording.runs_slack(rewording.for_a_turn(said, modal)))
-    said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(_without_auxiliary(said))))
+    said = _without_auxiliary(speeds.lifted(names, said))
+    said = beginning.told(names, rewording.kept_steady(names, rewording.bounded(said)))
     if said and said[-1].kind == "preposition" and said[-1].what in _LEADS_ON:
         return
     if any(_leads_nowhere(said, k) or _asks_more(said, k) for k in range(len(said) - 1)):
         return
-    said = without_unneeded(names, said)
+    said = speeds.onto_buffer(names, without_unneeded(names, said))
     said = rewording.sliding_in_slots(names, rewording.holding_fast(names, said))
     said = rewording.for_what(names, rewording.infinitives(rewording.spinning(names, said)))
     said = rewording.by_joint(names, rewording.given_by_joint(names, rewording.taken_along(names, said)))
@@ -126,7 +132,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         yield from turning_round.parameters(names, lasting, meanings)
     sentence = parted(words)
     sentence = sentence and told_who(names, sentence)
-    if sentence is not None and is_whether:
+    if sentence is not None and is_whether and not joining.is_still(names):
         yield from whether(names, sentence)
     if sentence is not None and all(mark in _MARKS for mark, _ in sentence.others):
         for told in (
@@ -134,8 +140,8 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _structure,
             _which_way,
             _conserved,
+            averages,
             decaying,
-            averaged,
             lost,
             time,
             stopping,
@@ -149,10 +155,18 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             _at_value,
         ):
             yield from told(names, sentence)
+    if sentence is not None and is_whether:
+        yield from whether(names, sentence)
     yield from time_between(names, said)
     yield from efficiency_of_planets(names, said)
     yield from stated(names, words)
     yield from limits(names, lasting, modal)
+
+
+def _begins_with_verb(words: list[Word]) -> bool:
+    """Whether a question begins with what something does: rutscht die Kiste, but not: slip of the crate."""
+    after = next((word for word in words[1:] if word.kind != "filler"), None)
+    return words[0].kind == "verb" and words[0].what not in _WITHOUT and after != Word("preposition", "of")
 
 
 def _as_large(words: list[Word]) -> list[Word]:
@@ -448,8 +462,9 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         yield ["degrees of freedom"]
     asks_nothing = not (main.has("ask") or main.has("not") or main.has("degree") or main.has("quantity"))
     everything = all(lookup.is_all_that_moves(names, name) or joining.is_all_that_slips(names, name) for name in of)
-    if verbs and verbs <= {"hold", "move", "stop"} and verbs & {"hold", "stop"} and asks_nothing and everything:
-        yield ["does it hold"] if lookup.rests(names) else []
+    comes_to_rest = "stop" in verbs and joining.comes_to_strike(names) and not joining.is_rough(names)  # let fall
+    if verbs and verbs <= {"hold", "move", "stop", "remain"} and verbs - {"move"} and asks_nothing and everything:
+        yield ["does it hold"] if lookup.rests(names) and not comes_to_rest else []
     at_rest = main.all("instant") == ["in equilibrium"] and main.only("instant", "name", "pronoun") and everything
     if lookup.rests(names) and at_rest:
         yield ["does it hold"]
@@ -464,13 +479,13 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
         spins = names.space and not lookup.rests(names) and not asked
         if not asked and (lookup.is_controlled(names) or spins) and is_all:
             yield ["stability of steady motion"]
-        stands = joining.is_rough(names) and lookup.rests(names) and verbs == {"stable"} and not main.has("ask")
-        if stands and not asked and everything and not main.all("instant"):  # of what friction holds
+        is_held = joining.is_rough(names) and lookup.rests(names) and verbs == {"stable"} and not main.has("ask")
+        if is_held and not asked and everything and not main.all("instant"):  # of what friction holds
             yield ["does it hold"]
         if asked == ["equilibrium"] or (not asked and is_all and not spins):
             yield ["stability of equilibrium"]
     if "turn_fully" in verbs and main.only("verb", "name", "ask") and len(of) == 1 and not main.has("ask"):
-        yield [f"does {of[0]} turn fully"]
+        yield [f"does {of[0]} turn fully"] if not stands(names, of[0]) else []
     is_chosen = any(name in names.parameters for name in of)  # for which b it locks itself
     if (
         verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT) and not is_chosen
@@ -480,8 +495,6 @@ def _structure(names: Names, sentence: Sentence) -> Groups:
             name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])
         ]
         yield [f"range of {push} that keeps it at rest" for push in pushes]
-    if verbs == {"return"} and asks_nothing and main.only("verb", "name", *SILENT) and len(of) <= 1:  # if so, when
-        yield [f"time when {way} = 0" for way in lookup.ways(names, of[0] if of else "")]
     if "assemble" in verbs and not main.has("quantity") and not of:
         yield ["when does the loop assemble"]
     if verbs == {"damped"} and main.only("verb", "name", "pronoun"):

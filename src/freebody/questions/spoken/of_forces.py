@@ -37,6 +37,9 @@ _DRIVEN_BY = {
 }
 
 
+_DRIVES = ("driving torque", "driving force")
+
+
 @said_of("net force")
 def _net(names: Names, quantity: str, rest: Clause) -> Groups:
     """All that acts at a joint; all that acts on a body is no force that anything exerts."""
@@ -70,6 +73,12 @@ def transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
         driven = [f"{push} of {name}" for push in pushes for name in joining.drivers(names, body, push)]
         yield driven
         if driven and quantity.startswith("driving"):
+            return
+    if quantity in _DRIVES and len(joints) == len(rest.names) == 1:  # of what turns the cam
+        [joint] = joints
+        turned = [body for body in joining.joined_by(names, joint) if joining.drivers(names, body, quantity)]
+        if turned and not any(row.connection == joint and row.reaction == quantity for row in names.constraint_rows):
+            yield [f"{quantity} of {name}" for body in turned for name in joining.drivers(names, body, quantity)]
             return
     loads = _turning(names, quantity, rest, joints)
     if loads:

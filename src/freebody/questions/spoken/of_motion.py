@@ -118,6 +118,9 @@ def along_the_path(names: Names, quantity: str, rest: Clause) -> Groups:
     """What a point has along its path: of the one that is named, or of each that moves."""
     if rest.only("name", *SILENT) and len(rest.names) <= 1:
         of = [name for _, name in rest.names] or lookup.massive(names)
+        if quantity == "radius of curvature" and any("cam" in names.called.get(name, ()) for name in of):
+            yield [f"{quantity} of {name}" for name in of]  # of its edge
+            return
         yield [f"{quantity} of {'the path of ' if quantity == 'radius of curvature' else ''}{name}" for name in of]
 
 

@@ -71,6 +71,11 @@ def _inertia(names: Names, quantity: str, rest: Clause) -> Groups:
     named = [(before, name.removesuffix(".mass_center")) for before, name in rest.names]
     about = [name for before, name in named if before in ("about", "relative") or name not in names.bodies]
     of = [name for _, name in named if name not in about]
+    if names.space and rest.has("part", "vertical") and not about:  # of what turns about an axle through its centre
+        plain = rest.without("part", "vertical").only("name", *SILENT)
+        bodies = [body for body in of or lookup.massive(names)[:1] if joining.axle_of(names, body) == "center"]
+        yield [f"{quantity} of {body} along up" for body in bodies if plain]
+        return
     if not rest.only("name", "pronoun", *SILENT) or len(about) > 1 or any(before == "along" for before, _ in named):
         return
     if Word("preposition", "about") in rest.words and not about and not rest.has("pronoun", "mass_center"):

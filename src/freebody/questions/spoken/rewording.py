@@ -348,7 +348,7 @@ def infinitives(words: list[Word]) -> list[Word]:
 def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Word]:
     """How fast it can speed up is the greatest acceleration, how hard it has to is one too; so are decelerations."""
     fast, speeds_up = Word("ask", "fast"), Word("verb", "accelerate")
-    if not joining.is_still(names):
+    if not (joining.is_still(names) or joining.is_carried(names)):
         return words
     slows = Word("quantity", "deceleration")
     words = [Word("quantity", "acceleration") if word == slows else word for word in words]

@@ -79,6 +79,6 @@ def clock(names: Names, clause: Clause) -> str | None:
     if len(times) == 1 and clause.only("name", "preposition", "pronoun") and len(clause.names) == 1:
         return times[0]
     values = clause.values
-    if len(values) == 1 and clause.only("value", "preposition", "pronoun") and dimensions.is_time(values[0][1]):
+    if len(values) == 1 and clause.only("value", "preposition", "pronoun") and dimensions.is_time(values[0][1], names):
         return values[0][1]
     return None

@@ -20,7 +20,7 @@ _POSES = {"horizontal": poses.level, "level": poses.level, "at the top": poses.u
 
 def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """What is to be so, in the words of the grammar."""
-    clause = _stopping_after(names, clause)
+    clause = _timed_by_equation(names, _stopping_after(names, clause))
     verbs, negated = set(clause.all("verb")), clause.has("not")
     if "end" in verbs:  # it no longer slips
         verbs, negated = verbs - {"end"}, True
@@ -58,8 +58,22 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         hitting = [name for name in of if name in lookup.moving(names)] or lookup.massive(names)
         yield [f"speed of {body} before the impact = {clause.values[0][1]}" for body in hitting]  # it hits at 5 m/s
         return
+    if verbs == {"leave"} and who and not negated and (at := _where(names, clause)):
+        touching = [
+            row for row in names.constraint_rows if row.unilateral and joining.touches(names, row.connection, who)
+        ]
+        yield list(dict.fromkeys(f"{row.reaction} of {row.connection} = 0 when {at}" for row in touching))
+        return
     is_none = negated and clause.has("quantity") and verbs <= {"move", "stay"}
-    if clause.has("relation") or clause.has("value") or "vanish" in verbs or is_none or _is_negated_motion(clause):
+    is_given = verbs == {"reach"} and any(name in names.parameters for name in of)
+    if (
+        clause.has("relation")
+        or clause.has("value")
+        or "vanish" in verbs
+        or is_none
+        or is_given
+        or _is_negated_motion(clause)
+    ):
         yield from _relation(names, clause, whole)
     yield from _in_time(names, clause, whole)
     yield from _failing_first(names, clause)
@@ -147,6 +161,31 @@ def _stopping_after(names: Names, clause: Clause) -> Clause:
     bounded = clause.has("degree", "greatest") or clause.has("relation", "<=")
     kept = [word for word in clause.words if word not in (after, stop)]
     return Clause([*kept, Word("verb", "move") if bounded else stop])
+
+
+def _timed_by_equation(names: Names, clause: Clause) -> Clause:
+    """The force at s = L is F: when s = L, which stands behind."""
+    words = [word for word in clause.words if word.kind != "filler"]
+    for k in range(1, len(words) - 2):
+        led, measure, sign, value = words[k - 1 : k + 3]
+        is_one = measure.what in names.measures and sign == Word("relation", "=") and value.kind in ("name", "value")
+        rest = [*words[: k - 1], *words[k + 3 :]]
+        others = [w for w in rest if w.kind in ("value", "relation") or w.what in names.parameters]
+        if is_one and led == Word("preposition", "in") and others and not any(w.kind == "mark" for w in words):
+            return Clause([*rest, Word("mark", "when"), measure, sign, value])
+    return clause
+
+
+def _where(names: Names, clause: Clause) -> str:
+    """A measure and its value, where something is said to be so."""
+    words = [word for word in clause.words if word.kind != "filler"]
+    signs = [k for k, word in enumerate(words) if word == Word("relation", "=")]
+    if len(signs) != 1 or not 1 <= signs[0] < len(words) - 1:
+        return ""
+    measure, value = words[signs[0] - 1], words[signs[0] + 1]
+    return (
+        f"{measure.what} = {value.what}" if measure.what in names.measures and value.kind in ("name", "value") else ""
+    )
 
 
 def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
@@ -309,7 +348,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
     elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
         yield [f"{who or 'it'} stays taut"]
-    elif verbs == {"turn_fully"} and not negated and who and not _stands(names, who):
+    elif verbs == {"turn_fully"} and not negated and who and not stands(names, who):
         yield [f"{who} turns fully"]
     elif verbs == {"self_locking"} and not negated:
         yield [f"{thread} is self-locking" for thread in joining.threads(names, of)]
@@ -329,7 +368,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
             yield [f"{place} reaches {other}" for place in lookup.places(names, who)]
 
 
-def _stands(names: Names, who: str) -> bool:
+def stands(names: Names, who: str) -> bool:
     """Whether a body stands on what it may leave: what turns over there tips."""
     return (
         who in names.bodies
@@ -445,6 +484,10 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
         return Clause([Word("quantity", "acceleration"), *kept]), "=", value, tail
     if not signs and clause.has("verb", "vanish") and not clause.has("not"):
         return Clause(words).without("verb", "vanish", "reach", "move"), "=", "0", tail
+    given_ = [word for word in words if word.kind == "name" and word.what in names.parameters]
+    if not signs and clause.all("verb") == ["reach"] and len(given_) == 1 and clause.has("quantity"):  # it comes to F
+        kept = [word for word in words if word not in (given_[0], Word("verb", "reach"), Word("part", "only"))]
+        return Clause(kept), "=", given_[0].what, tail
     values = [word for word in words if word.kind == "value"]
     if not signs and len(values) == 1 and not clause.has("quantity") and not clause.has("not"):
         kind = dimensions.kind_of(values[0].what, names)

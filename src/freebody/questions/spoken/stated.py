@@ -88,6 +88,8 @@ def _at(names: Names, equation: Equation, rest: Clause) -> Groups:
     verbs = set(rest.all("verb")) - ({"leave"} if rest.has("quantity") else set())
     if not verbs <= _DESCRIBES or set(rest.all("instant")) - {*_PLACES, "at start"}:
         return
+    if rest.has("verb", "leave") and rest.has("ask", "with", "for", "from"):
+        return  # at which speed it leaves there: not how fast it is there
     names_ = [name for _, name in rest.names]
     ways = (*lookup.inclined(names, ""), *lookup.heights(names, ""))
     passed = any(way == equation.measure and lookup.rises(names, way, sense) for way, sense in ways)

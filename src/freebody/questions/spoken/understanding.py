@@ -55,7 +55,7 @@ from freebody.questions.spoken.ways import (
     what_is_near,
     with_own_letters,
 )
-from freebody.questions.spoken.weights import without_gs
+from freebody.questions.spoken.weights import share_of_weight, without_gs
 from freebody.questions.spoken.words import written_out
 from freebody.questions.whether import stated_of
 
@@ -118,6 +118,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if (between := between_impacts(text)) and not isinstance(timed := read_quietly(names, between, read), Unread):
         return [*zip(timed, (between,), strict=True)]
     if (in_gs := without_gs(names, text)) is not None and (multiple := _in_multiples(names, *in_gs, read)):
+        return multiple
+    if (share := share_of_weight(names, text)) is not None and (multiple := _in_multiples(names, *share, read)):
         return multiple
     if balancing := size_that_balances(names, text):
         return understood(names, balancing, read)
@@ -336,7 +338,7 @@ def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
     if any(one.at_start and one.quantity.scope == "whole motion" for one in asked):
         return False  # what is greatest over the motion is so at no instant
     lasts = any(one.quantity.scope in _OF_EVERY_TURN for one in timed)
-    return not timed or not (lasts or words.startswith(("stroke of ", "phase lag of ")))
+    return not timed or not (lasts or words.startswith(("stroke of ", "phase lag of ", "mass of ")))
 
 
 def _fits_event(asked: Asked) -> bool:

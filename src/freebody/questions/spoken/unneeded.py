@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining
+from freebody.questions.spoken import given, joining, lookup
 from freebody.questions.spoken.frames import OSCILLATION
 from freebody.questions.spoken.lexicon import Word
 
@@ -23,7 +23,7 @@ def without_unneeded(names: Names, words: list[Word]) -> list[Word]:
     if not words:
         return words
     words = until_it_stops(at_best_angle(words))
-    return named_as_push(names, of_driven(names, of_slope(names, about_axle(names, words))))
+    return named_as_push(names, of_driven(names, of_slope(names, about_axle(names, on_what_is_fixed(names, words)))))
 
 
 def until_it_stops(words: list[Word]) -> list[Word]:
@@ -63,8 +63,25 @@ def about_axle(names: Names, words: list[Word]) -> list[Word]:
     return words if k is None else [*words[: k - 1], *words[k + 1 :]]
 
 
+def on_what_is_fixed(names: Names, words: list[Word]) -> list[Word]:
+    """The frequency of what rocks on a drum that does not move."""
+    k = next((k for k in range(len(words)) if _is_fixed_below(names, words, k)), None)
+    return words if k is None else [*words[: k - 1], *words[k + 1 :]]
+
+
+def _is_fixed_below(names: Names, words: Sequence[Word], k: int) -> bool:
+    """Whether a word names a fixed body on which something else moves whose frequency is asked for."""
+    said = [word for word in words[:k] if word.kind != "filler"]
+    asked = [word.what for word in said if word.kind == "quantity"]
+    on = (Word("preposition", "on"), Word("preposition", "in"))
+    is_led = bool(said) and said[-1] in on and asked[:1] != [] and asked[0] in OSCILLATION
+    is_other = any(word.kind == "name" and word.what in lookup.moving(names) for word in said)
+    body = names.bodies.get(words[k].what) if words[k].kind == "name" else None
+    return is_led and is_other and body is not None and body.fixed
+
+
 def is_unneeded(names: Names, words: Sequence[Word], k: int) -> bool:
-    return is_pivot(names, words, k) or is_driven(names, words, k)
+    return _is_fixed_below(names, words, k) or is_pivot(names, words, k) or is_driven(names, words, k)
 
 
 def of_driven(names: Names, words: list[Word]) -> list[Word]:

@@ -45,6 +45,28 @@ _TOLD_IN_GS = re.compile(
     r"in vielfachen von g|als vielfaches von g)(?=[ ,.?!]*$)",
     re.IGNORECASE,
 )
+_SHARES = tuple(
+    (re.compile(pattern, re.IGNORECASE), force)
+    for pattern, force in (
+        (
+            r"^(?:welche[rn]? (?:prozentuale[rn]? )?(?:anteil|bruchteil)|wie ?viele? prozent) (?:des|der|vom) "
+            r"(?:gesamt|eigen|fahrzeug)?(?:gewichte?s?|gewichtskraft|last) "
+            r"(?:trägt|nimmt|(?:ruh|last)e[tn]|ruht|lie(?:g|ge)[tn]|entf(?:ä|a)ll(?:t|en)|wird von)"
+            r"(?: auf)? (?:der |die |das |dem |den )?(?P<on>.+?)(?: auf| getragen)?$",
+            "Normalkraft von",
+        ),
+        (
+            r"^(?:wie gro(?:ß|ss) ist )?(?:der |die )?(?:prozentuale[rn]? )?(?:achs|rad|gewichts)?(?:last)?anteil "
+            r"(?:der|des|von|an der|auf der) (?P<on>.+?)(?: (?:an der|am) (?:gesamt)?(?:last|gewicht))?$",
+            "Normalkraft von",
+        ),
+        (
+            r"^what (?:share|fraction|part|percentage) of the (?:total |whole )?(?:weight|load) "
+            r"(?:does|is (?:carried|borne) by|rests on|is on) (?P<on>.+?)(?: carry| bear| take)?$",
+            "normal force of",
+        ),
+    )
+)
 _STANDARD = 9.80665  # m/s^2, of free fall
 
 
@@ -62,6 +84,17 @@ def without_gs(names: Names, text: str) -> tuple[str, str] | None:
     if ACCELERATES.search(text) is None or (found := _TOLD_IN_GS.search(text)) is None:
         return None
     return text[: found.start()] + text[found.end() :], _accelerated(names, "1").removeprefix("1*")
+
+
+def share_of_weight(names: Names, text: str) -> tuple[str, str] | None:
+    """A question after the share of the weight that something carries: the force there, and the weight of the only body
+    that has one; None where nothing says so."""
+    asked = text.strip().rstrip("?!. ")
+    found = next(((one, force) for pattern, force in _SHARES if (one := pattern.match(asked)) is not None), None)
+    weights = [load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())]
+    if found is None or len(weights) != 1:
+        return None
+    return f"{found[1]} {found[0]['on']}", _product(names, "1", weights[0])
 
 
 def _accelerated(names: Names, count: str) -> str:

@@ -79,3 +79,14 @@ def where_it_is(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | 
     head = [main.words[k], *main.words[k + 1 : k + 1 + named]]
     found = list(conditions(names, Clause([w for w in main.words[k + 1 + named :] if w.kind != "ask"])))
     return (Clause(head), found) if found else None
+
+
+def two_compared(main: Clause) -> tuple[Clause, Clause] | None:
+    """A quantity, and the equation of two others at which it is meant: at which y is one energy twice the other."""
+    words = main.words
+    sign = next((k for k, word in enumerate(words) if word == Word("relation", "=")), -1)
+    said = [k for k, word in enumerate(words) if word.kind == "quantity"]
+    before = [k for k in said if k < sign]
+    if len(before) != 2 or len(said) != 3:
+        return None
+    return Clause([*words[: before[1]]]), Clause([*words[before[1] :]])

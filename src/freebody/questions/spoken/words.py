@@ -40,7 +40,7 @@ _UNIT = rf"(?: ?(?:[A-Za-zµ°%Ω][\w/^*²³·«»]*){_FACTOR}*)"
 _OPERAND = rf"(?:{_NUMBER}|{MARKED}|[a-z]+\([^()]*\)|\([^()]*\)|pi\b)"
 _TOKEN = re.compile(
     rf"(?P<rate>rate\({MARKED}\))"
-    rf"|(?P<formula>-?{_OPERAND}(?: ?(?:[*/^+]|- ) ?-?{_OPERAND})+|-{MARKED})"
+    rf"|(?P<formula>-?{_OPERAND}(?: ?(?:[*/^+]|- ) ?-?{_OPERAND})+|-{MARKED}|-?pi\b)"
     rf"|(?P<name>{MARKED})"
     rf"|(?P<number>-?{_NUMBER})(?P<unit>{_UNIT})?"
     r"|(?P<relation>->|→|<=|>=|≤|≥|=|<|>)"
