@@ -13,6 +13,7 @@ from freebody.language.sentences import Message
 from freebody.questions.spoken.accounting import loses_quantity
 from freebody.questions.spoken.assumed import what_does_not_hold
 from freebody.questions.spoken.at_distances import at_a_distance
+from freebody.questions.spoken.averages import average
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
@@ -118,6 +119,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, balancing, read)
     if (put := as_force(names, text)) != text and (forced := _quietly_one(names, put, read)):
         return forced
+    if mean := average(names, text, lambda said: _said_plainly(names, said, read)):
+        return understood(names, mean, read)
     if cut := at_a_distance(names, text, lambda said: _said_plainly(names, said, read)):
         return understood(names, cut, read)
     if (sides := sides_of(elements_of(names), text)) is not None:
