@@ -74,6 +74,8 @@ class FindingByKind:
         if all(part.is_zero() for part in (x if isinstance(x, tuple) else (x,))):
             remark = q.remark_on_zero(self.system) or remark
         notes = [remark] if remark else []
+        if not at_start and self._moves(x) and (changes := q.remark_in_motion(self.system)):
+            notes.append(changes)
         sides = [c.element for c in needed]
         if (explicit := loops.solved(self.setup, x, state)) is not None:
             x, notes, sides = explicit[0], notes + explicit[1], sides + explicit[2]
@@ -102,6 +104,10 @@ class FindingByKind:
 
         self._state = self.setup.start_for(q) if self.question.at_start else self.setup.state
         return find(self.setup, self.question, q, self._state)
+
+    def _moves(self, x: Elements) -> bool:
+        f, moving = self.model.field, self.model.moving
+        return any(f.ingredients(part) & moving for part in (x if isinstance(x, tuple) else (x,)))
 
     def _check_pose_alone(self, x: Elements) -> None:
         """Raises CannotAnswer where what the pose alone should tell depends on the sense of the motion as well."""
