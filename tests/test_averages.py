@@ -52,6 +52,7 @@ def value(system: fb.System, said: str) -> float:
         ("mittlere Leistung des Seils in den ersten 3 s", 6000 * RISE * 3 / 2),
         ("mean speed of the load during the first 2 s", RISE),
     ],
+    ids=["power", "power up to a height", "power in German", "speed"],
 )
 def test_average_of_what_is_lifted_evenly_faster(said: str, expected: float) -> None:
     assert value(LIFTED, said) == pytest.approx(expected, rel=1e-9)
@@ -64,6 +65,7 @@ def test_average_of_what_is_lifted_evenly_faster(said: str, expected: float) -> 
         ("average power of friction until the car stops", -1200 * 0.6 * 9.81 * 2.5),
         ("Durchschnittsgeschwindigkeit des Autos bis es steht", 2.5),
     ],
+    ids=["speed", "power", "speed in German"],
 )
 def test_average_of_what_is_braked_evenly(said: str, expected: float) -> None:
     assert value(BRAKED, said) == pytest.approx(expected, rel=1e-9)

@@ -39,6 +39,7 @@ V_A, V_B = (2 - 0.5 * 3) * V / 5, 2 * 1.5 * V / 5
         ("How far does B slide until it comes to rest?", V_B**2 / (2 * BRAKED)),
         ("time when A stops", (6.0 - V) / BRAKED + V_A / BRAKED),
     ],
+    ids=["both", "apart", "B slides", "A"],
 )
 def test_the_last_one_has_stopped(said: str, value: float) -> None:
     (answer,) = BLOCKS.solve(said).answers

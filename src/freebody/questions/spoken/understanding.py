@@ -18,6 +18,7 @@ from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
+from freebody.questions.spoken.existing import where_there_is_one
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import chooses_of_what_is_asked, is_kept, loses_joint, loses_other
 from freebody.questions.spoken.kinds import is_of_kind
@@ -119,6 +120,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, balancing, read)
     if (put := as_force(names, text)) != text and (forced := _quietly_one(names, put, read)):
         return forced
+    if (exists := where_there_is_one(names, text)) is not None:
+        names.problem(exists, "find")
+        return []
     if mean := average(names, text, lambda said: _said_plainly(names, said, read)):
         return understood(names, mean, read)
     if cut := at_a_distance(names, text, lambda said: _said_plainly(names, said, read)):
