@@ -500,3 +500,25 @@ def test_what_hangs_under_its_line_is_told(direction: str, n: int) -> None:
     found = [w for w in fb.System.from_text(UNDER.replace("DIRECTION", direction)).warnings if w.kind == "under a line"]
     assert len(found) == n
     assert all("turn ramp round" in w.text() for w in found)
+
+
+LED = """
+parameters: {m: 2 kg, M: 5 kg, a: 3 m/s^2, mu: 0.5, g: 9.81 m/s^2}
+bodies:
+  truck: {rectangle: {mass: M, width: 3 m, height: 1 m}, at: [0, 0], angle: 0}
+  crate: {particle: {mass: m}, at: [0, 0.5 m]}
+connections:
+  drive: {driver: {measure: x, follows: a*t^2/2}}
+  bed: {contact: {between: [crate, truck.top], friction: mu}}
+loads: {weight: {gravity: g}}
+measures: {x: x of truck}
+"""
+
+
+def test_a_truck_that_is_led_along_x_and_carried_by_nothing_falls() -> None:
+    told = [w for w in fb.System.from_text(LED).warnings if w.kind == "led and falling"]
+    assert [w.about for w in told] == [frozenset({"truck"})]
+    on_a_road = LED.replace("  bed:", "  road: {slider: {body: truck, along: right}}\n  bed:")
+    assert not [w for w in fb.System.from_text(on_a_road).warnings if w.kind == "led and falling"]
+    upright = LED.replace("x of truck", "y of truck")
+    assert not [w for w in fb.System.from_text(upright).warnings if w.kind == "led and falling"]

@@ -146,6 +146,9 @@ class AtStart(Quantity):
         return passage.started(self.of)
 
 
+_FRICTION_AND_NORMAL = {"friction force", "normal force"}
+
+
 @dataclass(frozen=True)
 class Calculated(Joined, kind="calculated"):
     """What is calculated from quantities.
@@ -190,6 +193,19 @@ questions: {it: acceleration of x - acceleration of y}
         refuse_vectors(values)
         named = {name: x for (name, _quantity), x in zip(self.operands, values, strict=True)}
         return _calculated(self.form, named, of)
+
+    def remark_in_motion(self, system: Described) -> str:
+        """Of the coefficient of friction that it takes in one joint, |F| / N."""
+        joints = {(getattr(q, "reaction", ""), getattr(q, "connection", "")) for q in self.inner}
+        of = {joint for _reaction, joint in joints}
+        shares = self.measured == DIMENSIONLESS and {reaction for reaction, _joint in joints} == _FRICTION_AND_NORMAL
+        if len(of) != 1 or not shares:
+            return ""
+        return Message(
+            "it changes along the motion, and the value is that at the start; so that it never slips the greatest is "
+            "needed: greatest (|friction force of {joint}|/normal force of {joint})",
+            joint=of.pop(),
+        )
 
     def sentence(self, system: Described) -> Sentence | None:
         return None

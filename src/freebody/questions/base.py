@@ -441,6 +441,10 @@ class Quantity:
         """What is to be said where it is zero whatever the motion is: what may have been meant instead."""
         return ""
 
+    def remark_in_motion(self, system: Described) -> str:
+        """What is to be said where it changes along the motion, and no instant is meant."""
+        return ""
+
     def remark(self, system: Described) -> str:
         """What is to be said of an answer: of which of two opposite forces it is."""
         return ""

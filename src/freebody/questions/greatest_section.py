@@ -24,11 +24,21 @@ from freebody.language.expression import Expr, add, divide, negate, number
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.model.elements import RigidBody
-from freebody.model.solids import ROD
 from freebody.model.state import State
-from freebody.questions.along_a_rod import couple_not_placed, is_zero, pulls_on
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
-from freebody.questions.section import PARTS, Field, Order, Part, SectionForce, Side, fields_of, rod_named
+from freebody.questions.section import (
+    PARTS,
+    Field,
+    Order,
+    Part,
+    SectionForce,
+    Side,
+    fields_of,
+    in_order,
+    places_on,
+    rod_named,
+    rods_of,
+)
 from freebody.tolerances import LEAST, ROUNDED
 
 if TYPE_CHECKING:
@@ -117,26 +127,7 @@ questions: {it: greatest bending moment of beam}
     def places(self, system: Described, state: State[Any]) -> Order:
         """The places along the rod at which something acts, in turn, with both ends; the state tells their order."""
         rod = system.bodies[self.body]
-        places = [rod.points["start"][0], rod.points["end"][0]]
-        for pull in pulls_on(system, state, rod):
-            if pull.at is not None:
-                places.append(pull.at.offset[0])
-            elif pull.has_couple and (self.part == "bending" or not all(map(is_zero, pull.force))):
-                raise couple_not_placed(rod, pull)
-        for push in system.applied_loads:
-            if push.spread is not None and push.spread.first.body == rod.name:
-                places += [push.spread.first.offset[0], push.spread.second.offset[0]]
-        along = {place: state.scalar(place) for place in dict.fromkeys(places)}
-        if not all(isinstance(x, (int, float)) for x in along.values()):
-            raise CannotAnswer(Message("in which order things act along {body} is told by numbers", body=rod.name))
-        near = ROUNDED * state.scalar(rod.sizes[0])
-        found = list[tuple[Expr, ...]]()
-        for place in sorted(along, key=along.__getitem__):
-            if found and along[place] - along[found[-1][0]] <= near:
-                found[-1] = (*found[-1], place)
-            else:
-                found.append((place,))
-        return tuple(found)
+        return in_order(rod, state, places_on(system, state, rod, self.part))
 
     def spans(self, system: Described, state: State[Any], order: Order) -> Iterator[Span]:
         """Those of the rod between places that follow one another."""
@@ -221,11 +212,7 @@ loads: {weight: {gravity: 9.81 m/s^2}}
 
 
 def _is_of_one_rod(names: Names, found: Found) -> bool:
-    return found["of"] is not None or len(_rods(names)) == 1
-
-
-def _rods(names: Names) -> list[str]:
-    return [name for name, body in names.bodies.items() if body.solid is ROD]
+    return found["of"] is not None or len(rods_of(names)) == 1
 
 
 @asked(
@@ -263,7 +250,7 @@ def _zero(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 def _read(names: Names, found: Found, path: Path, asks: Literal["size", "place", "zero"]) -> Quantity | None:
-    rod: RigidBody | None = rod_named(names, str(found["of"] or _rods(names)[0]), path)
+    rod: RigidBody | None = rod_named(names, str(found["of"] or rods_of(names)[0]), path)
     part = PARTS.get(re.split(" ", str(found["part"]))[0], "axial")
     if rod is None or rod.is_placeholder:
         return None if rod is None else GreatestInRod(rod.name, part, (), asks)

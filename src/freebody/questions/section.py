@@ -15,8 +15,8 @@ Johnston, Vector Mechanics for Engineers: Dynamics, sec. 16.1 (d'Alembert).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.errors import CannotAnswer
@@ -33,7 +33,7 @@ from freebody.language.expression import (
     number,
 )
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence
-from freebody.language.units import FORCE, TORQUE, Dimension
+from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import ONE, Direction, Point
 from freebody.model.elements import RigidBody, Spread
@@ -70,6 +70,7 @@ class SectionForce(Quantity, kind="section force"):
     side: Side = ""  # just before the point, towards `start`, or just behind it
     order: Order = ()  # of the places at which something acts, where the lengths alone do not tell it
     along: Expr | None = None  # how far the section is from the start of the rod, where it has no name
+    is_governing: bool = False  # whether the rod is loaded most there
 
     is_reaction = True
     example = """
@@ -93,16 +94,22 @@ questions: {it: bending moment of beam at beam.center}
 
     @property
     def reason(self) -> Sentence:
-        kind = "section" if self.along is None else f"greatest_section.{self.part}"
+        kind = f"greatest_section.{self.part}" if self.is_governing else "section"
         return Sentence(f"value.{kind}", {"body": self.body, "at": self._at})
 
     @property
     def _at(self) -> Argument:
         if self.along is not None:
-            return Sentence("what.section.along", {"x": self.along, "body": self.body})
+            x = self.along if free_symbols(self.along) else f"{evaluate(self.along, {}, FLOAT_FUNCTIONS):g} m"
+            return Sentence("what.section.along", {"x": x, "body": self.body})
         own = self.named.removeprefix(f"{self.body}.")
         point = own if len(own) <= _LETTERS else self.named  # C of the beam that is cut, but the center of beam
         return Sentence(f"what.section.{self.side or 'at'}", {"point": point}) if self.named else NOTHING
+
+    @property
+    def derived_by(self) -> str:  # pyrefly: ignore[bad-override]
+        """As it lies among the loads, where that is still to be told."""
+        return "section" if self.named and not self.order else ""
 
     @property
     def remarks(self) -> tuple[Message, ...]:
@@ -110,8 +117,15 @@ questions: {it: bending moment of beam at beam.center}
             return ()
         return (Message("the section lies between {body}.start and {body}.end", body=self.body),)
 
+    def placed(self, system: Described, state: State[Any]) -> SectionForce:
+        """With the order of this section and of all places at which something acts on the rod; the state tells it in
+        numbers. Raises CannotAnswer where one of them does not stay the same."""
+        rod = system.bodies[self.body]
+        return replace(self, order=in_order(rod, state, [*places_on(system, state, rod, self.part), self.offset]))
+
     def value(self, system: Described, state: State[Any]) -> Any:
         rod, axes = system.bodies[self.body], axes_of(system)
+        self.refuse_beside(system, state)
         along = components_of(Direction(self.body, (ONE, *(ZERO,) * (len(axes) - 1))), state, len(axes))
         force, moment = self._own(system, state, rod)
         pulls = [pull for pull in pulls_on(system, state, rod) if self._is_beyond(state, rod, pull)]
@@ -126,6 +140,17 @@ questions: {it: bending moment of beam at beam.center}
         if self.part == "shear":
             return side * (along[1] * force[0] - along[0] * force[1])
         return side * dot(along, force)
+
+    def refuse_beside(self, system: Described, state: State[Any]) -> None:
+        """Raises CannotAnswer where numbers put the section beside the rod."""
+        if self.along is None:
+            return
+        rod = system.bodies[self.body]
+        along, length = state.scalar(self.along), state.scalar(rod.sizes[0])
+        near = ROUNDED * length
+        if isinstance(along, float) and not -near <= along <= length + near:
+            told = Message("{x} lies beyond the ends of {body}", x=self.named, body=rod.name)
+            raise CannotAnswer(told)
 
     def _cut(self, rod: RigidBody) -> Point:
         return on_axis(rod, self.offset)
@@ -252,6 +277,35 @@ questions: {it: bending moment of beam at beam.center}
         return Sentence(f"what.section.{part}", {"body": self.body, "at": self._at})
 
 
+def places_on(system: Described, state: State[Any], rod: RigidBody, part: Part) -> list[Expr]:
+    """The places along a rod at which something acts, and both ends."""
+    places = [rod.points["start"][0], rod.points["end"][0]]
+    for pull in pulls_on(system, state, rod):
+        if pull.at is not None:
+            places.append(pull.at.offset[0])
+        elif pull.has_couple and (part == "bending" or not all(map(is_zero, pull.force))):
+            raise couple_not_placed(rod, pull)
+    for push in system.applied_loads:
+        if push.spread is not None and push.spread.first.body == rod.name:
+            places += [push.spread.first.offset[0], push.spread.second.offset[0]]
+    return places
+
+
+def in_order(rod: RigidBody, state: State[Any], places: Sequence[Expr]) -> Order:
+    """Places along a rod in turn, those in one being the same; the state tells it in numbers."""
+    along = {x: state.scalar(x) for x in dict.fromkeys(places)}
+    if not all(isinstance(at, (int, float)) for at in along.values()):
+        raise CannotAnswer(Message("in which order things act along {body} is told by numbers", body=rod.name))
+    near = ROUNDED * state.scalar(rod.sizes[0])
+    found = list[tuple[Expr, ...]]()
+    for x in sorted(along, key=along.__getitem__):
+        if found and along[x] - along[found[-1][0]] <= near:
+            found[-1] = (*found[-1], x)
+        else:
+            found.append((x,))
+    return tuple(found)
+
+
 # -- how it is asked ------------------------------------------------------------------------------
 _SIDES: dict[str, Side] = {"before": "before", "behind": "behind", "after": "behind"}
 PARTS: dict[str, Part] = {"shear": "shear", "shearing": "shear", "bending": "bending"}
@@ -286,11 +340,49 @@ def _at_a_point(names: Names, found: Found, path: Path) -> Quantity | None:
     return _section(names, rod, part, point.offset[0], str(point), is_reversed=asked_for == "compression", side=side)
 
 
+@asked(
+    "axial force | shear force | bending moment [of ROD] at LENGTH from START | END",
+    rf"(?P<part>(?:axial|shear|shearing) force|bending moment)(?: (?:of|in) (?:the )?(?P<of>{NAME}))? "
+    rf"(?:at|just (?P<side>before|behind|after)) (?P<along>[^|]+?) from (?:the )?(?:{NAME}\.)?(?P<end>start|end)",
+    rank=62,
+    example="""
+parameters: {a: 0.5 m}
+bodies: {beam: {rod: {mass: 3 kg, length: 2 m}, angle: 0, at: {start: [0, 0]}}}
+connections: {clamp: {weld: [ground.A, beam.start]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: bending moment of beam at 2*a from beam.start}
+""",
+    fits=lambda names, found: found["of"] in names.bodies or len(rods_of(names)) == 1,
+)
+def _at_a_distance(names: Names, found: Found, path: Path) -> Quantity | None:
+    part = PARTS.get(str(found["part"]).partition(" ")[0], "axial")
+    rod = rod_named(names, str(found["of"] or rods_of(names)[0]), path)
+    if rod is None or rod.is_placeholder:
+        return None if rod is None else SectionForce(rod.name, part, ZERO, "", ())
+    along = names.formula(str(found["along"]), LENGTH, *path)
+    if names.space and part != "axial":
+        names.problem(Message("shear forces and bending moments are told in models of the plane"), *path)
+        return None
+    first, last = rod.points["start"][0], rod.points["end"][0]
+    along = along if found["end"] == "start" else add(rod.sizes[0], negate(along))
+    share = divide(along, rod.sizes[0])
+    if _is_fixed(share) and not 0.0 <= float(evaluate(share, {}, FLOAT_FUNCTIONS)) <= 1.0:
+        names.problem(Message("the section lies between {body}.start and {body}.end", body=rod.name), *path)
+        return None
+    offset = {ZERO: first, rod.sizes[0]: last}.get(along, add(along, first))
+    one = _section(names, rod, part, offset, str(found["along"]), side=_SIDES.get(str(found["side"]), ""))
+    return replace(one, along=along)
+
+
+def rods_of(names: Names) -> list[str]:
+    return [name for name, body in names.bodies.items() if body.solid is ROD]
+
+
 def _is_of_one_rod(names: Names, found: Found) -> bool:
-    return _rod_of(names, str(found["at"])) is not None
+    return rod_with(names, str(found["at"])) is not None
 
 
-def _rod_of(names: Names, point: str) -> str | None:
+def rod_with(names: Names, point: str) -> str | None:
     """The one rod that has a point: `C` or `beam.C`."""
     owner, _, name = point.rpartition(".")
     rods = [body for body in names.bodies.values() if body.solid is ROD and name in body.points]
@@ -312,7 +404,7 @@ questions: {it: bending moment at C}
     fits=_is_of_one_rod,
 )
 def _at_a_point_alone(names: Names, found: Found, path: Path) -> Quantity | None:
-    return _at_a_point(names, {**found, "of": _rod_of(names, str(found["at"]))}, path)
+    return _at_a_point(names, {**found, "of": rod_with(names, str(found["at"]))}, path)
 
 
 @asked(

@@ -1,19 +1,25 @@
-"""Averages over the time from the start to an event: mittlere Leistung bis zum Stillstand, average speed until it hits.
+"""Averages over the time from the start to an event, and over a turn: mittlere Leistung bis zum Stillstand.
 
-Over how long an average is taken belongs to it: where nothing says so, it is none that can be told. Of forces that
-connections exert the average is a vector, which is asked for along a direction.
+    mean power = work / time        mean speed = way / time        mean torque over a turn = work / (2 pi)
+
+Source: Meriam & Kraige, Dynamics, sec. 2/2 and 3/6. Over how long an average is taken belongs to it: where nothing
+says so, it is none that can be told. Of forces that connections exert the average is a vector, which is asked for along
+a direction.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import cache
 from typing import TYPE_CHECKING
 
+from freebody.language.units import DIMENSIONLESS
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.counting import ends
-from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.lexicon import Word, contexts, languages
 from freebody.questions.spoken.sentence import Sentence
 from freebody.questions.spoken.words import Clause
 
@@ -27,6 +33,9 @@ _OVER_TIME = re.compile(
 _OF_TURNING = re.compile(r"angular (?P<what>velocity|acceleration) of (?P<of>\w+)")
 _PLAIN = {"become", "act", "exert", "move", "turn", "reach"}  # verbs that say no more than the quantity
 _UNTIL = ("until", "after", "while")
+_COUNTED_UNTIL = re.compile(r"(?P<what>.+?) until (?P<event>.+)")
+_TIME = re.compile(r"time when (?P<event>.+)")
+_KINDS = ("power", "speed", "torque")
 
 
 def averages(names: Names, sentence: Sentence) -> Groups:
@@ -58,3 +67,46 @@ def _heads(names: Names, text: str) -> list[str]:
         return [plain["what"]]
     turned = _OF_TURNING.fullmatch(text)
     return [] if turned is None else [f"{turned['what']} of {angle}" for angle in lookup.angles(names, turned["of"])]
+
+
+def over_a_turn(names: Names, text: str, words: Callable[[str], str]) -> str:
+    """The grammar for a text that asks for an average over a turn; nothing where it does not. words: those of the
+    grammar for a text."""
+    for language in languages():
+        for kind in _KINDS:
+            if (said := _pattern(language, kind).fullmatch(text.strip(" ?.!"))) is not None:
+                return _counted(names, language, kind, said, words)
+    return ""
+
+
+def _counted(names: Names, language: str, kind: str, said: re.Match[str], words: Callable[[str], str]) -> str:
+    told = contexts(language)
+    if re.fullmatch(told["mean_turn"], said["when"], re.IGNORECASE) is None:
+        return ""
+    when = _turned(names) or _turned_in(words(told["mean_time_of_turn"]))
+    of = said["of"] or told["mean_of_drive"] * (kind == "torque")
+    plain = re.sub(told["mean_the"], " of ", of, count=1, flags=re.IGNORECASE)
+    texts = (f"{what}{put}{when}" for what in told[f"mean_{kind}_counted"].split("|") for put in (of, plain))
+    counted = next((one for text in texts if (one := _COUNTED_UNTIL.fullmatch(words(text)))), None) if when else None
+    if counted is None:
+        return ""
+    over = "2*pi" if kind == "torque" else f"time when {counted['event']}"
+    return f"({counted[0]}) / ({over})"
+
+
+def _turned(names: Names) -> str:
+    """That what a drive turns has gone round once, where that is one thing."""
+    driven = {row.measure for row in names.constraint_rows if row.is_driven}
+    turned = [name for name, one in names.measures.items() if one in driven and one.dimension == DIMENSIONLESS]
+    return f" until {turned[0]} has moved 2*pi" if len(turned) == 1 else ""
+
+
+def _turned_in(time: str) -> str:
+    """The same by the words for the time of a turn."""
+    found = _TIME.fullmatch(time)
+    return "" if found is None else f" until {found['event']}"
+
+
+@cache
+def _pattern(language: str, kind: str) -> re.Pattern[str]:
+    return re.compile(contexts(language)[f"mean_{kind}"], re.IGNORECASE)

@@ -37,6 +37,8 @@ _TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<paramete
 _OF_THING = ("quantity", "name", "preposition")  # kinds of words behind a thing that say of what it is
 _STATES = ("move", "slide", "slip", "rest", "stay", "hold", "tip", "stand", "stick", "start")  # of the whole, too
 _OF_ONE = re.compile(r"^(?:velocity|speed|acceleration) of (?P<body>\w+)(?= |$)(?!.* relative )")
+_ENERGIES = re.compile(r"\b(?:energies|energien)\b.*\b(?:both|two|each|beide[nr]?|zwei|jede[rs]?)\b", re.IGNORECASE)
+_IN_ALL = re.compile(r"(?:kinetic|potential|total) energy(?! of\b)")
 _OF_BOTH = re.compile(  # but not what both have in common
     r"(?<!common )\b(?:velocit(?:y|ies)|speeds?|accelerations?|geschwindigkeit(?:en)?|beschleunigung(?:en)?)"
     r" (?:(?:of|for) (?:the )?(?:both|two) |(?:der|von) (?:beiden|zwei) )",
@@ -127,7 +129,10 @@ def _doing(words: Sequence[Word]) -> set[str]:
 
 
 def loses_other(names: Names, said: str, text: str) -> bool:
-    """Whether the speed of both of two bodies is asked for, and that of one of them stands in its place."""
+    """Whether the speed of both of two bodies is asked for, and that of one of them stands in its place; or their
+    energies, and that of all together does."""
+    if _ENERGIES.search(said) is not None and _IN_ALL.match(text) is not None:
+        return True
     own = _OF_ONE.match(text)
     return own is not None and _OF_BOTH.search(said) is not None and own["body"] in names.bodies
 

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from freebody.measures.displacement import Displacement
+from freebody.model.elements import RigidBody
 from freebody.model.solids import ROD
 from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, composed, said_of
@@ -44,12 +45,16 @@ def _side(names: Names, rod: str, rest: Clause) -> str:
     said = [before for before, _ in rest.names if before in _SIDES]
     if not said or said[0].startswith("just "):
         return said[0] if said else "at"
-    angle = names.bodies[rod].start.angle
+    way = to_the_right(names, names.bodies[rod])
+    return "" if not way else "just before" if (way > 0) == (said[0] == "left of") else "just behind"
+
+
+def to_the_right(names: Names, rod: RigidBody) -> int:
+    """1 for a rod that goes to the right from its start, -1 for one to the left, 0 where neither is known."""
+    angle = rod.start.angle
     way = None if angle is None else names.numeric(angle)
     along = 0.0 if way is None else math.cos(way)
-    if abs(along) < _UPRIGHT:
-        return ""
-    return "just before" if (along > 0.0) == (said[0] == "left of") else "just behind"
+    return 0 if abs(along) < _UPRIGHT else 1 if along > 0.0 else -1
 
 
 def without_shear(names: Names, clause: Clause) -> list[str]:

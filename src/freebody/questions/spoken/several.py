@@ -43,6 +43,7 @@ _OF_IMPACT = tuple(Word("quantity", what) for what in ("energy lost", "kinetic e
 _IN_IMPACT = (Word("instant", "in the impact"), Word("instant", "at the impact"))
 _ALL = ("they", "both")  # two, where the model has no others
 _IT = Word("pronoun", "it")
+_PENDULUMS = ("pendulum", "pendulums", "pendula", "pendel")
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
 
 
@@ -269,7 +270,7 @@ def each_of(names: Names, elements: Elements, text: str) -> list[str]:
                 return [f"{told[: every.start('all')]}{thing}{told[every.end('all') :]}" for thing in things]
             continue
         n = counted_by(language).get((found["number"] or found["count"]).lower(), 0)
-        things = _things(elements, found["thing"].lower(), language)
+        things = _things(elements, found["thing"].lower(), language) or _massive(elements, found["thing"].lower())
         if len(things) > 1 and n in (0, len(things)):
             return [f"{told[: found.start()]}{thing}{told[found.end() :]}" for thing in things]
     return []
@@ -291,6 +292,12 @@ def _ends(names: Names, text: str) -> list[str]:
     pulling = list(dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction == "tension"))
     named = [name for name in pulling if re.search(rf"\b{re.escape(name)}\b", text)] or pulling
     return strings.spans(names, named[0]) if len(named) == 1 else []
+
+
+def _massive(elements: Elements, word: str) -> list[str]:
+    """All bodies with mass, for words that stand for any of them: both pendulums, where each is called otherwise."""
+    is_any = word.removeprefix("the ").removeprefix("two ") in (*_MASSES, *_PENDULUMS)
+    return [name for name in elements.bodies if elements.masses.get(name, 0.0) > 0.0] if is_any else []
 
 
 def _things(elements: Elements, word: str, language: str) -> list[str]:

@@ -12,10 +12,13 @@ from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken.accounting import loses_quantity
 from freebody.questions.spoken.assumed import takes_held_for_stopped, what_does_not_hold
+from freebody.questions.spoken.at_distances import at_a_distance
+from freebody.questions.spoken.averages import over_a_turn
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
+from freebody.questions.spoken.existing import where_there_is_one
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import (
     chooses_of_what_is_asked,
@@ -125,6 +128,13 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, balancing, read)
     if (put := as_force(names, text)) != text and (forced := _quietly_one(names, put, read)):
         return forced
+    if (exists := where_there_is_one(names, text)) is not None:
+        names.problem(exists, "find")
+        return []
+    if mean := over_a_turn(names, text, lambda said: _said_plainly(names, said, read)):
+        return understood(names, mean, read)
+    if cut := at_a_distance(names, text, lambda said: _said_plainly(names, said, read)):
+        return understood(names, cut, read)
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
@@ -362,6 +372,12 @@ def _one(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[
 def _quietly_one(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     with names.quietly():
         return _one(names, text, read)
+
+
+def _said_plainly(names: Names, text: str, read: Callable[[str], AskedT | None]) -> str:
+    """A text in the words of the grammar; nothing where it has none."""
+    with names.quietly():
+        return JOINT.join(dict.fromkeys(words for _asked, words in understood(names, text, read)))
 
 
 def _one_or_each(

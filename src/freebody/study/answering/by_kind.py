@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import nullcontext
 from dataclasses import replace
 from fractions import Fraction
@@ -19,6 +20,7 @@ from freebody.questions.greatest_section import GreatestInRod
 from freebody.questions.motion import OfMeasure
 from freebody.questions.period import Period
 from freebody.questions.reading import Question
+from freebody.questions.section import SectionForce
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, RestValue, SmallOscillations
 from freebody.questions.steady import Extremes
 from freebody.study.answering import about_rest, loops
@@ -26,7 +28,7 @@ from freebody.study.answering import evidence as proof
 from freebody.study.answering.chain import chain_of
 from freebody.study.answering.finding import Elements, Finding, NotHere, Otherwise
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.conditions import Condition
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.written import HasNoValue
@@ -59,6 +61,10 @@ class FindingByKind:
     @singledispatchmethod
     def _found(self, q: Quantity) -> Finding:
         """By the kind of question: what has no finder of its own is a property of an instant."""
+        return self._of_an_instant(q)
+
+    def _of_an_instant(self, q: Quantity, needed: Sequence[Condition] = ()) -> Finding:
+        """needed: what it takes for the value to be as q counts it."""
         at_start = self.question.at_start
         self._state = state = self.setup.start_for(q) if at_start else self.setup.state
         x = self._elements(q, state)
@@ -68,16 +74,29 @@ class FindingByKind:
         if all(part.is_zero() for part in (x if isinstance(x, tuple) else (x,))):
             remark = q.remark_on_zero(self.system) or remark
         notes = [remark] if remark else []
-        sides: list[Ratio] = []
+        if not at_start and self._moves(x) and (changes := q.remark_in_motion(self.system)):
+            notes.append(changes)
+        sides = [c.element for c in needed]
         if (explicit := loops.solved(self.setup, x, state)) is not None:
-            x, notes, sides = explicit[0], notes + explicit[1], explicit[2]
+            x, notes, sides = explicit[0], notes + explicit[1], sides + explicit[2]
         evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start, sides=sides)
-        return Finding(x, evidence, notes=notes, in_names=chain_of(self.setup, q, x, state))
+        return Finding(x, evidence, [*needed], notes, in_names=chain_of(self.setup, q, x, state))
 
     @_found.register(DegreesOfFreedom)
     def _freedom(self, q: DegreesOfFreedom) -> Finding:
         dof = self.model.degrees_of_freedom
         return Finding(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
+
+    @_found.register(SectionForce)
+    def _section(self, q: SectionForce) -> Finding:
+        """Of a section on whose sides lengths tell what acts, with what it takes for that."""
+        from freebody.study.answering.section import placed
+
+        state = self.setup.start_for(q) if self.question.at_start else self.setup.state
+        cut = placed(self.setup, q, state)
+        self.question = replace(self.question, quantity=cut.section)
+        found = self._of_an_instant(cut.section, cut.conditions)
+        return replace(found, notes=[*found.notes, *cut.notes])
 
     @_found.register(GreatestInRod)
     def _greatest_in_rod(self, q: GreatestInRod) -> Finding:
@@ -85,6 +104,10 @@ class FindingByKind:
 
         self._state = self.setup.start_for(q) if self.question.at_start else self.setup.state
         return find(self.setup, self.question, q, self._state)
+
+    def _moves(self, x: Elements) -> bool:
+        f, moving = self.model.field, self.model.moving
+        return any(f.ingredients(part) & moving for part in (x if isinstance(x, tuple) else (x,)))
 
     def _check_pose_alone(self, x: Elements) -> None:
         """Raises CannotAnswer where what the pose alone should tell depends on the sense of the motion as well."""

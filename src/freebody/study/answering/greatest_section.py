@@ -134,7 +134,7 @@ class _Search:
             offset = add(along, self.setup.system.bodies[self.q.body].points["start"][0])
             order = (*order[: places[1]], (offset,), *order[places[1] :])
         cut = SectionForce(self.q.body, self.q.part, offset, str(along), self.q.fields, order=order, side=one.side)
-        return replace(cut, along=along, is_reversed=self._side(one.value) < 0)
+        return replace(cut, along=along, is_governing=True, is_reversed=self._side(one.value) < 0)
 
     @cached_property
     def _order(self) -> Order:

@@ -206,9 +206,15 @@ class FormulaPassage:
         x = phase.at_end(measure) - phase.at_begin(measure)
         values = self.numbers(x)[goes_on]
         signs = set(np.sign(values[np.abs(values) > _TURNED]).tolist())
+        if not signs and not self._stays(phase, measure):
+            raise both_ways  # there and back, as over a turn from one dead point to the same
         if len(signs) > 1:
             raise CannotAnswer(depends)
         return -x if signs == {-1.0} else x
+
+    def _stays(self, phase: FormulaPhase, measure: Measure) -> bool:
+        model = phase.begin.model
+        return model.field.lowest_terms(model.field.follow(SymbolicState(model).rate(measure), self.still)).is_zero()
 
     def integral(self, quantity: Quantity) -> Elements:
         """Over the time, of what stays the same or is given in it, phase by phase."""

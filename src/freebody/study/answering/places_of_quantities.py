@@ -31,6 +31,9 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
+from freebody.questions.arithmetic import Calculated
+from freebody.questions.at_events import AtEvent
+from freebody.questions.base import Quantity
 from freebody.questions.clock import ENDLESS
 from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity, QuantityEvent, QuestionEvent
 from freebody.questions.final_values import ShareOfFinal
@@ -69,6 +72,10 @@ def placed(system: System, questions: Sequence[Question], solve: Solver) -> tupl
     """The questions with events of measures for those of quantities; and why that was not possible, by their ids."""
     found, refused = list[Question](), dict[str, str]()
     for q in questions:
+        try:
+            q = replace(q, quantity=_with_changes(system, q.quantity, solve))
+        except (CannotAnswer, ModelError) as error:
+            refused[q.id] = str(error)
         if isinstance(q.event, ChangeEvent):
             try:
                 event, found_at = _since_start(system, q.event, solve)
@@ -96,6 +103,15 @@ def placed(system: System, questions: Sequence[Question], solve: Solver) -> tupl
                 refused[q.id] = str(error)
         found.append(q)
     return found, refused
+
+
+def _with_changes(system: System, q: Quantity, solve: Solver) -> Quantity:
+    """With the events of what is calculated at several instants found as that of a question is."""
+    if isinstance(q, AtEvent) and isinstance(q.event, ChangeEvent):
+        return replace(q, event=_since_start(system, q.event, solve)[0])
+    if isinstance(q, Calculated) and any(isinstance(one, AtEvent) for one in q.inner):
+        return replace(q, operands=tuple((name, _with_changes(system, one, solve)) for name, one in q.operands))
+    return q
 
 
 def _both(first: FoundAt | None, then: FoundAt) -> FoundAt:

@@ -151,6 +151,8 @@ def _change(system: System, asked: Transition, simulator: Simulator, options: Si
     rows = [b.row for b in system.bounds] if asked.kind == "opens" else [rub.row for rub in system.dry_friction]
     if not kinds or asked.count > 1 or (asked.of and not {row.connection for row in rows} <= set(asked.of)):
         return None
+    if asked.rests and not asked.of and len({row.connection for row in rows}) > 1:
+        return None  # which of them is the last to stop
     for until in _WITHIN:
         course = simulator.run(until, options, outputs=np.array([until]))
         if times := [event.time for event in course.events if event.kind in kinds]:

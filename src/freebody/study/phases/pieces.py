@@ -173,6 +173,9 @@ def _at_transition(
                 later = replace(asked, count=left - 1)
                 yield from _at_transition(tree, question, later, [way.on(edge, node) for node in edge.nodes])
                 continue
+            if meant is not None and _goes_on(edge, asked, meant):
+                yield from _at_rest_of_all(tree, question, asked, way, edge, meant)
+                continue
             if meant is not None and asked.stays:
                 yield from _at_last_rest(tree, question, asked, way, edge, meant)
                 continue
@@ -205,6 +208,29 @@ def _at_last_rest(
             yield from _at_transition(tree, question, asked, [way.on(edge, node)])
         else:
             yield branch_at(tree, question, way, meant, [*edge.conditions, *node.conditions], node.sets)
+
+
+def _goes_on(edge: PhaseEnd, asked: Transition, meant: FirstEvent) -> bool:
+    """Whether all is to rest, and something else than what stops slides on in a phase that follows."""
+    is_of_all = asked.rests and not asked.of and asked.kind == "slip ends"
+    return is_of_all and any(_others_slide(node, meant) for node in edge.nodes)
+
+
+def _at_rest_of_all(
+    tree: PhaseTree, question: Question, asked: Transition, way: WayToPhase, edge: PhaseEnd, meant: FirstEvent
+) -> Iterator[AnswerBranch]:
+    """Where the last of all that slides has stopped."""
+    for node in edge.nodes:
+        if _others_slide(node, meant):
+            yield from _at_transition(tree, question, asked, [way.on(edge, node)])
+        else:
+            yield branch_at(tree, question, way, meant, [*edge.conditions, *node.conditions], node.sets)
+
+
+def _others_slide(node: PhaseNode, meant: FirstEvent) -> bool:
+    """Whether in a phase something slides that is not what has stopped at its beginning."""
+    stopped = {watch.name for watch in meant.watches}
+    return any(state != 0 and name not in stopped for name, state in node.phase.mode.states.items())
 
 
 def _slides(node: PhaseNode, meant: FirstEvent) -> bool:

@@ -1,0 +1,108 @@
+"""Sections of rods at a distance: 1 m from the left end, 50 cm to the right of B, at x = a.
+
+x counts from the left end of a rod, and so does `to the right of`; a distance from an end goes into the rod. The
+quantity is read as if it were asked at the point from which the distance counts.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import cache
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import add, negate
+from freebody.language.notation import to_python
+from freebody.language.units import LENGTH
+from freebody.model.elements import RigidBody
+from freebody.model.polynomials import polynomial
+from freebody.model.solids import ROD
+from freebody.questions.section import rod_with
+from freebody.questions.spoken.composing import JOINT
+from freebody.questions.spoken.lexicon import contexts, languages
+from freebody.questions.spoken.of_sections import to_the_right
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_AT_A_POINT = re.compile(
+    r"(?P<what>(?:axial|shear) force|bending moment)(?: of (?P<rod>\w+))? (?:at|just before|just behind) "
+    r"(?:(?P<owner>\w+)\.)?(?P<point>\w+)"
+)
+_SIDES = ("left", "right", "start", "end")
+
+
+def at_a_distance(names: Names, text: str, words: Callable[[str], str]) -> str:
+    """The grammar for a text that asks at a distance along a rod; nothing where it does not. words: those of the
+    grammar for a text."""
+    rods = [name for name, body in names.bodies.items() if body.solid is ROD]
+    found = _said(text.strip(" ?.!")) if rods else None
+    if found is None:
+        return ""
+    language, of = found
+    sides = {key: _side(language, of.get(key, "")) for key in ("origin", "way", "side")}
+    end = sides["origin"] if of.get("origin") else "left"
+    all_said = f"{of['head']} {of.get('origin', '')}"
+    named = [rod for rod in rods if re.search(rf"\b{rod}\b", all_said)] or rods
+    if end and len(named) != 1:
+        return ""  # whose end is not said
+    point = f"{named[0]}.center" if end else of["origin"]
+    asked = words(contexts(language)["cut_at"].format(head=of["head"], point=point))
+    each = [_AT_A_POINT.fullmatch(one) for one in asked.split(JOINT)]
+    put = [_put(names, one, of["along"].strip(), end, sides["way"], sides["side"]) for one in each if one is not None]
+    return JOINT.join(put) if put and len(put) == len(each) and all(put) else ""
+
+
+def _said(text: str) -> tuple[str, dict[str, str]] | None:
+    """What is asked, how far, and from where, with its language."""
+    for language in languages():
+        for pattern in _patterns(language):
+            if (found := pattern.fullmatch(text)) is not None:
+                return language, {key: said for key, said in found.groupdict().items() if said}
+    return None
+
+
+@cache
+def _patterns(language: str) -> tuple[re.Pattern[str], ...]:
+    return tuple(re.compile(contexts(language)[key], re.IGNORECASE) for key in ("cut_along", "cut_from"))
+
+
+def _side(language: str, text: str) -> str:
+    """Which end or side is said, if any."""
+    said = (side for side in _SIDES if re.fullmatch(contexts(language)[f"cut_{side}"], text, re.IGNORECASE))
+    return next(said, "")
+
+
+def _put(names: Names, asked: re.Match[str], length: str, end: str, way: str, side: str) -> str:
+    """What is asked at a point, asked at a distance from it, or from an end of its rod. way: to which side of the
+    point it goes, nothing for into the rod; side: on which side of that place it is asked."""
+    with names.quietly():
+        n_before = len(names.problems)
+        names.formula(length, LENGTH)
+        if len(names.problems) > n_before:
+            return ""
+    rod = names.bodies.get(asked["rod"] or asked["owner"] or rod_with(names, asked["point"]) or "")
+    if rod is None:
+        return ""
+    from_left = to_the_right(names, rod)
+    before = {1: "just behind", -1: "just before"}.get(from_left * _sense(side), "") if side else "at"
+    length = f"({length})" if "/" in length else length  # no quotient of quantities
+    place = _counted_from(rod, length, end or asked["point"], from_left, way)
+    return f"{asked['what']} of {rod.name} {before} {place}" if before and place else ""
+
+
+def _counted_from(rod: RigidBody, length: str, origin: str, from_left: int, way: str) -> str:
+    """A distance from the start or the end of a rod; nothing where it leads out of the rod, or where to is not told."""
+    if origin in ("left", "right"):
+        origin = {1: "start", -1: "end"}.get(from_left * -_sense(origin), "")
+    goes = from_left * _sense(way) if way else {"start": 1, "end": -1}.get(origin, 0)
+    if origin in ("start", "end"):
+        return f"{length} from {rod.name}.{origin}" if goes == (1 if origin == "start" else -1) else ""
+    if not goes:
+        return ""
+    before = polynomial(add(rod.points[origin][0], negate(rod.points["start"][0]))).expression()
+    return f"({to_python(before)} {'+' if goes > 0 else '-'} {length}) from {rod.name}.start"
+
+
+def _sense(side: str) -> int:
+    return {"right": 1, "end": 1, "left": -1, "start": -1}[side]

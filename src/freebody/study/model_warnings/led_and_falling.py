@@ -1,0 +1,57 @@
+"""A body that drives lead along lines and nothing else holds: it falls under its weight across them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from freebody.language.sentences import Message
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND
+from freebody.model.elements import AppliedLoad
+from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
+from freebody.system.system import System
+
+_ALONG = 1e-6  # of the weight: what is left of it across the ways on which a body is led
+
+
+class LedAndFalling(WarningKind, name="led and falling"):
+    """`x of truck` is driven, and nothing says what carries the truck and what lies on it: no connection or load but
+    drives and weight leads to the ground."""
+
+    def look(self, model: Opened) -> Iterator[ModelWarning]:
+        system = model.system
+        for body in system.moving:
+            rows = [row for row in system.constraint_rows if body.name in row.measure.bodies()]
+            leads = [row for row in rows if row.is_driven and isinstance(row.measure, Displacement)]
+            weights = [p for p in system.applied_loads if body.name in p.measure.bodies() and _is_weight(system, p)]
+            if not leads or not weights or GROUND in _carried_with(system, body.name):
+                continue
+            ways = np.array([model.slope(row.measure, model.start) for row in leads])
+            weight = np.sum([model.slope(push.measure, model.start) for push in weights], axis=0)
+            across = weight - ways.T @ np.linalg.lstsq(ways.T, weight, rcond=None)[0]
+            if np.linalg.norm(across) <= _ALONG * np.linalg.norm(weight):
+                continue
+            told = Message(
+                "{driver} leads {body} along one way alone, and nothing carries it: it falls. Give it a guide, as "
+                "guide: {{slider: {{body: {body}, along: right}}}}, or a contact with what it stands on",
+                driver=leads[0].connection,
+                body=body.name,
+            )
+            yield self.warning(told, "connections", leads[0].connection, about=frozenset((body.name,)))
+
+
+def _is_weight(system: System, push: AppliedLoad) -> bool:
+    return push.load in system.loads and system.loads[push.load].spread_over == "mass"
+
+
+def _carried_with(system: System, body: str) -> set[str]:
+    """All that connections and loads join to a body, without drives and weights."""
+    joined = [set(row.measure.bodies()) for row in system.constraint_rows if not row.is_driven]
+    joined += [set(bound.row.measure.bodies()) for bound in system.bounds]
+    joined += [set(p.measure.bodies()) for p in system.applied_loads if not _is_weight(system, p)]
+    found = {body}
+    while more := [group for group in joined if group & found and not group <= found]:
+        found |= set[str]().union(*more)
+    return found

@@ -1,0 +1,77 @@
+"""Section forces at a place that is told by its distance: 1 m from the left end, at x = a, 50 cm to the left of B.
+
+A beam AB of L = 6 m bears P at a = 2 m and q from there to B:
+A = P (L - a)/L + q (L - a)^2/(2 L) = 5.333 kN, B = P a/L + q (L^2 - a^2)/(2 L) = 6.667 kN.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+
+BEAM = """
+freebody: 1
+parameters: {L: 6 m, a: 2 m, P: 4 kN, q: 2 kN/m}
+ground: {points: {A: [0, 0], B: [L, 0]}}
+bodies: {beam: {rod: {length: L}, angle: 0, at: {start: A}, points: {C: [a - L/2, 0], D: [-0.2*L, 0]}}}
+connections:
+  A: {pin: [ground.A, beam.start]}
+  B: {slot: {pin: beam.end, through: ground.B, along: right}}
+loads:
+  load: {force: {at: beam.C, along: down, magnitude: P}}
+  snow: {distributed: {between: [beam.C, beam.end], along: down, intensity: q}}
+"""
+L, AT, P, Q = 6.0, 2.0, 4000.0, 2000.0
+A = P * (L - AT) / L + Q * (L - AT) ** 2 / (2 * L)
+
+
+def answer(text: str, model: str = BEAM):
+    (found,) = fb.System.from_text(model).solve(text).answers
+    return found
+
+
+@pytest.mark.parametrize(
+    ("said", "x"),
+    [("1 m from the left end", 1.0), ("at x = 5 m", 5.0), ("1.5 m from the right end", 4.5), ("at x = 2*a", 4.0)],
+)
+def test_bending_moment_at_a_distance(said: str, x: float) -> None:
+    """M = A x - P (x - a) - q (x - a)^2/2, the last two where x > a."""
+    beyond = max(x - AT, 0.0)
+    found = answer(f"bending moment {said}")
+    assert found.value == pytest.approx(A * x - P * beyond - Q * beyond**2 / 2, rel=1e-9)
+    assert found.expression is not None
+
+
+def test_on_which_side_of_the_load_it_lies_is_a_condition() -> None:
+    found = answer("bending moment of beam at 1 m from beam.start")
+    assert any("a > 1" in str(c) for c in found.conditions)
+    found = answer("bending moment of beam at D")  # 1.8 m, so before C
+    assert found.value == pytest.approx(1.8 * A, rel=1e-9)
+    assert any("10·a > 3·L" in str(c) for c in found.conditions)
+
+
+def test_where_a_load_acts_it_is_told_beside_it() -> None:
+    assert answer("shear force just to the left of x = 2 m").value == pytest.approx(A, rel=1e-9)
+    assert answer("shear force just to the right of x = 2 m").value == pytest.approx(A - P, rel=1e-9)
+    assert answer("bending moment at x = 2 m").value == pytest.approx(2 * A, rel=1e-9)
+    assert answer("shear force at x = 2 m").expression is None
+
+
+def test_a_rod_that_lies_to_the_left_is_counted_from_its_left_end() -> None:
+    turned = BEAM.replace("angle: 0, at: {start: A}", "angle: 180 deg, at: {start: B}")
+    turned = turned.replace("beam.start]}", "beam.end]}", 1).replace("pin: beam.end", "pin: beam.start")
+    turned = turned.replace("C: [a - L/2, 0]", "C: [L/2 - a, 0]").replace("[beam.C, beam.end]", "[beam.start, beam.C]")
+    assert abs(answer("bending moment 1 m from the left end", turned).value) == pytest.approx(A, rel=1e-9)
+
+
+def test_what_lies_beside_the_rod_is_refused() -> None:
+    found = answer("bending moment of beam at 7 m from beam.start")
+    assert found.expression is None
+    assert found.value is None
+    assert "beyond the ends" in str(found.reason)
+
+
+def test_a_section_at_a_distance_is_derived_as_one_with_a_name() -> None:
+    told = str(fb.System.from_text(BEAM).explain("bending moment 1 m from the left end"))
+    assert "Cut beam at the distance 1 m from beam.start" in " ".join(told.split())
