@@ -35,14 +35,12 @@ def whether(names: Names, sentence: Sentence) -> Groups:
     main = _staying_on(names, _without_beginning(sentence.main.without("instant", *_EVER)))
     if not set(main.all("quantity")) <= {*_HOW_FAR} or not main.has("verb") or not main.only("quantity", *_TOLD):
         return
-    if any(mark != "until" for mark, _ in sentence.others):
+    if any(mark != "until" for mark, _ in sentence.others) or len(sentence.others) > 1:
         return
-    if len(sentence.others) > 1:
-        return
-    limits = [limit for _, clause in sentence.others for group in conditions(names, clause) for limit in group]
     if sentence.others:
         for group in _states(names, main):
-            yield [f"whether {state} before {limit}" for state in group for limit in limits]
+            for limits in conditions(names, sentence.others[0][1]):
+                yield [f"whether {state} before {limit}" for state in group for limit in limits]
         return
     for group in _states(names, main):
         yield [f"whether {state}" for state in group]
