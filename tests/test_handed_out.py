@@ -336,3 +336,21 @@ def test_a_gear_and_a_half_disk_are_said_in_words() -> None:
     assert "pinion (gear," in stated(GEARS)
     bowl = "bodies: {bowl: {half_disk: {mass: 2 kg, radius: 0.1 m}}}\nquestions: [angular acceleration of bowl]\n"
     assert "bowl (uniform half disk," in stated(bowl)
+
+
+COMPOSITE = """
+parameters: {M: 3 kg, g: 9.81 m/s^2}
+bodies:
+  wheel:
+    composite: {parts: {full: {disk: {mass: M, radius: 0.2 m}}, bar: {rod: {mass: 2 kg, length: 0.4 m}, at: [0.1 m, 0]}}}
+connections: {axle: {pin: [ground.A, wheel.full]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of wheel}
+start: {theta: 0}
+questions: {it: acceleration of theta}
+"""
+
+
+def test_a_moment_of_inertia_is_a_share_of_a_mass_only_where_it_grows_with_it() -> None:
+    """Beside a part with a mass in numbers it does not: M r^2/2 + m l^2/12 and both shifts, 0.0987 kg m^2."""
+    assert "m² · M" not in told(COMPOSITE)

@@ -500,6 +500,10 @@ def test_what_hangs_under_its_line_is_told(direction: str, n: int) -> None:
     found = [w for w in fb.System.from_text(UNDER.replace("DIRECTION", direction)).warnings if w.kind == "under a line"]
     assert len(found) == n
     assert all("turn ramp round" in w.text() for w in found)
+    pressed = UNDER.replace("DIRECTION", direction).replace(
+        "loads: {", "loads: {p: {force: {at: block, along: up, magnitude: 2*m*g}}, "
+    )
+    assert not [w for w in fb.System.from_text(pressed).warnings if w.kind == "under a line"]
 
 
 LED = """

@@ -9,6 +9,7 @@ from __future__ import annotations
 import pytest
 
 import freebody as fb
+from posed import is_formula, posed
 
 BEAM = """
 freebody: 1
@@ -75,3 +76,34 @@ def test_what_lies_beside_the_rod_is_refused() -> None:
 def test_a_section_at_a_distance_is_derived_as_one_with_a_name() -> None:
     told = str(fb.System.from_text(BEAM).explain("bending moment 1 m from the left end"))
     assert "Cut beam at the distance 1 m from beam.start" in " ".join(told.split())
+
+
+TWO_LOADS = """
+parameters: {a: FIRST, b: 2 m, L: 4 m, F: 100 N, G: 60 N}
+ground: {points: {A: [0, 0], B: [L, 0]}}
+bodies: {beam: {rod: {length: L}, angle: 0, at: {start: [0, 0]}, points: {P: [a - L/2, 0], Q: [b - L/2, 0]}}}
+connections: {A: {pin: [ground.A, beam.start]}, B: {slot: {pin: beam.end, through: ground.B, along: right}}}
+loads:
+  f: {force: {at: beam.P, along: down, magnitude: F}}
+  g: {force: {at: beam.Q, along: down, magnitude: G}}
+"""
+
+
+def test_where_something_acts_just_there_the_order_of_the_loads_is_a_condition() -> None:
+    """M = x (F (L - a) + G (L - b))/L in front of both loads, and (L - x) (a F + b G)/L behind both: at x = a the first
+    needs a < b and the second a > b."""
+    left = is_formula(
+        TWO_LOADS.replace("FIRST", "1 m"), "bending moment of beam at 1 m from start", "a*(F*(L - a) + G*(L - b))/L"
+    )
+    right = is_formula(
+        TWO_LOADS.replace("FIRST", "3 m"), "bending moment of beam at 3 m from start", "(L - a)*(a*F + b*G)/L"
+    )
+    assert any(str(c).startswith("b > a") for c in left.conditions)
+    assert any(str(c).startswith("a > b") for c in right.conditions)
+
+
+def test_a_share_of_a_length_without_a_number_lies_within_the_rod() -> None:
+    loaded = TWO_LOADS.replace("FIRST", "1 m")
+    assert posed(loaded, "bending moment of beam at L/3 from start").expression is not None
+    with pytest.raises(fb.ModelError, match="lies between"):
+        posed(loaded, "bending moment of beam at 3*L/2 from start")

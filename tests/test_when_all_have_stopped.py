@@ -12,6 +12,7 @@ from math import sqrt
 import pytest
 
 import freebody as fb
+from posed import posed
 
 BLOCKS = fb.System.from_text("""
 parameters: {m1: 2 kg, m2: 3 kg, v0: 6 m/s, d: 1 m, mu: 0.3, e: 0.5, g: 9.81 m/s^2}
@@ -45,3 +46,24 @@ def test_the_last_one_has_stopped(said: str, value: float) -> None:
     (answer,) = BLOCKS.solve(said).answers
     assert answer.expression is not None, answer.reason
     assert answer.value == pytest.approx(value, rel=1e-9)
+
+
+BESIDE = """
+parameters: {m: 1 kg, M: 2 kg, mu: 0.3, nu: 0.2, g: 9.81 m/s^2, v: 3 m/s, w: 1 m/s, u: 1 m/s}
+ground: {lines: {floor: {along: right}}}
+bodies: {A: {particle: {mass: m}}, B: {particle: {mass: M}}, C: {particle: {mass: M}}}
+connections:
+  a: {contact: {between: [A, floor], friction: mu}}
+  b: {contact: {between: [B, floor], friction: nu}}
+  c: {contact: {between: [C, floor]}}
+loads: {weight: {gravity: g}}
+measures: {x: travel of A along floor, y: travel of B along floor, z: travel of C along floor}
+start: {x: 0, rate(x): v, y: 5 m, rate(y): w, z: 20 m, rate(z): u}
+"""
+
+
+def test_what_nothing_brakes_does_not_stop_with_the_others() -> None:
+    """C slides on without friction: its energy M u^2/2 is none of something at rest."""
+    found = posed(BESIDE, "time when it stops")
+    assert found.expression is None
+    assert "z still changes" in str(found.reason)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import pytest
 
-import freebody as fb
 from posed import is_derived, posed
 
 TRUCK = """
@@ -55,7 +54,7 @@ YES, NO = "yes, with the given numbers", "no, not with the given numbers"
     [
         (TRUCK, "whether crate slips", NO),
         (TRUCK.replace("B: 9 kN", "B: 15 kN"), "whether crate slips", YES),
-        (TRUCK.replace("B: 9 kN", "B: 15 kN"), "does the crate slip on its own?", None),
+        (TRUCK.replace("B: 9 kN", "B: 15 kN"), "does the crate slip on its own?", YES),
         (TRUCK, "Does the crate never slip?", YES),
         (SPOOL, "does the spool stay on the floor", YES),
         (SPOOL.replace("F: 10 N", "F: 60 N"), "does the spool stay on the floor", NO),
@@ -64,11 +63,7 @@ YES, NO = "yes, with the given numbers", "no, not with the given numbers"
         (CORD, "whether y reaches 30 m", YES),
     ],
 )
-def test_the_verdict_is_that_of_the_given_numbers(text: str, question: str, verdict: str | None) -> None:
-    if verdict is None:
-        with pytest.raises(fb.ModelError):
-            posed(text, question)
-        return
+def test_the_verdict_is_that_of_the_given_numbers(text: str, question: str, verdict: str) -> None:
     found = posed(text, question)
     assert found.verdict == verdict, found.reason
     assert found.evidence is not None

@@ -43,6 +43,7 @@ from freebody.study.answering.spread import disagreement
 from freebody.study.mobility.gruebler import Gruebler, gruebler
 from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 _ASIDE = 0.1  # of the system's size, or radians: a step away from the start
 
@@ -87,8 +88,9 @@ def _mass(body: RigidBody) -> tuple[Sentence | Expr | str]:
 def _shortened(e: Expr, mass: Expr = ONE) -> Expr:
     """A sum of what parts and holes have, in short, with the mass before lengths: 3 M/4, 5 m R^2/12."""
     whole = polynomial(e).expression()
-    by_mass = multiply(mass, polynomial(divide(e, mass)).expression()) if isinstance(mass, Symbol) else whole
-    return min(by_mass, whole, e, key=n_operations)
+    if not isinstance(mass, Symbol):
+        return min(e, whole, key=n_operations)
+    return min(multiply(mass, polynomial(divide(e, mass)).expression()), whole, e, key=n_operations)
 
 
 def _inertia(system: System, body: RigidBody) -> tuple[Sentence | Expr | str]:
@@ -100,8 +102,9 @@ def _inertia(system: System, body: RigidBody) -> tuple[Sentence | Expr | str]:
     if not symbols or _is_inertia(system, inertia):
         return (_with_unit(inertia, "kg m²"),)
     if len(symbols) == 1 and system.parameters[symbols[0]].dimension == MASS:
-        size = f"{float(evaluate(inertia, {symbols[0]: 1.0})):.4g}"
-        return (Sentence("system.inertia_of", {"size": f"@{size}", "mass": Symbol(symbols[0])}),)
+        one, *more = (float(evaluate(inertia, {symbols[0]: mass})) for mass in (1.0, 2.0, 3.0))
+        if all(abs(x - k * one) <= ROUND_OFF * abs(x) for k, x in enumerate(more, 2)):  # else a body is beside it
+            return (Sentence("system.inertia_of", {"size": f"@{one:.4g}", "mass": Symbol(symbols[0])}),)
     return (Sentence("system.in_metres", {"formula": inertia}),)
 
 

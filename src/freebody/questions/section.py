@@ -366,7 +366,7 @@ def _at_a_distance(names: Names, found: Found, path: Path) -> Quantity | None:
     first, last = rod.points["start"][0], rod.points["end"][0]
     along = along if found["end"] == "start" else add(rod.sizes[0], negate(along))
     share = divide(along, rod.sizes[0])
-    if _is_fixed(share) and not 0.0 <= float(evaluate(share, {}, FLOAT_FUNCTIONS)) <= 1.0:
+    if (fixed := _fixed(share)) is not None and not 0.0 <= fixed <= 1.0:
         names.problem(Message("the section lies between {body}.start and {body}.end", body=rod.name), *path)
         return None
     offset = {ZERO: first, rod.sizes[0]: last}.get(along, add(along, first))
@@ -460,7 +460,7 @@ def _section(
     side: Side = "",
 ) -> SectionForce:
     share = divide(offset, rod.sizes[0])
-    return SectionForce(rod.name, part, offset, named, fields_of(names), is_reversed, not _is_fixed(share), side)
+    return SectionForce(rod.name, part, offset, named, fields_of(names), is_reversed, _fixed(share) is None, side)
 
 
 def fields_of(names: Names) -> tuple[Field, ...]:
@@ -468,9 +468,9 @@ def fields_of(names: Names) -> tuple[Field, ...]:
     return tuple(sorted(names.fields, key=repr))
 
 
-def _is_fixed(share: Expr) -> bool:
-    """Whether a share of the length does not depend on any parameter: the same number for two sets of them."""
+def _fixed(share: Expr) -> float | None:
+    """A share of the length that does not depend on any parameter: the same number for two sets of them. Else None."""
     used = sorted(free_symbols(share))
     sets = ({name: first + step * k for k, name in enumerate(used)} for first, step in ((1.0, 0.37), (1.3, 0.71)))
     one, other = (float(evaluate(share, values, FLOAT_FUNCTIONS)) for values in sets)
-    return abs(one - other) < ROUNDED
+    return one if abs(one - other) < ROUNDED else None

@@ -19,6 +19,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, made, of_all
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
+from freebody.study.answering.scope import is_scope
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
@@ -61,10 +62,16 @@ def calculated(system: System, question: Question, answers: Mapping[str, Answer]
         question,
         question.quantity.written(min(whole, written, key=n_operations)),  # over one denominator roots become long
         number(setup, question, answers),
-        conditions=tuple(dict.fromkeys(c for part in parts for c in part.conditions)),
+        conditions=_together(parts),
         notes=tuple(dict.fromkeys([*(n for part in parts for n in part.notes), *_other_cases(parts)])),
         evidence=of_all([part.evidence for part in parts]),
     )
+
+
+def _together(parts: Sequence[Answer]) -> tuple[str, ...]:
+    """The conditions of all; that one holds for all parameters says nothing beside those of another."""
+    all_ = tuple(dict.fromkeys(c for part in parts for c in part.conditions))
+    return tuple(c for c in all_ if not is_scope(c)) or all_
 
 
 def _other_cases(parts: Sequence[Answer]) -> list[str]:

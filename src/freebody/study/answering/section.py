@@ -45,28 +45,30 @@ def placed(setup: Setup, q: SectionForce, state: SymbolicState) -> Placed:
         return as_it_is  # what has no place is told where it is cut
     f = setup.model.field
 
-    def from_the_section(place: Expr) -> Ratio:
-        return f.lowest_terms(f.element(state.scalar(add(place, negate(q.offset)))))
+    def beyond(place: Expr, origin: Expr) -> Ratio:
+        return f.lowest_terms(f.element(state.scalar(add(place, negate(origin)))))
 
     k = next(k for k, same in enumerate(found.order) if q.offset in same)
-    others = [at for at in found.order[k] if not from_the_section(at).is_zero()]
+    others = [at for at in found.order[k] if not beyond(at, q.offset).is_zero()]
+    origin = others[0] if others else q.offset
     notes = list[Message]()
     if others:
-        if free_symbols(q.offset) and q.along is None:
+        is_one = all(beyond(at, origin).is_zero() for at in others)
+        if not is_one or (free_symbols(q.offset) and q.along is None):
             raise CannotAnswer(Message("two places at which something acts are the same at the given numbers alone"))
         here = Message("something acts just there at the given numbers: the formula is that of this place")
         found, notes = replace(found, offset=others[0]), [here]
     points = setup.system.bodies[q.body].points
     told = () if q.along is not None else (points["start"][0], points["end"][0])  # the answer says so by itself
     needed = [
-        Condition(side * from_the_section(at), ">", _THERE)
+        Condition(side * beyond(at, origin), ">", _THERE)
         for side, order in ((-1, found.order[:k]), (1, found.order[k + 1 :]))
         for same in order
         for at in same
         if at not in told
     ]
     conditions = dict[str, Condition]()
-    for c in [] if others else needed:
+    for c in needed:
         condition, _possible = require(c.element, c.relation, c.purpose)
         if condition is not None:
             conditions.setdefault(str(condition.element), condition)

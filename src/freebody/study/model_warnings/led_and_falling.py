@@ -9,7 +9,7 @@ import numpy as np
 from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
-from freebody.model.elements import AppliedLoad
+from freebody.model.elements import AppliedLoad, ConstraintRow
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
 from freebody.system.system import System
 
@@ -35,11 +35,18 @@ class LedAndFalling(WarningKind, name="led and falling"):
                 continue
             told = Message(
                 "{driver} leads {body} along one way alone, and nothing carries it: it falls. Give it a guide, as "
-                "guide: {{slider: {{body: {body}, along: right}}}}, or a contact with what it stands on",
+                "guide: {{slider: {{body: {body}, along: {way}}}}}, or a contact with what it stands on",
                 driver=leads[0].connection,
                 body=body.name,
+                way=_way_of(leads[0]),
             )
             yield self.warning(told, "connections", leads[0].connection, about=frozenset((body.name,)))
+
+
+def _way_of(row: ConstraintRow) -> str:
+    """The direction in which a drive leads, as the file says it."""
+    assert isinstance(row.measure, Displacement)
+    return row.measure.along.name or "right"
 
 
 def _is_weight(system: System, push: AppliedLoad) -> bool:

@@ -16,6 +16,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND
 from freebody.model.elements import UnilateralConstraint
 from freebody.numeric.reference import Reference
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
@@ -33,6 +34,7 @@ class UnderALine(WarningKind, name="under a line"):
         system = model.system
         touching = [b for b in system.bounds if b.starts_closed and isinstance(b.row.measure, Displacement)]
         weights = {name for name, load in system.loads.items() if load.kind == "gravity"}
+        touching = [b for b in touching if not _is_pushed(system, b, weights)]
         if system.space or not touching or not weights:
             return
         falling = in_mode(system, ContactMode.of(frozenset(), {}))[0]
@@ -61,3 +63,9 @@ class UnderALine(WarningKind, name="under a line"):
             line=line,
         )
         yield self.warning(told, "connections", bound.row.connection, about=frozenset({bound.row.connection}))
+
+
+def _is_pushed(system: System, bound: UnilateralConstraint, weights: set[str]) -> bool:
+    """Whether another load than weights may press the two together."""
+    bodies = {*bound.row.measure.bodies()} - {GROUND}
+    return any(p.load not in weights and bodies & {*p.measure.bodies()} for p in system.applied_loads)

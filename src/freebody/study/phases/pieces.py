@@ -43,6 +43,7 @@ from freebody.study.phases.reached import pending, sides
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.unknowns import Coordinate
 from freebody.system.modes import ideal_bounds
 from freebody.tolerances import ROUND_OFF
 
@@ -173,6 +174,8 @@ def _at_transition(
                 later = replace(asked, count=left - 1)
                 yield from _at_transition(tree, question, later, [way.on(edge, node) for node in edge.nodes])
                 continue
+            if meant is not None and _is_of_all(asked):
+                _refuse_what_moves_on(tree, edge, meant)
             if meant is not None and _goes_on(edge, asked, meant):
                 yield from _at_rest_of_all(tree, question, asked, way, edge, meant)
                 continue
@@ -210,10 +213,34 @@ def _at_last_rest(
             yield branch_at(tree, question, way, meant, [*edge.conditions, *node.conditions], node.sets)
 
 
+def _is_of_all(asked: Transition) -> bool:
+    """Whether all is to rest."""
+    return asked.rests and not asked.of and asked.kind == "slip ends"
+
+
+def _refuse_what_moves_on(tree: PhaseTree, edge: PhaseEnd, meant: FirstEvent) -> None:
+    """Raises CannotAnswer where the last of all that slides has stopped at the given numbers, and what nothing brakes
+    goes on."""
+    for node in edge.nodes:
+        if 0 in node.sets and not _others_slide(node, meant):
+            moving = [c.name for c in node.phase.model.coordinates if not _rests(tree, node, c)]
+            if moving:
+                told = Message(
+                    "{measure} still changes when all that rubs has stopped: say what stops", measure=moving[0]
+                )
+                raise CannotAnswer(told)
+
+
+def _rests(tree: PhaseTree, node: PhaseNode, c: Coordinate) -> bool:
+    """Whether a coordinate has no rate where a phase begins, as far as that is known."""
+    with suppress(CannotAnswer, KeyError):
+        return tree.vanishes(tree.to_home(node.phase, node.phase.start.of(c.speed)))
+    return True
+
+
 def _goes_on(edge: PhaseEnd, asked: Transition, meant: FirstEvent) -> bool:
     """Whether all is to rest, and something else than what stops slides on in a phase that follows."""
-    is_of_all = asked.rests and not asked.of and asked.kind == "slip ends"
-    return is_of_all and any(_others_slide(node, meant) for node in edge.nodes)
+    return _is_of_all(asked) and any(_others_slide(node, meant) for node in edge.nodes)
 
 
 def _at_rest_of_all(
