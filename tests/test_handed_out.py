@@ -342,7 +342,8 @@ COMPOSITE = """
 parameters: {M: 3 kg, g: 9.81 m/s^2}
 bodies:
   wheel:
-    composite: {parts: {full: {disk: {mass: M, radius: 0.2 m}}, bar: {rod: {mass: 2 kg, length: 0.4 m}, at: [0.1 m, 0]}}}
+    composite:
+      parts: {full: {disk: {mass: M, radius: 0.2 m}}, bar: {rod: {mass: 2 kg, length: 0.4 m}, at: [0.1 m, 0]}}
 connections: {axle: {pin: [ground.A, wheel.full]}}
 loads: {weight: {gravity: g}}
 measures: {theta: angle of wheel}

@@ -88,8 +88,8 @@ def _mass(body: RigidBody) -> tuple[Sentence | Expr | str]:
 def _shortened(e: Expr, mass: Expr = ONE) -> Expr:
     """A sum of what parts and holes have, in short, with the mass before lengths: 3 M/4, 5 m R^2/12."""
     whole = polynomial(e).expression()
-    if not isinstance(mass, Symbol):
-        return min(e, whole, key=n_operations)
+    if not isinstance(mass, Symbol):  # a product stays as it is written
+        return min(*((whole, e) if isinstance(e, Sum) else (e, whole)), key=n_operations)
     return min(multiply(mass, polynomial(divide(e, mass)).expression()), whole, e, key=n_operations)
 
 
