@@ -355,3 +355,22 @@ questions: {it: acceleration of theta}
 def test_a_moment_of_inertia_is_a_share_of_a_mass_only_where_it_grows_with_it() -> None:
     """Beside a part with a mass in numbers it does not: M r^2/2 + m l^2/12 and both shifts, 0.0987 kg m^2."""
     assert "m² · M" not in told(COMPOSITE)
+
+
+TWO_NUMBERS = """
+parameters: {m: 1 kg, v: 2 m/s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {b: {particle: {mass: m}}}
+connections: {c: {contact: {between: [b, floor], friction: {static: 0.5, kinetic: 0.3}, restitution: 0}}}
+loads: {weight: {gravity: g}}
+measures: {x: travel of b along floor}
+start: {x: 0, rate(x): v}
+questions: {n: change of x until b stops}
+"""
+
+
+def test_both_coefficients_of_friction_are_told_and_that_nothing_bounces() -> None:
+    text = stated(TWO_NUMBERS)
+    assert "coefficient of static friction of c 0.5" in text
+    assert "coefficient of kinetic friction of c 0.3" in text
+    assert "coefficient of restitution of c 0" in text

@@ -9,7 +9,7 @@ from freebody.errors import ExpressionError, FreebodyError, UnitError
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
 from freebody.language.parser import parse
 from freebody.language.raising import raised, typeset
-from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity, quantities_within
+from freebody.language.units import DIMENSIONLESS, TIME, Quantity, parse_quantity, quantities_within
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
@@ -244,9 +244,8 @@ class ExerciseStatement:
             for name, entry in cast("dict[str, Any]", data).items() if isinstance(data, dict) else ():
                 told = cast("dict[str, Any]", entry) if isinstance(entry, dict) else {}
                 for of in (told, *(inner for inner in told.values() if isinstance(inner, dict))):
-                    for field in _UNSEEN:
-                        if (number := _plain_number(of.get(field))) is not None:
-                            yield (*self._say(f"unseen.{field}", name=name), " ", raised(number).replace(" deg", "°"))
+                    for field, number in _unseen_in(of):
+                        yield (*self._say(f"unseen.{field}", name=name), " ", raised(number).replace(" deg", "°"))
 
     # -- questions ----------------------------------------------------------------------------
     def _question(self, question: Question, k: int) -> Iterator[Block]:
@@ -279,13 +278,28 @@ def _value(name: str, text: str) -> Text:
     return Formula((Symbol(name),)), f" = {typeset(digits)}{shown}"
 
 
-def _plain_number(value: object) -> str | None:
-    """A number that the file gives, with its unit; nothing for a zero and for formulas."""
+def _unseen_in(of: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """The numbers that no figure shows, by their words; of friction both, where it is more at rest. That nothing
+    bounces is told as well, and no other zero."""
+    for field in _UNSEEN:
+        value = of.get(field)
+        parts = (
+            {f"{field}_{key}": x for key, x in cast("dict[str, Any]", value).items()}
+            if isinstance(value, dict)
+            else {field: value}
+        )
+        for word, x in parts.items():
+            quantity = _quantity(x)
+            if quantity is not None and (quantity.value or field == "restitution"):
+                yield word, str(x)
+
+
+def _quantity(value: object) -> Quantity | None:
+    """A number that the file gives, with its unit; nothing for formulas."""
     try:
-        quantity = parse_quantity(str(value)) if isinstance(value, (str, int, float)) else None
+        return parse_quantity(str(value)) if isinstance(value, (str, int, float)) else None
     except UnitError:
         return None
-    return str(value) if quantity is not None and quantity.value else None
 
 
 def _with_unit(value: Expr, unit: str) -> Text:
