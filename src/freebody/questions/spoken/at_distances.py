@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import add, negate
+from freebody.language.expression import Expr, Sum, add, free_symbols, negate
 from freebody.language.notation import to_python
 from freebody.language.units import LENGTH
 from freebody.model.elements import RigidBody
@@ -101,7 +101,13 @@ def _counted_from(rod: RigidBody, length: str, origin: str, from_left: int, way:
     if not goes:
         return ""
     before = polynomial(add(rod.points[origin][0], negate(rod.points["start"][0]))).expression()
-    return f"({to_python(before)} {'+' if goes > 0 else '-'} {length}) from {rod.name}.start"
+    return f"({_with_units(before)} {'+' if goes > 0 else '-'} {length}) from {rod.name}.start"
+
+
+def _with_units(length: Expr) -> str:
+    """A length as a file may write it: numbers that stand for themselves are metres."""
+    terms = length.terms if isinstance(length, Sum) else (length,)
+    return " + ".join(f"{to_python(term)}{'' if free_symbols(term) else ' m'}" for term in terms)
 
 
 def _sense(side: str) -> int:

@@ -15,6 +15,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from freebody.language.units import DIMENSIONLESS
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
@@ -64,7 +65,7 @@ def averages(names: Names, sentence: Sentence) -> Groups:
 def _heads(names: Names, text: str) -> list[str]:
     """A quantity of which there is an average, of what turns by the angle that is measured."""
     if (plain := _OVER_TIME.fullmatch(text)) is not None:
-        return [plain["what"]]
+        return [] if plain["size"] and plain["what"].startswith("acceleration") else [plain["what"]]
     turned = _OF_TURNING.fullmatch(text)
     return [] if turned is None else [f"{turned['what']} of {angle}" for angle in lookup.angles(names, turned["of"])]
 
@@ -81,9 +82,13 @@ def over_a_turn(names: Names, text: str, words: Callable[[str], str]) -> str:
 
 def _counted(names: Names, language: str, kind: str, said: re.Match[str], words: Callable[[str], str]) -> str:
     told = contexts(language)
-    if re.fullmatch(told["mean_turn"], said["when"], re.IGNORECASE) is None:
+    if (turn := re.fullmatch(told["mean_turn"], said["when"], re.IGNORECASE)) is None:
         return ""
-    when = _turned(names) or _turned_in(words(told["mean_time_of_turn"]))
+    if turn["whose"] is None:
+        when = _turned(names) or _turned_in(words(told["mean_time_of_turn"]))
+    else:
+        whose = words(told["mean_turning"].format(whose=turn["whose"]))
+        when = _turned(names) if whose in _turning(names) else ""
     of = said["of"] or told["mean_of_drive"] * (kind == "torque")
     plain = re.sub(told["mean_the"], " of ", of, count=1, flags=re.IGNORECASE)
     texts = (f"{what}{put}{when}" for what in told[f"mean_{kind}_counted"].split("|") for put in (of, plain))
@@ -96,9 +101,20 @@ def _counted(names: Names, language: str, kind: str, said: re.Match[str], words:
 
 def _turned(names: Names) -> str:
     """That what a drive turns has gone round once, where that is one thing."""
-    driven = {row.measure for row in names.constraint_rows if row.is_driven}
-    turned = [name for name, one in names.measures.items() if one in driven and one.dimension == DIMENSIONLESS]
+    turned = _driven(names)
     return f" until {turned[0]} has moved 2*pi" if len(turned) == 1 else ""
+
+
+def _turning(names: Names) -> list[str]:
+    """What asks how fast that turns which a drive turns against the ground."""
+    bodies = {body for angle in _driven(names) for body in names.measures[angle].bodies()} - {GROUND}
+    return [f"angular velocity of {of}" for of in (*_driven(names), *bodies)] if len(bodies) == 1 else []
+
+
+def _driven(names: Names) -> list[str]:
+    """Angles that a drive leads."""
+    driven = {row.measure for row in names.constraint_rows if row.is_driven}
+    return [name for name, one in names.measures.items() if one in driven and one.dimension == DIMENSIONLESS]
 
 
 def _turned_in(time: str) -> str:

@@ -236,6 +236,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "end": rf"end|stop|{_REST}|until|when|over|{_CHOICE}|slip|after",
         "stay_on": r"relaxed$|stays on|keeps|contact|leav|open|>= ?0|= ?0|normal force|force|tension|range|least|taut",
         "slack": r"slack|taut|tension|relaxed|= 0|loose|free|>= 0|length|force",
+        "stay_taut": r"slack|taut|tension|tight|>= 0",
         "taut": r"slack|taut|tension|tight|>= 0|jerk|stretched|blow|impact",
         "hold": rf"{_REST}|friction|force|torque|moment|reaction|tension|{_EQUAL}|time|slip|tip|{_CHOICE}|steady|stay|"
         rf"normal|stop|held|never leaves",

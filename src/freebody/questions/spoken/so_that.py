@@ -15,6 +15,7 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_TAUT = ({"stay_taut"}, {"hold", "taut"}, {"hold", "stay_taut"}, {"taut"})  # stays so, or is said to be so
 _POSES = {"horizontal": poses.level, "level": poses.level, "at the top": poses.uppermost, "top": poses.uppermost}
 
 
@@ -346,7 +347,7 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield held
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
-    elif (verbs == {"slack"} and negated) or (verbs <= {"taut", "hold"} and "taut" in verbs and not negated):
+    elif (verbs == {"slack"} and negated) or (verbs in _TAUT and not negated):
         yield [f"{who or 'it'} stays taut"]
     elif verbs == {"turn_fully"} and not negated and who and not stands(names, who):
         yield [f"{who} turns fully"]

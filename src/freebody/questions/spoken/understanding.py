@@ -58,7 +58,7 @@ from freebody.questions.spoken.ways import (
     what_is_near,
     with_own_letters,
 )
-from freebody.questions.spoken.weights import share_of_weight, without_gs
+from freebody.questions.spoken.weights import presses_upright, share_of_weight, without_gs
 from freebody.questions.spoken.words import written_out
 from freebody.questions.whether import stated_of
 
@@ -122,8 +122,10 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [*zip(timed, (between,), strict=True)]
     if (in_gs := without_gs(names, text)) is not None and (multiple := _in_multiples(names, *in_gs, read)):
         return multiple
-    if (share := share_of_weight(names, text)) is not None and (multiple := _in_multiples(names, *share, read)):
-        return multiple
+    if (share := share_of_weight(names, text)) is not None:
+        multiple = _in_multiples(names, *share, read)
+        if multiple and all(presses_upright(names, words) for _asked, words in multiple):
+            return multiple
     if balancing := size_that_balances(names, text):
         return understood(names, balancing, read)
     if (put := as_force(names, text)) != text and (forced := _quietly_one(names, put, read)):

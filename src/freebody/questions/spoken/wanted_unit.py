@@ -31,6 +31,17 @@ _EACH_MINUTE = re.compile(
     r"\b(?:(?P<english>per|a|each|every)|pro|je|in der)) minute\b",
     re.IGNORECASE,
 )
+_EACH = r"(?:per|an?|each|every|in (?:an?|one|each|der|einer)|pro|je) (?P<time>minute|second|sekunde|hour|stunde)"
+_OFTEN = r"(?:how (?:often|many times)|wie (?:oft|häufig|viel ?mal))"
+_TURNS = (
+    r"(?:(?:does|do|will) (?P<of>.+?) (?:turn|rotate|spin|revolve)(?: round| around)?|"
+    r"(?:dreht|rotiert)(?: sich)? (?P<von>.+?))"
+)
+_TURNS_EACH = (
+    re.compile(rf"{_OFTEN} {_EACH} {_TURNS}[ ?.!]*", re.IGNORECASE),
+    re.compile(rf"{_OFTEN} {_TURNS} {_EACH}[ ?.!]*", re.IGNORECASE),
+)
+_TURNS_IN = {"minute": "rpm", "second": "turn/s", "sekunde": "turn/s", "hour": "turn/h", "stunde": "turn/h"}
 ACCELERATES = re.compile(r"(?:ac|de)celerat|brak(?:e|ing)|beschleunig|verzöger|brems", re.IGNORECASE)  # told in g
 
 
@@ -60,6 +71,9 @@ def without_units(text: str, named: Container[str]) -> tuple[str, tuple[str, ...
     if "rpm" not in named and (found := _RPM.match(text)):
         text = f"angular velocity {text[found.end() :]}"
         units.append("rpm")
+    if turns := next((one for pattern in _TURNS_EACH if (one := pattern.fullmatch(text))), None):
+        text = f"angular velocity of {turns['of']}" if turns["of"] else f"Drehzahl von {turns['von']}"
+        units.append(_TURNS_IN[turns["time"].lower()])
     text, at = _EACH_MINUTE.sub(of_a_minute, _IN_BRACKETS.sub(bracketed, text)), 0
     while found := _BEHIND_IN.search(text, at):
         at = found.start("unit")

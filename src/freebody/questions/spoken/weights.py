@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import to_python
-from freebody.language.units import ACCELERATION
+from freebody.language.units import ACCELERATION, DIMENSIONLESS
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import languages
 from freebody.questions.spoken.naming import Elements, linked, plain_names
@@ -67,6 +69,9 @@ _SHARES = tuple(
         ),
     )
 )
+_PRESSING = re.compile(r"normal force of (\w+)")
+_LOAD = re.compile(r"\b(?:load|last)\b", re.IGNORECASE)
+_DIGITS = 9  # to which a direction is upright, or level
 _STANDARD = 9.80665  # m/s^2, of free fall
 
 
@@ -92,9 +97,39 @@ def share_of_weight(names: Names, text: str) -> tuple[str, str] | None:
     asked = text.strip().rstrip("?!. ")
     found = next(((one, force) for pattern, force in _SHARES if (one := pattern.match(asked)) is not None), None)
     weights = [load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())]
-    if found is None or len(weights) != 1:
+    if found is None or len(weights) != 1 or not _alone_is_borne(names):
         return None
+    if _LOAD.search(asked[: found[0].start("on")]) and len(names.applied_loads) > 1:
+        return None  # which load that is
     return f"{found[1]} {found[0]['on']}", _product(names, "1", weights[0])
+
+
+def presses_upright(names: Names, words: str) -> bool:
+    """Whether what is asked for are normal forces along which a weight acts: a wall bears none of it, a slope not with
+    its normal force alone."""
+    pressing = {row.connection: row.measure for row in names.constraint_rows if row.reaction == "normal force"}
+    asked = _PRESSING.findall(words)
+    return bool(asked) and all(_upright(names, pressing.get(joint)) == 1.0 for joint in asked)
+
+
+def _alone_is_borne(names: Names) -> bool:
+    """Whether nothing but the weight acts upwards or downwards: what bears it bears no more than shares of it."""
+    forces = [p.measure for p in names.applied_loads if "gravity" not in names.called.get(p.load, ())]
+    return all(measure.dimension == DIMENSIONLESS or _upright(names, measure) == 0.0 for measure in forces)
+
+
+def _upright(names: Names, measure: object) -> float | None:
+    """How much of a direction that keeps still is along the weight: 1 of an upright one, 0 of a level one."""
+    weight = next(p.measure for p in names.applied_loads if "gravity" in names.called.get(p.load, ()))
+    if not isinstance(measure, Displacement) or not isinstance(weight, Displacement):
+        return None
+    if measure.along.body != GROUND or weight.along.body != GROUND:
+        return None
+    pairs = zip(measure.along.components, weight.along.components, strict=True)
+    parts = [(names.numeric(one), names.numeric(other)) for one, other in pairs]
+    if any(None in part for part in parts):
+        return None
+    return round(abs(sum(one * other for one, other in parts if one is not None and other is not None)), _DIGITS)
 
 
 def _accelerated(names: Names, count: str) -> str:

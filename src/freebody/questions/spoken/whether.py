@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from freebody.questions.course import can_change, connections_of, sticking
 from freebody.questions.spoken import joining, lookup
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import conditions
@@ -26,6 +27,7 @@ _TOLD = ("verb", "name", "not", "value", "relation", "part", "instant", *SILENT)
 _GOES_BACK = {"turn_back", "return"}  # verbs of what comes to rest and does not stay there
 _BEGINS_TO_SLIP = re.compile(r"(?P<who>.+?) begins to slip|slipping begins")
 _AT_REST = re.compile(r"rate\((?P<way>\w+)\) = 0")
+_HAS_COME = re.compile(r".+ has moved .+")
 _EQUAL = re.compile(r"(?P<way>\w+) = (?P<value>.+)")
 _BEGINS = ("start", "move", "act")  # verbs that say no more than that something comes: slip occurs
 
@@ -66,7 +68,7 @@ def _states(names: Names, main: Clause) -> Groups:
         return
     if verbs == {"slide"} and who not in names.connections and not joining.rough(names, "" if who == "it" else who):
         return
-    if "end" not in verbs:  # that slipping ends is no state
+    if "end" not in verbs and verbs != {"taut"}:  # that slipping ends is no state, and what becomes taut was not
         yield from so(names, main, lambda *_: iter(()))
     for group in conditions(names, main.without("not")):
         yield [state for condition in group for state in _stated(names, condition, verbs, negated=negated)]
@@ -84,6 +86,8 @@ def _stated(names: Names, condition: str, verbs: set[str], *, negated: bool) -> 
         return [f"{slips['who'] or 'it'} {'does not slip' if negated else 'slips'}"]
     if (rests := _AT_REST.fullmatch(condition)) is not None:
         return [f"{rests['way']} {never}turns back"] if verbs & _GOES_BACK else []
+    if _HAS_COME.fullmatch(condition) is not None:
+        return []  # how far it comes is read from no statement
     if (equal := _EQUAL.fullmatch(condition)) is not None:
         return [f"{equal['way']} {never}reaches {equal['value']}"]
     who, _, does = condition.partition(" ")
@@ -91,13 +95,21 @@ def _stated(names: Names, condition: str, verbs: set[str], *, negated: bool) -> 
 
 
 def _remaining(names: Names, main: Clause, who: str, *, negated: bool) -> Groups:
-    """It stays where it comes to rest: on a slope it does not slide back, and else it is enough that it stops."""
+    """It stays where it comes to rest: up a slope it does not slide back, and else it is enough that it stops."""
     if not main.only("verb", "name", "not", *SILENT) or len(main.names) > 1:
         return
-    sloping = [way for way, _ in lookup.inclined(names, who)] if joining.is_rough(names) else []
-    yield [f"{way} {'' if negated else 'never '}turns back" for way in sloping]
-    if not sloping and not negated:
+    sloping = lookup.inclined(names, who) if joining.is_rough(names) else []
+    going_up = [way for way, sense in sloping if lookup.rises(names, way, sense)]  # what goes down does not turn back
+    yield [f"{way} {'' if negated else 'never '}turns back" for way in going_up]
+    if not going_up and not negated and _may_stick(names, who):
         yield [f"{who or 'it'} stops"]
+
+
+def _may_stick(names: Names, who: str) -> bool:
+    """Whether what comes to rest, and has contacts that may change, is held by one where it stops."""
+    if who not in names.bodies or not can_change(names):
+        return True
+    return bool(sticking(names, who, connections_of(names, who, ("find",))))
 
 
 def _without_beginning(main: Clause) -> Clause:
