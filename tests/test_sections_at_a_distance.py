@@ -107,3 +107,10 @@ def test_a_share_of_a_length_without_a_number_lies_within_the_rod() -> None:
     assert posed(loaded, "bending moment of beam at L/3 from start").expression is not None
     with pytest.raises(fb.ModelError, match="lies between"):
         posed(loaded, "bending moment of beam at 3*L/2 from start")
+
+
+@pytest.mark.parametrize(("place", "x"), [("[1 m, 0]", 5.0), ("[-1 m, 0]", 3.0)])
+def test_a_place_that_is_a_number_is_counted_from_in_metres(place: str, x: float) -> None:
+    """1 m to the right of what lies 1 m behind, or before, the middle: 2 m from it, or there."""
+    found = answer("bending moment 1 m to the right of D", BEAM.replace("[-0.2*L, 0]", place))
+    assert found.value == pytest.approx(A * x - P * (x - AT) - Q * (x - AT) ** 2 / 2, rel=1e-9)

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import pytest
 
+import freebody as fb
+from freebody.errors import ModelError
 from posed import is_derived, posed
 
 TRUCK = """
@@ -89,3 +91,48 @@ def test_what_is_so_in_both_of_two_parts_is_so_whatever_the_parameters_are() -> 
 def test_what_cannot_slip_is_said_to_be_declared_so() -> None:
     found = posed(SPOOL, "whether the spool rolls without slipping")
     assert any("never slips" in note for note in found.notes)
+
+
+SLOPE = """
+parameters: {m: 2 kg, g: 9.81 m/s^2, mu: 0.2, alpha: 30 deg, v0: 1 m/s}
+ground: {lines: {slope: {angle: alpha}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {touch: {contact: {between: [block, slope], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: travel of block along slope}
+start: {x: 0, rate(x): -v0}
+"""
+
+
+@pytest.mark.parametrize("said", ["does the block stay there", "bleibt der Block liegen", "bleibt der Klotz stehen"])
+def test_what_slides_down_a_slope_stays_where_it_stops_and_not_where_it_does_not_turn_back(said: str) -> None:
+    """Down a slope it comes to rest where mu > tan(alpha) alone: tan(30 deg) = 0.577 is more than 0.2."""
+    assert [one.understood for one in fb.System.from_text(SLOPE).asked(said)] == ["whether block stops"]
+    assert [one.understood for one in fb.System.from_text(SLOPE.replace("-v0", "v0")).asked(said)] == [
+        "whether x never turns back"
+    ]
+    found = posed(SLOPE, "whether block stops")
+    assert found.value is not None
+    assert found.value < 0
+
+
+SUPPORTED = """
+parameters: {L: 6 m, m: 60 kg, P: 1 kN, b: 4 m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}}
+bodies: {beam: {rod: {mass: m, length: L}, angle: 0, at: {start: A}, points: {C: [b - L/2, 0]}}}
+connections: {A: {pin: [ground.A, beam.start]}, B: {slot: {pin: beam.C, along: right}}}
+loads: {weight: {gravity: g}, push: {force: {at: beam.end, along: WAY, magnitude: P}}}
+"""
+
+
+def test_a_support_bears_a_share_of_the_weight_where_nothing_else_weighs_on_it() -> None:
+    """B b = m g L/2: with b = 4 m three quarters; a force along the beam bears nothing of it."""
+    level = fb.System.from_text(SUPPORTED.replace("WAY", "right"))
+    [found] = level.solve("what share of the weight does B carry").answers
+    assert found.value == pytest.approx(6 / 2 / 4, rel=1e-9)
+    for model, said in (
+        (level, "what share of the load does B carry"),
+        (fb.System.from_text(SUPPORTED.replace("WAY", "down")), "what share of the weight does B carry"),
+    ):
+        with pytest.raises(ModelError, match="cannot read"):
+            model.asked(said)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import Expr, free_symbols
+from freebody.language.expression import ONE, Expr, free_symbols
 from freebody.language.notation import to_python
 from freebody.language.units import ACCELERATION, DIMENSIONLESS
+from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken.compounds import in_english_nouns
@@ -121,6 +122,8 @@ def _alone_is_borne(names: Names) -> bool:
 def _upright(names: Names, measure: object) -> float | None:
     """How much of a direction that keeps still is along the weight: 1 of an upright one, 0 of a level one."""
     weight = next(p.measure for p in names.applied_loads if "gravity" in names.called.get(p.load, ()))
+    if isinstance(measure, Combination) and [factor for factor, _ in measure.terms] == [ONE]:
+        measure = measure.terms[0][1]  # which is held where it is at the start
     if not isinstance(measure, Displacement) or not isinstance(weight, Displacement):
         return None
     if measure.along.body != GROUND or weight.along.body != GROUND:
