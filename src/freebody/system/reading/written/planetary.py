@@ -53,7 +53,7 @@ def with_planetary(w: Written) -> None:
     held = next((given[each] for each in given if folded(str(each)) in _HELD), None)
     driven = next((each for each in given if folded(str(each)) in _DRIVEN and isinstance(given[each], dict)), None)
     if driven is not None and any(folded(str(each)) in _DRIVEN for each in w.data):
-        driven = None
+        problem = problem or _twice(driven)
     others = [each for each in given if each not in called.values() and folded(str(each)) not in (*_MODULE, *_HELD)]
     others = [each for each in others if each not in (driven, "copies")]
     problem = problem or _contradiction(w, given, fields, held, others)
@@ -121,7 +121,7 @@ def _by_parts(w: Written, given: Entry) -> tuple[Entry, Message | None]:
                 return given, _no_teeth(str(key), said[0][0], value)
         taken = {_PARTS.get(folded(str(each)), each) for each in read}
         if twice := [name for name in own if _PARTS.get(folded(str(name)), name) in taken]:
-            return given, Message("{name} of the planetary gear is said twice: write it once", name=str(twice[0]))
+            return given, _twice(str(twice[0]))
         read |= own
     return read, None
 
@@ -129,7 +129,7 @@ def _by_parts(w: Written, given: Entry) -> tuple[Entry, Message | None]:
 def _contradiction(w: Written, given: Entry, fields: dict[str, Entry], held: Any, others: list[str]) -> Message | None:
     """What a planetary gear says that cannot be, or that nothing here would read."""
     if others:
-        known = "sun, planet, ring, carrier, teeth, copies, module, fixed, input"
+        known = "sun, planet, ring, carrier, teeth, copies, module, fixed: ring, input: {sun: 1000 rpm}"
         return Message("a planetary gear has no {name}; it has {known}", name=", ".join(map(str, others)), known=known)
     names = {_PARTS.get(folded(str(each)), "") for each in (held if isinstance(held, list) else [held])}
     if held is not None and not names <= {*_PARTS.values()}:
@@ -141,7 +141,7 @@ def _contradiction(w: Written, given: Entry, fields: dict[str, Entry], held: Any
             return Message("{key} of {part} can mean its teeth: write teeth for those", key=counts[0], part=part)
         for group in (_TEETH, _MODULE, _HELD, _COPIES):
             if len([word for word in words if word in group]) > 1:
-                return Message("{name} of the planetary gear is said twice: write it once", name=f"{part}.{group[0]}")
+                return _twice(f"{part}.{group[0]}")
         if any(not isinstance(own[key], bool) for key in own if folded(str(key)) in _HELD):
             return Message("fixed is true or false of a part")
         teeth = _one(own, _TEETH)
@@ -156,6 +156,10 @@ def _contradiction(w: Written, given: Entry, fields: dict[str, Entry], held: Any
             "gears that mesh have one module; here there are {modules}", modules=", ".join(map(str, modules))
         )
     return None
+
+
+def _twice(name: str) -> Message:
+    return Message("{name} of the planetary gear is said twice: write it once", name=name)
 
 
 def _no_teeth(key: str, part: str, value: Any) -> Message:
