@@ -53,9 +53,10 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     """What a document describes. A parameter with neither number nor unit has the unit with which it is used: read
     once more with the units that were missed, until none is found. Raises ModelError with all its problems."""
     units: dict[str, Dimension] = {}
-    document, assumed = as_read(document)
+    document, assumed, refused = as_read(document)
     while True:
         source = Source(document, file)
+        source.refused = refused
         source.names.units_of_use.update(units)
         source.names.assumptions += assumed
         try:

@@ -63,12 +63,14 @@ _AT_REST = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
 _IN_SPACE = ("3d", "3", "yes", "spatial")
 
 
-def as_read(document: Document) -> tuple[Document, list[Message]]:
-    """The document in the form in which it is read, itself where it is written so, and what that takes for granted."""
+def as_read(document: Document) -> tuple[Document, list[Message], dict[str, Message]]:
+    """The document in the form in which it is read, itself where it is written so, what that takes for granted,
+    and why sections are left as they are."""
     written = Written(document.data)
     _put_in_order(written)
     is_other = written.data != document.data
-    return document.rewritten(written.data, written.moved) if is_other else document, written.assumed
+    read = document.rewritten(written.data, written.moved) if is_other else document
+    return read, written.assumed, written.refused
 
 
 def _put_in_order(w: Written) -> None:

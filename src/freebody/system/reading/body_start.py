@@ -65,7 +65,7 @@ def _place(names: Names, at: Any, default: str, points: Mapping[str, Any]) -> tu
         return (point, place_of_point(names, given[point], "at", point)) if set(given) <= set(points) else None
     if isinstance(at, list) or (isinstance(at, str) and at.strip()):
         return default, place_of_point(names, at, "at")
-    if names.space and isinstance(at, dict):
+    if names.space and isinstance(at, dict) and at:
         of = [*cast("dict[str, Any]", at)][-1]
         told = Message(
             "in space at puts one point, {example}; joints put the others, or turned says how the body is turned, as "
@@ -73,6 +73,8 @@ def _place(names: Names, at: Any, default: str, points: Mapping[str, Any]) -> tu
             example=f"at: {{{of}: {flow_text(at[of])}}}",
         )
         names.problem(told, "at")
+    elif names.space and at is not None:
+        names.problem(Message("at is a position in space, as {example}", example=f"at: {{{default}: [0, 0, 0]}}"), "at")
     elif at is not None:
         told = Message(
             "at is a position [x, y], {{point: [x, y]}} of one point, or in the plane of two, as {{start: [0, 0], end: "

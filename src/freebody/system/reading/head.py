@@ -36,7 +36,7 @@ def check_sections(source: Source) -> None:
         if key in SECTIONS:
             empty = key if value is None else ""
             continue
-        source.names.problem(_no_section(key, value, empty), key)
+        source.names.problem(source.refused.get(key) or _no_section(key, value, empty), key)
         meant = _meant(key)
         if meant and key not in MEANT_SECTIONS and meant not in source.data:
             source.data[meant] = value

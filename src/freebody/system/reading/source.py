@@ -77,6 +77,7 @@ class Source(Faults, GroundPoints):
     def __init__(self, document: Document, file: str | None, names: Names | None = None) -> None:
         self.document = document
         self.file = file
+        self.refused: Mapping[str, Message] = {}  # sections that were left as they are, and why
         self.names = Names() if names is None else names
         self.data: dict[str, Any] = self._with_points(document.data)
         self.open = Unspecified(self.names, self.data)

@@ -20,6 +20,7 @@ from freebody.measures.geometry import GROUND
 from freebody.model.shapes.base import Shape
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.sections import SAYS_KIND
+from freebody.system.reading.written.dimensions import is_one_number
 from freebody.system.reading.written.form import Entry, Written, are_mappings
 
 _SECTIONS = ("gears", "bevel_gears", "zahnraeder", "kegelraeder")
@@ -27,6 +28,7 @@ _MESHES = ("mesh", "meshes", "meshing", "eingriff")
 _BEVEL, _BEVELS = "bevel_gears", ("bevel", "bevel_gear", "kegelrad")
 _TEETH = ("teeth", "z", "N", "n_teeth", "number_of_teeth", "zaehne")
 _MODULE = ("module", "modul", "m")
+_MASSES = ("mass", "inertia")
 _AXES = ("x", "y")
 
 
@@ -45,6 +47,9 @@ def with_bevels(w: Written) -> None:
     module = next((m for each in given.values() if (m := _one(each, _MODULE)) is not None), None)
     if None in teeth:
         return
+    if (problem := _unread(w, key, wheels, given)) is not None:
+        w.refused[key] = problem
+        return
     if module is None:
         module = "module"
         w.data["parameters"] = {**cast("Entry", w.data.get("parameters") or {}), module: "mm"}
@@ -59,7 +64,7 @@ def with_bevels(w: Written) -> None:
         for name, axis in zip(given, _AXES, strict=True)
     }
     joints["mesh"] = {_BEVEL: {"first": first, "second": second, "teeth": teeth, "radius": one}}
-    masses = [{key: each for key, each in fields.items() if key in ("mass", "inertia")} for fields in wheels]
+    masses = [{key: each for key, each in fields.items() if key in _MASSES} for fields in wheels]
     bodies: Entry = {
         name: {"disk": {"radius": radius, "axis": axis, **own}}
         for name, own, radius, axis in zip(given, masses, (one, two), _AXES, strict=True)
@@ -81,6 +86,28 @@ def with_bevels(w: Written) -> None:
     w.assumed.append(
         Message("the axes of {first} and {second} meet at a right angle, along x and y", first=first, second=second)
     )
+
+
+def _unread(w: Written, key: str, wheels: list[Entry], given: Entry) -> Message | None:
+    """What two bevel gears by their teeth say that nothing here would read, or that cannot be."""
+    known = (*_TEETH, *_MODULE, *_MASSES, *SAYS_KIND)
+    said = [f"{name}.{word}" for name, each in zip(given, wheels, strict=True) for word in each if word not in known]
+    meshes = [each for each in w.data if folded(str(each)) in _MESHES and each != key]
+    told = [w.data[each] for each in meshes]
+    said += [each for each, pair in zip(meshes, told, strict=True) if pair not in ([*given], [*given][::-1])]
+    if said or len(meshes) > 1:
+        return Message(
+            "bevel gears by their teeth have teeth, module, mass and inertia, and mesh: [{first}, {second}]; {unread} "
+            "stands under bodies and connections of a model with space: true",
+            **dict(zip(("first", "second"), given, strict=True)),
+            unread=", ".join(said or meshes),
+        )
+    modules = [each[word] for each in wheels for word in each if word in _MODULE]
+    if not is_one_number(w, modules):
+        return Message(
+            "gears that mesh have one module; here there are {modules}", modules=", ".join(map(str, modules))
+        )
+    return None
 
 
 def complete_bevels(w: Written) -> None:
@@ -130,7 +157,8 @@ def _turn_about_its_axis(w: Written, wheel: str) -> None:
 
 def _gear(entry: Any) -> Entry:
     """What a body says of its teeth."""
-    found = [each for each in cast("Entry", entry or {}).values() if isinstance(each, dict)]
+    fields = cast("Entry", entry) if isinstance(entry, dict) else {}
+    found = [each for each in fields.values() if isinstance(each, dict)]
     return next((cast("Entry", each) for each in found if _one(cast("Entry", each), _TEETH) is not None), {})
 
 

@@ -39,7 +39,7 @@ def guide_what_collides(w: Written) -> None:
         others = {key: each for key, each in w.data["connections"].items() if key != name}
         if len(two) != 2 or any(is_named(body, others) for body in two):
             continue
-        if not any({*SPEEDS, *PLACES_OF_BODIES} & {*(bodies.get(body) or {})} for body in two):
+        if not any({*SPEEDS, *PLACES_OF_BODIES} & {*_said_of(bodies.get(body))} for body in two):
             continue  # nothing says that they meet on a line
         if not all(_moves_level(bodies.get(body)) for body in two) or _height(bodies[two[0]]) != _height(
             bodies[two[1]]
@@ -59,7 +59,11 @@ def _put_apart(w: Written, two: list[str]) -> None:
     """Two bodies without places, with a distance between them that stays a symbol."""
     bodies = cast("Entry", w.data["bodies"])
     parameters = cast("Entry", w.data.get("parameters") or {})
-    first, second = (value_said(w, _speed(bodies[body])) or 0.0 for body in two)
+    first, second = (
+        value_said(w, velocity[0] if isinstance(velocity := _speed(bodies[body]), list) else velocity) for body in two
+    )
+    if first is None or second is None:
+        return  # which of them catches up is in no number
     left, right = two[::-1] if first < second else two
     gap = f"gap_{left}_{right}"
     if gap in parameters:
@@ -74,11 +78,15 @@ def _put_apart(w: Written, two: list[str]) -> None:
 
 def _moves_level(entry: Any) -> bool:
     """Whether it is a point mass with a place and a velocity, if any, along x."""
-    shape, fields = shape_of(entry), cast("Entry", entry) if isinstance(entry, dict) else {}
+    shape, fields = shape_of(entry), _said_of(entry)
     velocity = _speed(fields)
     is_pair = isinstance(velocity, list) and len(cast("list[Any]", velocity)) == 2 and str(velocity[1]) == "0"
     is_level = is_pair or _is_number(velocity)
     return shape is not None and shape.kind == _POINT and _height(fields) is not None and is_level
+
+
+def _said_of(entry: Any) -> Entry:
+    return cast("Entry", entry) if isinstance(entry, dict) else {}
 
 
 def _speed(entry: Entry) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, cast
 
 from freebody.errors import InputError
+from freebody.language.expression import evaluate
 from freebody.language.parser import parse
 from freebody.language.units import Dimension, dimension_of, parse_quantity
 from freebody.system.reading.written.form import Entry, Written
@@ -34,14 +35,31 @@ def dimension_said(w: Written, value: Any) -> Dimension | None:
 
 
 def value_said(w: Written, value: Any) -> float | None:
-    """The number of a quantity or of a parameter in SI units, with its sign; None where the file gives none."""
+    """The number of a quantity, a parameter or a formula of parameters in SI units; None where the file gives none."""
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         return None
     given = w.data.get("parameters")
     parameters = cast("Entry", given) if isinstance(given, dict) else {}
-    sign, name = (-1.0, str(value)[1:].strip()) if str(value).startswith("-") else (1.0, str(value))
-    said: Any = parameters.get(name, name)
+    if (size := None if value in parameters else _size(value)) is not None:
+        return size
+    known = {name: size for name, each in parameters.items() if (size := _size(each)) is not None}
     try:
-        return sign * float(parse_quantity(said["value"] if isinstance(said, dict) else said).value)
+        return float(evaluate(parse(str(value)), known))
+    except (InputError, TypeError, ValueError, ArithmeticError):
+        return None
+
+
+def _size(said: Any) -> float | None:
+    """The number of a quantity in SI units, also of one that is `{value: ...}`."""
+    try:
+        return float(parse_quantity(said["value"] if isinstance(said, dict) else said).value)
     except (InputError, TypeError, ValueError, KeyError):
         return None
+
+
+def is_one_number(w: Written, values: list[Any]) -> bool:
+    """Whether values are all the same: as they are written, or as numbers."""
+    if len({*map(str, values)}) <= 1:
+        return True
+    sizes = [value_said(w, value) for value in values]
+    return None not in sizes and len({*sizes}) == 1

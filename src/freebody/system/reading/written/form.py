@@ -22,13 +22,15 @@ JOINED = ("connections", "loads")
 
 
 class Written:
-    """Data of a document while it is put in order. moved: where what has another place now stands in the file."""
+    """Data of a document while it is put in order. moved: where what has another place now stands in the file;
+    refused: what is wrong with sections that cannot be read safely, and so stay as they are."""
 
     def __init__(self, data: Entry) -> None:
         self.data = data
         self.space = data.get("space") not in (None, False)
         self.moved: dict[Place, Place] = {}
         self.assumed: list[Message] = []
+        self.refused: dict[str, Message] = {}
 
     def stood(self, place: Place) -> Place:
         """Where something stands in the file."""

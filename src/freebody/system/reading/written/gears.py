@@ -17,6 +17,7 @@ from typing import Any, cast
 from freebody.connections.base import Connection
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
+from freebody.measures.geometry import GROUND
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import MEANT
 from freebody.model.written_kinds import written_kind
@@ -120,6 +121,8 @@ def bear_gears(w: Written) -> None:
     beside = {gear for first, second, _internal in meshes for gear in (first, second) if not {first, second} <= borne}
     if any(_is_planet(shaft[0], meshes) or shaft[0] in beside for shaft in loose):
         return  # which axle is meant the file does not say: one goes round
+    if _turn_beside(w, {body for shaft in shafts for body in shaft}):
+        return  # an arm may carry what nothing holds
     first_ones = [s[0] for k, s in enumerate(loose) if not any({*s} & {*other} for other in loose[:k])]
     put = {gear: bodies[gear]["at"] for gear in first_ones if "at" in bodies[gear]}
     points = ground.get("points") or {}
@@ -145,9 +148,34 @@ def _is_planet(gear: str, meshes: list[tuple[str, str, bool]]) -> bool:
     return len(own) > 1 and any(own)
 
 
+def _turn_beside(w: Written, train: set[str]) -> bool:
+    """Whether other bodies turn about a bearing of a train: are pinned to the middle of a gear, or where one is."""
+    bodies = cast("Entry", w.data.get("bodies") or {})
+    pins = [_ends(w, fields) for kind, fields in _joining(w) if kind == _PIN]
+    middles = {*train, *(f"{name}.center" for name in train)}
+    axles = middles | {end for ends in pins if {*ends} & middles for end in ends}
+    others = {name for name, entry in bodies.items() if name not in train and not _is_fixed(entry)}
+    return any({*ends} & axles and {end.partition(".")[0] for end in ends} & others for ends in pins)
+
+
+def _ends(w: Written, fields: Entry) -> list[str]:
+    """What a pin joins, a point of the ground as its place."""
+    ground = cast("Entry", w.data.get("ground") or {})
+    points = ground.get("points")
+    known = cast("Entry", points) if isinstance(points, dict) else {}
+    listed = [
+        each
+        for value in fields.values()
+        for each in (value if isinstance(value, list) and not _is_place(value) else [value])
+    ]
+    places = {GROUND: [0, 0], **{f"{GROUND}.{name}": place for name, place in known.items()}}
+    return [str(places.get(each, each) if isinstance(each, str) else each) for each in listed]
+
+
 def _is_fixed(entry: Any) -> bool:
     """Whether a body says that it stands still."""
-    return any("fixed" in (key, *MEANT.get(key, ())) for key in cast("Entry", entry))
+    said = cast("Entry", entry) if isinstance(entry, dict) else {}
+    return any("fixed" in (key, *MEANT.get(key, ())) for key in said)
 
 
 def _welded(w: Written, gear: str) -> list[str]:

@@ -105,9 +105,8 @@ def raise_walls(w: Written) -> None:
     if not touching or None in found or _names(w.data.get("loads"), _WALL):
         return  # also a point to which something is tied
     beside = {name for name in bodies for each in touching if _names(each, name)}
-    places = [
-        next((bodies[name][key] for key in PLACES_OF_BODIES if key in (bodies[name] or {})), None) for name in beside
-    ]
+    entries = [cast("Entry", bodies[name]) if isinstance(bodies[name], dict) else {} for name in beside]
+    places = [next((entry[key] for key in PLACES_OF_BODIES if key in entry), None) for entry in entries]
     left = [value_said(w, at[0]) if isinstance(at, list) and at else None for at in places]
     sides = {x > 0 for x in left if x}
     if None in left or len(sides) != 1:

@@ -82,8 +82,8 @@ def _with_four_bars(w: Written) -> None:
         return
     entries, start = _apart_from_start(w, cast("Entry", w.data[key]))
     stood = {name: name for name in entries}
-    if folded(str(key)) in _FOUR_BARS:
-        entries, stood = _by_parts(entries)
+    if folded(str(key)) in _FOUR_BARS or all(len(str(name)) >= len("arm") for name in entries):
+        entries, stood = _by_parts(entries)  # letters among links are names
     given = {name: _length(entry) for name, entry in entries.items()}
     fixed = [name for name in given if folded(name) in _FRAMES]
     moving = [name for name in given if name not in fixed]
@@ -93,6 +93,15 @@ def _with_four_bars(w: Written) -> None:
         return
     if taken & pins.keys() or (w.data.get("ground") or {}):
         return
+    is_called = folded(str(key)) in _FOUR_BARS
+    words = [_part_of(name) if is_called or len(name) >= len("arm") else None for name in moving]
+    if any(word not in (None, part) for word, part in zip(words, _PART_NAMES, strict=False)):
+        told = Message(
+            "say which link is which: crank, coupler, rocker and ground; {names} can mean either",
+            names=", ".join(given),
+        )
+        w.refused[key] = told
+        return  # the order says other than the words
     ends = {_HINGED[0]: [0, 0], _HINGED[-1]: [given[fixed[0]], 0]}
     w.data = {name: each for name, each in w.data.items() if name != key}
     w.data |= {"ground": {"points": ends}, "bodies": {name: {"rod": {"length": given[name]}} for name in moving}}
@@ -105,6 +114,11 @@ def _with_four_bars(w: Written) -> None:
         w.data["start"] = {**own, **cast("Entry", w.data.get("start") or {})}
         w.moved |= {("start", said.format(body=moving[0])): (key, at) for said, (at, _value) in start.items()}
     _angles_of_links(w, moving)
+    if any(name != at for name, at in stood.items()):
+        parts = {_PART_NAMES[k]: at for k, at in enumerate(stood.values())}
+        w.assumed.append(
+            Message("{crank} is the crank, {coupler} the coupler, {rocker} the rocker and {ground} the ground", **parts)
+        )
     w.assumed.append(
         Message(
             "{first} is hinged to the ground at {A}, {last} at {D}, and {middle} joins both",
@@ -154,14 +168,18 @@ def _by_parts(given: Entry) -> tuple[Entry, dict[str, str]]:
     words. With it: by their names, how the file calls them."""
     found: dict[str, tuple[str, str]] = {}
     for name in given:
-        word = folded(name)
-        for part, words in zip(_PART_NAMES, _PARTS, strict=True):
-            if word in words:
-                found[part] = (part if len(word) < len("arm") else name, name)
+        if (part := _part_of(name)) is not None:
+            found[part] = (part if len(name) < len("arm") else name, name)
     if len(found) < len(given) or len(found) != len(_PARTS):
         return given, {name: name for name in given}
     ordered = [found[part] for part in _PART_NAMES]
     return {name: given[key] for name, key in ordered}, dict(ordered)
+
+
+def _part_of(name: str) -> str | None:
+    """Which part of a four-bar a link is by its name."""
+    word = folded(str(name))
+    return next((part for part, words in zip(_PART_NAMES, _PARTS, strict=True) if word in words), None)
 
 
 def _ends_of(moving: list[str]) -> list[Entry]:

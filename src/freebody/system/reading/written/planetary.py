@@ -15,24 +15,29 @@ from typing import Any, cast
 
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND
+from freebody.system.reading.written.dimensions import dimension_said, is_one_number, value_said
 from freebody.system.reading.written.form import Entry, Written, are_mappings
 
 _SECTIONS = ("planetary", "planetary_gear", "planetary_gears", "planetary_gear_set", "epicyclic", "epicyclic_gear")
 _GERMAN_SECTIONS = ("planetengetriebe", "umlaufgetriebe")
 _PARTS = {
     **dict.fromkeys(("sun", "sun_gear", "sonne", "sonnenrad"), "sun"),
-    **dict.fromkeys(("planet", "planets", "planet_gear", "planetenrad"), "planet"),
+    **dict.fromkeys(("planet", "planets", "planet_gear", "planetenrad", "planetenraeder"), "planet"),
     **dict.fromkeys(("ring", "ring_gear", "annulus", "internal_gear", "hohlrad"), "ring"),
     **dict.fromkeys(("carrier", "arm", "planet_carrier", "cage", "steg"), "carrier"),
 }
 _DRIVEN = ("input", "drive", "driven", "antrieb")
-_MODULE, _TEETH = ("module", "modul", "m"), ("teeth", "z", "n", "number_of_teeth", "n_teeth", "zaehne", "zaehnezahl")
+_MODULE, _TEETH = ("module", "modul", "m"), ("teeth", "z", "number_of_teeth", "n_teeth", "zaehne", "zaehnezahl")
 _HELD = ("fixed", "held", "stationary", "fixed_member", "fixed_gear", "fest")
-_COPIES = ("copies", "number", "count", "number_of_planets", "n_planets", "anzahl")
+_N = "n"  # of a part a number of teeth (`N_sun`), in a part of copies
+_COPIES = ("copies", "number", "count", "number_of_planets", "n_planets", "planets_n", "anzahl", _N)
+_PLURALS = ("planets", "planetenraeder")
 _MASSES = ("mass", "inertia")
 _AMONG = ("bodies", "connections", "parameters")
 _AXIS = "O"
+_ROUND_OFF = 1e-6  # of teeth
 
 
 def with_planetary(w: Written) -> None:
@@ -41,23 +46,32 @@ def with_planetary(w: Written) -> None:
     given = w.data.get(key) if key is not None else None
     if w.space or key is None or not isinstance(given, dict) or not are_mappings(w, *_AMONG):
         return
-    given = _by_parts(cast("Entry", given))
+    given, problem = _by_parts(w, cast("Entry", given))
     called = {part: name for name in given if (part := _PARTS.get(folded(str(name)))) is not None}
     fields = {part: _fields(given[name]) for part, name in called.items()}
     module = next((given[each] for each in given if folded(str(each)) in _MODULE), None)
     held = next((given[each] for each in given if folded(str(each)) in _HELD), None)
     driven = next((each for each in given if folded(str(each)) in _DRIVEN and isinstance(given[each], dict)), None)
+    if driven is not None and any(folded(str(each)) in _DRIVEN for each in w.data):
+        problem = problem or _twice(driven)
     others = [each for each in given if each not in called.values() and folded(str(each)) not in (*_MODULE, *_HELD)]
+    others = [each for each in others if each not in (driven, "copies")]
+    problem = problem or _contradiction(w, given, fields, held, others)
     if "copies" in given:
         fields["planet"] = {**fields.get("planet", {}), "copies": given["copies"]}
-    others = [each for each in others if each not in (driven, "copies")]
     teeth = {part: _one(each, _TEETH) for part, each in fields.items() if part != "carrier"}
-    if others or not {"sun", "ring"} <= called.keys() or not _with_all_teeth(teeth):
+    if problem is None and not ({"sun", "ring"} <= called.keys() and _with_all_teeth(teeth)):
+        problem = Message(
+            "a planetary gear needs the teeth of its sun and its ring, as {key}: {{sun: 24, ring: 72, fixed: ring}}",
+            key=key,
+        )
+    if (problem := problem or _misfit(w, teeth)) is not None:
+        w.refused[key] = problem
         return
     module = module if module is not None else next((m for each in fields.values() if (m := _one(each, _MODULE))), None)
     bodies, connections = w.data.get("bodies") or {}, w.data.get("connections") or {}
     called = {part: called.get(part, part) for part in ("sun", "planet", "ring", "carrier")}
-    joined = _joined(called, is_held := {part: _is_held(part, called, fields, held) for part in called})
+    joined = _joined(called, is_held := {part: _is_held(part, fields, held) for part in called})
     if not isinstance(bodies, dict) or not isinstance(connections, dict):
         return
     if {*called.values()} & {*bodies} or {*joined} & {*connections}:
@@ -72,7 +86,7 @@ def with_planetary(w: Written) -> None:
         )
     own = {called[part]: _body(part, fields.get(part, {}), teeth, module, held=is_held[part]) for part in called}
     w.data = {each: value for each, value in w.data.items() if each != key}
-    if driven is not None and not {*_DRIVEN, "drive"} & {*w.data}:
+    if driven is not None:
         w.data["drive"] = given[driven]
         w.moved[("drive",)] = (key, driven)
     w.data |= {"bodies": {**own, **cast("Entry", bodies)}, "connections": {**joined, **cast("Entry", connections)}}
@@ -89,22 +103,85 @@ def with_planetary(w: Written) -> None:
     )
 
 
-def _by_parts(given: Entry) -> Entry:
+def _by_parts(w: Written, given: Entry) -> tuple[Entry, Message | None]:
     """`{N_sun: 24, ring_teeth: 72}`, `{teeth: {sun: 24, ring: 72}}`: the teeth by the parts, and how many planets
-    there are."""
+    there are; with it, what is wrong with that."""
     read: Entry = {}
     for key, value in given.items():
         word = folded(str(key))
         said = [(part, left) for name, part in _PARTS.items() if (left := _beside(word, name)) is not None]
+        own: Entry = {key: value}
         if word in _TEETH and isinstance(value, dict):
-            read |= cast("Entry", value)
-        elif word in _COPIES:
-            read["copies"] = value
-        elif said and said[0][1] in _TEETH and not isinstance(value, dict | list):
-            read[said[0][0]] = value
-        else:
-            read[key] = value
-    return read
+            own = cast("Entry", value)
+        elif (word in _COPIES and word != _N) or (word in _PLURALS and not isinstance(value, dict | None)):
+            own = {"copies": value}
+        elif said and said[0][1] in (*_TEETH, _N) and not isinstance(value, dict | list):
+            own = {said[0][0]: value}
+            if dimension_said(w, value) not in (DIMENSIONLESS, *(() if said[0][1] == _N else (None,))):
+                return given, _no_teeth(str(key), said[0][0], value)
+        taken = {_PARTS.get(folded(str(each)), each) for each in read}
+        if twice := [name for name in own if _PARTS.get(folded(str(name)), name) in taken]:
+            return given, _twice(str(twice[0]))
+        read |= own
+    return read, None
+
+
+def _contradiction(w: Written, given: Entry, fields: dict[str, Entry], held: Any, others: list[str]) -> Message | None:
+    """What a planetary gear says that cannot be, or that nothing here would read."""
+    if others:
+        known = "sun, planet, ring, carrier, teeth, copies, module, fixed: ring, input: {sun: 1000 rpm}"
+        return Message("a planetary gear has no {name}; it has {known}", name=", ".join(map(str, others)), known=known)
+    names = {_PARTS.get(folded(str(each)), "") for each in (held if isinstance(held, list) else [held])}
+    if held is not None and not names <= {*_PARTS.values()}:
+        return Message("fixed is one of sun, ring, carrier; {held} is none of them", held=str(held))
+    for part, own in fields.items():
+        words = [folded(str(key)) for key in own]
+        counts = [word for word in words if word in _COPIES]
+        if counts and (part != "planet" or "copies" in given):
+            return Message("{key} of {part} can mean its teeth: write teeth for those", key=counts[0], part=part)
+        for group in (_TEETH, _MODULE, _HELD, _COPIES):
+            if len([word for word in words if word in group]) > 1:
+                return _twice(f"{part}.{group[0]}")
+        if any(not isinstance(own[key], bool) for key in own if folded(str(key)) in _HELD):
+            return Message("fixed is true or false of a part")
+        teeth = _one(own, _TEETH)
+        if part == "carrier" and teeth is not None:
+            return Message("the carrier has no teeth")
+        if teeth is not None and dimension_said(w, teeth) not in (DIMENSIONLESS, None):
+            return _no_teeth(part, part, teeth)
+    beside = [given[each] for each in given if folded(str(each)) in _MODULE]
+    modules = [*beside, *(m for own in fields.values() if (m := _one(own, _MODULE)) is not None)]
+    if not is_one_number(w, modules):
+        return Message(
+            "gears that mesh have one module; here there are {modules}", modules=", ".join(map(str, modules))
+        )
+    return None
+
+
+def _twice(name: str) -> Message:
+    return Message("{name} of the planetary gear is said twice: write it once", name=name)
+
+
+def _no_teeth(key: str, part: str, value: Any) -> Message:
+    return Message(
+        "{key}: {value} is no number of teeth; a speed that is given stands under input: {{{part}: {value}}}",
+        key=key,
+        value=str(value),
+        part=part,
+    )
+
+
+def _misfit(w: Written, teeth: Entry) -> Message | None:
+    """Between sun and ring fits a planet of half the difference of their teeth."""
+    sun, planet, ring = (value_said(w, teeth[part]) for part in ("sun", "planet", "ring"))
+    if sun is None or planet is None or ring is None or abs(ring - sun - 2 * planet) < _ROUND_OFF:
+        return None
+    return Message(
+        "the teeth do not fit: z_R = z_S + 2 z_P, and {ring} is not {sun} + 2*{planet}",
+        ring=str(teeth["ring"]),
+        sun=str(teeth["sun"]),
+        planet=str(teeth["planet"]),
+    )
 
 
 def _beside(word: str, part: str) -> str | None:
@@ -130,10 +207,10 @@ def _with_all_teeth(teeth: Entry) -> bool:
     return all(teeth.get(part) is not None for part in ("sun", "planet", "ring"))
 
 
-def _is_held(part: str, called: dict[str, str], fields: dict[str, Entry], held: Any) -> bool:
-    names = cast("list[Any]", held) if isinstance(held, list) else [held]
+def _is_held(part: str, fields: dict[str, Entry], held: Any) -> bool:
+    names = [_PARTS.get(folded(str(each))) for each in (cast("list[Any]", held) if isinstance(held, list) else [held])]
     said = [each for key, each in fields.get(part, {}).items() if folded(str(key)) in _HELD]
-    return called[part] in names or part in names or said == [True]
+    return part in names or said == [True]
 
 
 def _body(part: str, fields: Entry, teeth: Entry, module: Any, *, held: bool) -> Entry:

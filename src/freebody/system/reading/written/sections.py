@@ -7,10 +7,12 @@ ground: {slope: {angle: 30 deg}}           ground: {lines: {slope: {angle: 30 de
 
 from __future__ import annotations
 
+import re
 from typing import Any, cast
 
 from freebody.language.document.tree import Place
 from freebody.language.folded import folded
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.written_kinds import words_also, written_kind
 from freebody.system.reading.sections import (
@@ -44,6 +46,11 @@ _BODY, _DRIVER = "body", "driver"
 _PLURALS = ("s", "es", "e", "en", "n", "")
 _FLOOR, _LEVEL = "floor", "y"  # `ground: {y: 0}`
 _CALLED = ("system", "model", "problem", "exercise", "robot", "aufgabe")  # what a file is about
+_DIMENSION = re.compile(  # `model: 3D`
+    r"(in_|in_the_|in_der_|im_)?"
+    r"(([23]|two|three|zwei|drei)[-_ ]?(d|dimensions|dimensional)|planar|plane|spatial|space|ebene?s?|raeumlich|raum)"
+    r"(_(model|system|modell))?"
+)
 _GRAVITY, _G = "gravity", "g"
 _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 
@@ -51,12 +58,17 @@ _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 def rename_sections(w: Written) -> None:
     """Sections under other words."""
     for key, value in list(w.data.items()):
+        if key in w.refused:
+            continue
         if key in (*SECTIONS, *OF_GROUND) or (key in _PLACES and _are_places(value)):
             continue
         if _joined_as(w, key, value) is not None:
             continue
         if folded(key) in _CALLED and isinstance(value, str) and "title" not in w.data:
-            _rename(w, key, "title", value)
+            if _DIMENSION.fullmatch(folded(value)):
+                w.refused[key] = Message("space: true says that a model is in space; without it, it is in the plane")
+            else:
+                _rename(w, key, "title", value)
             continue
         if (plural := _plural(w, key)) is not None:
             are_bodies = plural[0] != "bodies" and _are_bodies(w, value)
@@ -71,7 +83,7 @@ def rename_sections(w: Written) -> None:
 def take_in_sections(w: Written) -> None:
     """Points beside the sections, and connections and loads that are sections of their own."""
     for key, value in list(w.data.items()):
-        if key in SECTIONS:
+        if key in SECTIONS or key in w.refused:
             continue
         if key in OF_GROUND or (key in _PLACES and _are_places(value)):
             _take_in(w, "ground", {key if key in OF_GROUND else "points": value}, key, (key,))

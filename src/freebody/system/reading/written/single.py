@@ -40,7 +40,7 @@ _OF_START = {
     **dict.fromkeys(("v0", "v_0", "initial_velocity", "initial_speed"), "v"),
 }
 _FACTOR = re.compile(r"(?P<size>[\d.]+(?:e-?\d+)? ?[A-Za-z]\w*) ?\* ?(?P<rest>.*)")
-_RATE = re.compile(r"(?<![\w.)])(?P<rate>[\d.]+) ?\*? ?t\b")
+_RATE = re.compile(r"(?<![\w.)^])(?<![\d.][eE][-+])(?P<rate>[\d.]+(?:[eE][-+]?\d+)?) ?\*? ?t\b")
 _EXCITED = ("force", "f", "kraft")
 _CALLED = ("pendulum", "simple_pendulum", "pendel", "fadenpendel")
 
