@@ -47,10 +47,45 @@ def test_a_brake_takes_its_torque_times_the_angle_and_the_air_the_rest(question:
     assert asked(WHEEL, question).value == pytest.approx(2 * turned)
 
 
-def test_all_that_is_lost_is_not_said_to_be_that_of_the_brake() -> None:
-    answer = asked(WHEEL, "energy lost until rate(theta) = 0")
-    assert answer.value is None
-    assert "other loads do work as well" in answer.reason
+def test_a_law_that_vanishes_at_rest_takes_energy_as_a_damper_does() -> None:
+    """The brake and the air together take all of J w^2/2."""
+    assert asked(WHEEL, "energy lost until rate(theta) = 0").value == pytest.approx(0.2 * 30**2 / 2)
+
+
+FALLING = """
+parameters: {m: 80 kg, c: 20 kg/m, g: 9.81 m/s^2}
+bodies: {jumper: {particle: {mass: m}}}
+connections: {line: {slider: {body: jumper, along: down, through: ground.O}}}
+ground: {points: {O: [0, 0]}}
+loads: {weight: {gravity: g}, air: AIR}
+measures: {s: drop of jumper below ground.O}
+start: {s: 0, rate(s): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    "air", ["{law: {measure: s, force: -c*rate(s)^2}}", "{force: {on: jumper, along: up, magnitude: c*rate(s)^2}}"]
+)
+def test_the_air_takes_what_a_falling_body_lacks(air: str) -> None:
+    """m g s - m v^2/2 with v^2 = m g/c (1 - exp(-2 c s/m))."""
+    answer = asked(FALLING.replace("AIR", air), "energy lost when s = 10 m")
+    gained = 80**2 * 9.81 / (2 * 20) * (1 - math.exp(-2 * 20 * 10 / 80))
+    assert answer.value == pytest.approx(80 * 9.81 * 10 - gained)
+
+
+def test_a_motor_whose_torque_falls_with_its_speed_is_no_loss() -> None:
+    text = """
+parameters: {J: 2 kg m^2, M0: 10 N m, c: 0.1 N m s}
+ground: {points: {O: [0, 0]}}
+bodies: {wheel: {body: {inertia: J}}}
+connections: {O: {pin: [ground.O, wheel]}}
+measures: {phi: angle of wheel}
+loads: {motor: {torque: {on: wheel, magnitude: M0 - c*rate(phi)}}}
+start: {phi: 0, rate(phi): 0}
+"""
+    answer = asked(text, "energy lost until t = 10 s")
+    assert answer.value == 0
+    assert any("energy lost in motor" in note for note in answer.notes)
 
 
 def test_a_brake_does_the_work_that_it_takes_and_a_pin_none() -> None:

@@ -22,6 +22,7 @@ from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.model.solids import ROPE
 from freebody.questions.base import POINT, Described, Found, Passage, Path, Quantity, angular_unit, asked
+from freebody.questions.energy import goes_by_rates
 from freebody.questions.event import leads_to
 from freebody.questions.sudden import IMPACT, NTH, ORDINALS, side_of_blow, which_blow
 
@@ -116,6 +117,15 @@ questions: {it: energy lost until rolling begins}
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.lost_in", {"of": self.of}) if self.of else Sentence("what.lost")
+
+    def remark_on_zero(self, system: Described) -> str:
+        """That a motor, whose torque falls with its speed, is no loss."""
+        drives = [] if self.of else [load for load in system.loads if goes_by_rates(system, load)]
+        if not drives:
+            return ""
+        return Message(
+            "{load} gives energy and takes it: what it takes is asked for by energy lost in {load}", load=drives[0]
+        )
 
 
 @dataclass(frozen=True)

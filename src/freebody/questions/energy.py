@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-from freebody.language.expression import free_symbols
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_symbols, replace_rates, substitute
 from freebody.language.sentences import Sentence
 from freebody.language.units import ENERGY
 from freebody.measures.geometry import ZERO
@@ -18,6 +18,8 @@ from freebody.questions.vectors import Vector, angular_velocity, dot, place, sai
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+_SOME = 1.7  # a value for a parameter
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,36 @@ questions: {it: kinetic energy}
 def is_lossy(push: AppliedLoad) -> bool:
     """Whether a law hangs on the rate of its measure, or on the time: like a damper, it stores nothing."""
     return not push.measures and bool({RATE.name, "t"} & free_symbols(push.in_symbols))
+
+
+def resists(system: Described, load: str) -> bool:
+    """Whether a load resists motion and stores nothing: drag, a damper, what vanishes where nothing moves, as a law
+    -c*rate(s)^2 or a force of that magnitude."""
+    pushes = [push for push in system.applied_loads if push.load == load]
+    return system.loads[load].resists or (bool(pushes) and all(map(_vanishes_at_rest, pushes)))
+
+
+def goes_by_rates(system: Described, load: str) -> bool:
+    """Whether a load depends on how fast something moves, and does not only resist."""
+    pushes = [push for push in system.applied_loads if push.load == load]
+    return not resists(system, load) and any(_at_rest(push) != push.in_symbols for push in pushes)
+
+
+def _at_rest(push: AppliedLoad) -> Expr:
+    """A law where nothing moves."""
+    rates = {name: ZERO for name, _measure in push.measures}
+    return substitute(replace_rates(push.in_symbols, rates), {RATE.name: ZERO})
+
+
+def _vanishes_at_rest(push: AppliedLoad) -> bool:
+    law, at_rest = push.in_symbols, _at_rest(push)
+    if at_rest == law or "t" in free_symbols(law):
+        return False
+    values = {name: _SOME + k / _SOME for k, name in enumerate(sorted(free_symbols(at_rest)))}
+    try:
+        return evaluate(at_rest, values, FLOAT_FUNCTIONS) == 0.0
+    except (ArithmeticError, ValueError, KeyError):
+        return False
 
 
 def kinetic_energy(system: Described, state: State[Any], b: RigidBody) -> Any:

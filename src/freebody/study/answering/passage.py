@@ -22,7 +22,7 @@ from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Described, Quantity
-from freebody.questions.energy import Energy
+from freebody.questions.energy import Energy, resists
 from freebody.questions.motion import OfPoint
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
@@ -61,8 +61,8 @@ def drivers(system: Described) -> set[str]:
 
 
 def resistances(system: Described) -> list[str]:
-    """The loads that resist motion and only take energy: drag and dampers."""
-    return [name for name, load in system.loads.items() if load.resists]
+    """The loads that resist motion and only take energy: drag, dampers, laws like them."""
+    return [name for name in system.loads if resists(system, name)]
 
 
 NO_SWINGS = Message("half swings are counted where friction alone ends each motion of one coordinate")

@@ -9,7 +9,7 @@ from functools import partial
 from math import isfinite, pi
 
 from freebody.errors import CannotAnswer, ModelError, Problem
-from freebody.language.expression import FLOAT_FUNCTIONS, evaluate, free_symbols, number
+from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, evaluate, free_symbols, number
 from freebody.language.sentences import Message, further
 from freebody.numeric.instant import WithoutInertia
 from freebody.questions.course import Transition
@@ -61,10 +61,20 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
             for a in _solved(system, begun, setup).answers
         }
     told = [
-        with_place(q, with_other_turns(system, q, answers[q.id])) if q.id in answers else refused(q, no_place[q.id])
+        with_place(q, _with_remark(system, q, with_other_turns(system, q, answers[q.id])))
+        if q.id in answers
+        else refused(q, no_place[q.id])
         for q in questions
     ]
     return replace(found, answers=tuple(_without_gaps(system, a) for a in told))
+
+
+def _with_remark(system: System, question: Question, answer: Answer) -> Answer:
+    """With what is to be said where what comes together on the way to an event is nothing."""
+    if question.quantity.scope != "course" or answer.expression != ZERO:
+        return answer
+    remark = question.quantity.remark_on_zero(system)
+    return replace(answer, notes=(*answer.notes, remark)) if remark else answer
 
 
 def _without_gaps(system: System, answer: Answer) -> Answer:

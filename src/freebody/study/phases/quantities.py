@@ -20,6 +20,7 @@ from freebody.model.state import State
 from freebody.questions.arithmetic import Joined
 from freebody.questions.base import Quantity
 from freebody.questions.blow import ImpulsiveWrench
+from freebody.questions.energy import resists
 from freebody.questions.loads import Extension, LoadForce, Power
 from freebody.questions.reactions import Wrench, whole_only
 from freebody.questions.reactions_by_component import ReactionComponent
@@ -141,7 +142,7 @@ def only_friction_takes_energy(system: System) -> bool:
 def only_takes_energy(system: System) -> bool:
     """The same where drag and dampers take energy, too: what is not stored is lost."""
     loads = plain(system).applied_loads
-    takes = all(system.loads[p.load].resists or is_conservative(system, p) for p in loads)
+    takes = all(resists(system, p.load) or is_conservative(system, p) for p in loads)
     return takes and not any(row.is_driven for row in system.constraint_rows)
 
 
