@@ -26,7 +26,7 @@ from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.result import Result
 from freebody.progress import busy_with
-from freebody.questions.event import OfQuantity
+from freebody.questions.event import AnyPlace, OfQuantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.places_of_quantities import placed
@@ -157,6 +157,8 @@ def _derived(
     busy_with(f"deriving {question.id}: {question.text}")
     if answer.holds_once:
         question = replace(question, event=None, at_start=True)
+    if isinstance(question.event, AnyPlace) and answer.value is not None:  # the formula is the same at every instant
+        question = replace(question, event=None)
     told_of, question = question, _at_its_turn(context, of_motion(context.system, question))
     derive = derivation_of(context.system, question)
     here = context.of_question(question) if answer.is_answered else context
@@ -260,6 +262,8 @@ def _closing(context: Context, question: Question, answer: Answer, method: Metho
 def _attempt(
     context: Context, question: Question, answer: Answer, method: Method, derive: Derive
 ) -> tuple[list[DerivationStage], str]:
+    if isinstance(question.event, AnyPlace):
+        return [], Message("it is derived for one place at a time: ask when {x} = ...", x=question.event.name)
     try:
         with context.setup.apart():  # what one derivation takes to be positive is nothing to the next
             stages = derive(context, question, answer, method)

@@ -92,6 +92,18 @@ class ChangeEvent(QuestionEvent):
 
 
 @dataclass(frozen=True)
+class AnyPlace(QuestionEvent):
+    """A measure is anywhere: what is asked is a function of it (`study/answering/functions_of_places.py`). `value` is
+    the measure itself."""
+
+    name: str
+
+    @classmethod
+    def of(cls, names: Names, name: str) -> AnyPlace:
+        return cls(names.measures[name], 0, Symbol(name), f"{name} = {name}", name)
+
+
+@dataclass(frozen=True)
 class ExtremeEvent(QuestionEvent):
     """A measure, or a quantity of the state, is at its greatest or least of all of the motion, as it is asked, before
     it is found where that is (`study/answering/places_of_extremes.py`): `measure` and `value` mean nothing yet.

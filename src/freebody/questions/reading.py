@@ -1,6 +1,7 @@
 """Reading questions: what is asked, when it is meant, and the options to choose from.
 
-    QUANTITY [at start | when MEASURE = VALUE | at t = TIME | as t grows]        time when MEASURE = VALUE
+    QUANTITY [at start | when MEASURE = VALUE | at t = TIME | as t grows | as a function of MEASURE]
+    time when MEASURE = VALUE
 
 The grammar of quantities is the table `FORMS`; error messages and the documentation list it.
 """
@@ -25,7 +26,7 @@ from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.blow import BesideBlow
 from freebody.questions.clock import time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition
-from freebody.questions.event import AskedEvent, QuestionEvent
+from freebody.questions.event import AnyPlace, AskedEvent, QuestionEvent
 from freebody.questions.half_swings import swings_as_rests
 from freebody.questions.motion import OfMeasure
 from freebody.questions.nth_impact import read_nth
@@ -54,6 +55,12 @@ from freebody.questions.turned_round import (
     REACHED,
     VALUE_FOR,
     RangeFor,
+)
+
+_AS_FUNCTION = re.compile(
+    r"(?P<what>.+?),? (?:as (?:a )?function of|als Funktion (?:von|der|des)|in Abhängigkeit (?:von|der|des)) (?:the )?"
+    r"(?P<of>\w+) ?[?.]?",
+    re.IGNORECASE,
 )
 
 
@@ -264,6 +271,23 @@ def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]
 
 
 def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
+    function = _AS_FUNCTION.fullmatch(text)
+    if function is not None and function["of"] in names.measures and when is None:
+        what, of = function["what"], function["of"]
+        with names.quietly():
+            n_before = len(names.problems)
+            is_counted = not _meant_by(names, what, None) or len(names.problems) > n_before
+        found = [
+            (replace(meant, event=None) if is_counted else meant, words.removesuffix(f" until {of} = 0"))
+            for meant, words in _meant_by(names, f"{what} until {of} = 0" if is_counted else what, None)
+        ]
+        if all(meant.event is None and meant.transition is None and not meant.at_start for meant, _ in found):
+            place = AnyPlace.of(names, of)
+            return [(replace(meant, event=place), f"{words} as a function of {place.name}") for meant, words in found]
+        told = Message("say either when it is meant, or as a function of what: '{text}'", text=text)
+        names.problem(told, "find")
+        return []
+
     def read(words: str) -> Meant | None:
         return _complete(names, as_condition(names, words.rstrip(" ?!")), when)
 

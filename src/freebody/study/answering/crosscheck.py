@@ -144,9 +144,11 @@ def _at(x: Ratio | tuple[Ratio, ...], numbers: Mapping[int, float]) -> tuple[flo
 
 
 def _value(x: Ratio, numbers: Mapping[int, float]) -> float:
-    """The value of an element; with 200 bits where its terms cancel, as in powers of sines of many times an angle."""
+    """The value of an element; with 200 bits where its terms cancel, or those under a root in it, as in powers of sines
+    of many times an angle."""
     f, value = x.field, float(x.field.evaluate(x, numbers))
-    sums = (f.numerator_and_size(part, numbers) for part in (x, x.denominator()))
+    roots = (f.radicand(g) for g in f.ingredients(x) if f.generators[g].kind == "root")
+    sums = (f.numerator_and_size(part, numbers) for part in (x, x.denominator(), *roots))
     if all(abs(total) >= CANCELLED * size for total, size in sums):
         return value
     with working_precision():

@@ -13,6 +13,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, evaluate, free_s
 from freebody.language.sentences import Message, further
 from freebody.numeric.instant import WithoutInertia
 from freebody.questions.course import Transition
+from freebody.questions.event import AnyPlace
 from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question, is_of_start
 from freebody.questions.rest import RestLimit
@@ -23,6 +24,7 @@ from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.beside_the_start import asked_at_start, with_start
 from freebody.study.answering.closed_form import QuestionSolver, with_verdict
 from freebody.study.answering.finding import NO_FORM, answered
+from freebody.study.answering.functions_of_places import as_function
 from freebody.study.answering.numbers import number_instead
 from freebody.study.answering.other_turns import with_other_turns
 from freebody.study.answering.parts import part_for
@@ -51,7 +53,8 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
     if question is not None:
         own, asked = system.asked_with(*each(question))
         system, setup = own, setup if own is system else None
-    questions, no_place = placed(system, asked, solve)
+    functions = {q.id: as_function(system, q, q.event, solve) for q in asked if isinstance(q.event, AnyPlace)}
+    questions, no_place = placed(system, [q for q in asked if q.id not in functions], solve)
     found = _solved(system, [q for q in questions if q.id not in no_place], setup)
     answers = {a.id: a for a in found.answers}
     begun = [early for q in questions if q.id in answers and (early := asked_at_start(q, answers[q.id])) is not None]
@@ -66,7 +69,8 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
         else refused(q, no_place[q.id])
         for q in questions
     ]
-    return replace(found, answers=tuple(_without_gaps(system, a) for a in told))
+    own = {a.id: a for a in told} | functions
+    return replace(found, answers=tuple(_without_gaps(system, own[q.id]) for q in asked))
 
 
 def _with_remark(system: System, question: Question, answer: Answer) -> Answer:

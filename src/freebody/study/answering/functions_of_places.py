@@ -1,0 +1,134 @@
+"""A quantity as a function of the place: v(s), the normal force by the angle.
+
+The place is a parameter p: what is asked is so when s = p, by everything that events of measures have, formulas,
+conditions and evidence, and in the answer p is s again. What has no rates in its formula is a function of the place as
+it stands.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+
+from freebody.errors import CannotAnswer, ModelError
+from freebody.language.expression import Expr, Symbol, number, substitute
+from freebody.language.notation import Stated, to_python, to_text
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
+from freebody.messages import Shown
+from freebody.questions.clock import Clock
+from freebody.questions.event import AnyPlace
+from freebody.questions.event_base import QuestionEvent
+from freebody.questions.motion import OfMeasure
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer, refused
+from freebody.study.answering.numbers import number_of
+from freebody.study.answering.solution import Solution
+from freebody.study.setup import Setup
+from freebody.system.system import System
+
+_TIMES = (Fraction(1, 4), Fraction(1, 16), Fraction(1), Fraction(4), Fraction(16))  # [s] at which a place is looked for
+_MOVED = 1e-9  # [SI] since the start
+
+Solver = Callable[[System], Solution]
+
+
+def as_function(system: System, question: Question, event: AnyPlace, solve: Solver) -> Answer:
+    """The answer as a function of the place; where there is no such formula, the one by place and rates."""
+
+    def asked(of: System, at: Question) -> Answer:
+        return solve(replace(of, questions=(at,))).answers[0]
+
+    anywhere = asked(system, replace(question, event=None))
+    if anywhere.expression is not None and "rate(" not in _formulas(anywhere):
+        return anywhere
+    p = _free_name(system)
+    try:
+        made = _with_place(system, question, event, p)
+        there = QuestionEvent(event.measure, 0, Symbol(p), event.name)
+        found = asked(made, replace(question, event=there, options={}, key=None))
+    except (CannotAnswer, ModelError) as error:
+        found = refused(question, str(error))
+    if found.expression is None:
+        if anywhere.expression is None:
+            return anywhere if anywhere.reason else found
+        told = Message("by {name} alone it has no formula: {why}", name=event.name, why=found.reason)
+        return replace(anywhere, notes=(*anywhere.notes, told))
+    return _in_the_measure(found, p, event.name)
+
+
+def _with_place(system: System, question: Question, event: AnyPlace, p: str) -> System:
+    """The system with a place of its motion as a parameter p."""
+    place = replace(question, quantity=OfMeasure(event.measure, 0, event.name), options={}, key=None)
+    begin = _number(system, replace(place, event=None, at_start=True))
+    for time in _TIMES:
+        x = _number(system, replace(place, event=Clock(number(time), f"t = {float(time):g} s")))
+        if abs(x - begin) > _MOVED:
+            unit = "rad" if event.measure.dimension == DIMENSIONLESS else str(event.measure.dimension)
+            document = system.document.with_value(("parameters", p), {"value": f"{x!r} {unit}", "sign": "any"})
+            return System.from_text(document.with_value(("questions",), []).dumps(), system.file)
+    raise CannotAnswer(Message("{name} does not change, or how is not known", name=event.name))
+
+
+def _number(system: System, question: Question) -> float:
+    """In the simulated motion; NaN where it does not go on so long."""
+    try:
+        if system.bounds or system.dry_friction or system.blows:
+            from freebody.study.answering.simulated_numbers import number_with_changes  # loads all of contact
+
+            found = number_with_changes(system, question)
+        else:
+            found = number_of(Setup(system), question.quantity, question.event)
+    except (CannotAnswer, ArithmeticError, ValueError):
+        return math.nan
+    return float(found) if isinstance(found, float) else math.nan
+
+
+def _free_name(system: System) -> str:
+    """A name that the model does not use."""
+    taken = {*system.parameters, *system.measures, *system.bodies}
+    return next(name for k in range(len(taken) + 1) if (name := f"place_{k}") not in taken)
+
+
+def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
+    """An answer with the measure in the place of the parameter that stands for it."""
+
+    def put(e: Expr) -> Expr:
+        return substitute(e, {p: Symbol(name)})
+
+    def all_of(e: Expr | tuple[Expr, ...]) -> Expr | tuple[Expr, ...]:
+        return tuple(map(put, e)) if isinstance(e, tuple) else put(e)
+
+    def told(text: str) -> str:
+        if isinstance(text, Stated):
+            sides = text.sides and (put(text.sides[0]), text.sides[1], put(text.sides[2]))
+            return Stated(told(text.words), re.sub(rf"\b{p}\b", name, text.expression), sides)
+        if isinstance(text, Message):
+            parts = {key: told(x) if isinstance(x, str) else x for key, x in text.arguments.items()}
+            return text.of(**parts)
+        shown = str.replace(text, to_text(Symbol(p)), to_text(Symbol(name)))
+        of = text.of if isinstance(text, Shown) else None
+        return Shown(shown, put(of)) if isinstance(of, Expr) else shown
+
+    assert answer.expression is not None
+    cases = (
+        replace(c, expression=all_of(c.expression), conditions=tuple(map(told, c.conditions))) for c in answer.cases
+    )
+    return replace(
+        answer,
+        expression=all_of(answer.expression),
+        value=None,
+        conditions=tuple(map(told, answer.conditions)),
+        notes=tuple(map(told, answer.notes)),
+        cases=tuple(cases),
+        chain=None,
+        why_no_value=Message("it is a function of {name}", name=name),
+    )
+
+
+def _formulas(answer: Answer) -> str:
+    parts = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    return ", ".join(to_python(part) for part in parts if part is not None)

@@ -1,0 +1,72 @@
+"""Quantities as functions of the place: v(s), reactions by the angle."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from tests.conftest import Agree
+
+import freebody as fb
+
+FALLING = """
+parameters: {m: 80 kg, c: 20 kg/m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {jumper: {particle: {mass: m}}}
+connections: {line: {slider: {body: jumper, along: down, through: ground.O}}}
+loads: {weight: {gravity: g}, air: {law: {measure: s, force: -c*rate(s)^2}}}
+measures: {s: drop of jumper below ground.O}
+start: {s: 0, rate(s): 0}
+"""
+ROD = """
+parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.A, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of rod from right clockwise}
+start: {theta: 0, rate(theta): 0}
+"""
+
+
+def test_a_speed_that_a_resistance_limits_is_a_function_of_the_way(agrees: Agree) -> None:
+    """v dv/ds = g - c v^2/m: v^2 = m g/c (1 - exp(-2 c s/m))."""
+    solution = fb.System.from_text(FALLING).solve(
+        ["speed of jumper as a function of s", "energy lost as a function of s"]
+    )
+    agrees(solution, "q1", "sqrt(m*g/c*(1 - exp(-2*c*s/m)))")
+    agrees(solution, "q2", "m*g*s - m/2*m*g/c*(1 - exp(-2*c*s/m))")
+    assert solution["q1"].value is None
+    assert any("s > 0" in condition for condition in solution["q1"].conditions)
+
+
+def test_the_reaction_of_a_falling_rod_is_a_function_of_its_angle(agrees: Agree) -> None:
+    """w^2 = 3 g sin(theta)/L; across the rod m g cos(theta)/4, along it 5 m g sin(theta)/2 (Meriam & Kraige,
+    Dynamics, ch. 6)."""
+    asked = ["reaction of hinge along rod.x as a function of theta", "angular velocity of rod als Funktion von theta"]
+    solution = fb.System.from_text(ROD).solve(asked)
+    agrees(solution, "q1", "-5*m*g*sin(theta)/2")
+    agrees(solution, "q2", "-sqrt(3*g*sin(theta)/L)")
+
+
+def test_what_has_no_rates_is_a_function_as_it_stands(agrees: Agree) -> None:
+    solution = fb.System.from_text(ROD).solve("acceleration of theta as a function of theta")
+    agrees(solution, "q1", "3*g*cos(theta)/(2*L)")
+    assert solution["q1"].value is not None
+
+
+@pytest.mark.parametrize("question", ["speed of rod.end at start as a function of theta"])
+def test_an_instant_beside_a_function_is_refused(question: str) -> None:
+    with pytest.raises(fb.ModelError, match="as a function of what"):
+        fb.System.from_text(ROD).solve(question)
+
+
+def test_a_root_whose_terms_cancel_is_compared_with_all_its_digits() -> None:
+    """The piston's speed is the root of a sum of thousands of terms; its velocity is none."""
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "slider_crank.yaml")
+    speed, velocity = system.solve(
+        ["speed of piston when phi = -8 deg", "velocity of piston when phi = -8 deg"]
+    ).answers
+    assert speed.evidence is not None
+    assert isinstance(velocity.value, tuple)
+    assert speed.value == pytest.approx(abs(velocity.value[0]), rel=1e-9)
