@@ -291,7 +291,7 @@ def _said_once(stages: Sequence[DerivationStage]) -> tuple[list[DerivationStage]
             before = first.setdefault(_key(item, "always"), item)
             if before is not item and stage.title.key == CONDITIONS:
                 same[item.number] = before.number
-            elif before is not item and item is result and before.when in ("always", item.when):
+            elif before is not item and item is result and _stands_for(before, item):
                 told = Sentence("value.follows", {"lines": (before.number,)})
                 found = (replace(item, why=told, uses=(before.number,), label=None),)
             else:
@@ -302,6 +302,12 @@ def _said_once(stages: Sequence[DerivationStage]) -> tuple[list[DerivationStage]
         if found:
             kept.append(DerivationStage(Sentence("stage.value"), Sentence("hint.value"), found))
     return [_referring_stage(stage, same) for stage in kept] if same else kept, set(same.values())
+
+
+def _stands_for(before: NumberedFormula, result: NumberedFormula) -> bool:
+    """Whether a result may be taken from a line before it: unless it says itself that it does, in words of its own."""
+    own = {*result.uses, *referred(result.why)}
+    return before.when in ("always", result.when) and own != {before.number}
 
 
 # -- what belongs to a line -------------------------------------------------------------------

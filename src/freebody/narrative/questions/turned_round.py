@@ -48,7 +48,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         from freebody.narrative.questions.happening import derive as derive_happening
 
         return derive_happening(context, question, answer, method)
-    asked = replace(question, id="q1", text=quantity.text, quantity=quantity.of, options={}, key=None)
+    own, text = _as_asked_before(context.system, question, quantity)
+    asked = replace(question, id=own, text=text, quantity=quantity.of, options={}, key=None)
     if quantity.of.scope == "linkage":
         (given,) = solve(replace(context.system, questions=(asked,)), setup=context.setup).answers
         return derivation_of(context.system, asked)(context, asked, given, method)
@@ -79,6 +80,18 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
     return [*stages, *script.stages]
+
+
+def _as_asked_before(system: System, question: Question, quantity: Wanted) -> tuple[str, str]:
+    """The id and the words of the question about the quantity itself, where that is asked before: its derivation is
+    told there, and its symbol is the one of it."""
+    for q in system.questions:
+        if q.id == question.id:
+            break
+        same = (q.quantity, q.event, q.transition, q.at_start)
+        if same == (quantity.of, question.event, question.transition, question.at_start):
+            return q.id, q.text
+    return "q1", quantity.text
 
 
 def _values_of(answer: Answer) -> tuple[Expr, ...]:
