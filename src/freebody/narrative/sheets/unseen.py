@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any, cast
 
@@ -24,15 +25,37 @@ def unseen_numbers(system: System) -> Iterator[tuple[str, str, str]]:
 
 
 def unseen_symbols(system: System) -> Mapping[str, tuple[str, str]]:
-    """By parameter what it is of: its field, and the connection or load, nothing where all have the same one."""
+    """By parameter what it is of: its field, and the connection or load, nothing where all have the same one. What
+    stands elsewhere too, as a radius that is a length without load as well, is shown there."""
     found: dict[str, list[tuple[str, str]]] = {}
     kinds: dict[str, set[object]] = {}
     for field, name, value in _given(system):
         kinds.setdefault(field, set()).add(value)
         if value in system.parameters:
             found.setdefault(str(value), []).append((field, name))
-    single = {p: told[0] for p, told in found.items() if len({field for field, _name in told}) == 1}
+    single = {
+        p: told[0]
+        for p, told in found.items()
+        if len({field for field, _name in told}) == 1 and _times_written(system, p) == len(told)
+    }
     return {p: (field, "" if len(kinds[field]) == 1 else name) for p, (field, name) in single.items()}
+
+
+def _times_written(system: System, name: str) -> int:
+    """How often a name stands in what the file says of bodies, connections and loads."""
+    word = re.compile(rf"\b{re.escape(name)}\b")
+
+    def within(part: object) -> int:
+        match part:
+            case dict():
+                return sum(map(within, cast("dict[str, object]", part).values()))
+            case list():
+                return sum(map(within, cast("list[object]", part)))
+            case _:
+                return len(word.findall(str(part)))
+
+    sections = ("ground", "bodies", "connections", "loads", "measures", "start")
+    return sum(within(system.document.data.get(section)) for section in sections)
 
 
 def not_rebounding(system: System) -> tuple[str, ...]:
