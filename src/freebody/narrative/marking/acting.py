@@ -82,9 +82,9 @@ class Acting:
         if self.is_friction and not self.is_couple:
             return Message("the friction force of {connection}", connection=self.source)
         if self.row is not None and self.is_couple:
-            return Message("the reaction moment at {connection}", connection=self.source)
+            return Message("the moment of {connection}", connection=self.source)
         if self.row is not None:
-            return Message("the reaction at {connection}", connection=self.source)
+            return Message("the force of {connection}", connection=self.source)
         return Message("the load {load}", load=self.source)
 
 
