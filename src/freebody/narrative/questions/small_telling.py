@@ -269,7 +269,10 @@ class SmallTelling:
         """Names of the entries of a matrix; of one coordinate's, one name."""
         n = len(self.model.coordinates)
         if n == 1:
-            return [[Symbol(fresh(self.context, letter, f"{letter}_x", f"{letter}_11"))]]
+            system = self.context.system
+            taken = system.parameters.keys() | system.measures.keys() | system.states.keys()
+            plain = () if taken & {*"MCK"} else (letter,)  # all three, or none
+            return [[Symbol(fresh(self.context, *plain, f"{letter}_x", f"{letter}_11"))]]
         return [[Symbol(fresh(self.context, f"{letter}_{j + 1}{k + 1}")) for k in range(n)] for j in range(n)]
 
     def _polynomial(self, M: list[list[Ratio]], K: list[list[Ratio]], square: Expr) -> Expr:
