@@ -241,3 +241,32 @@ questions: [reaction of A along up, bending moment of beam at center]
     assert "Reaction at A upwards" in told(beam)
     assert "Reaktionskraft in A nach oben" in told(beam, "de")
     assert "The bending moment, positive where" in told(beam)
+
+
+BRAKE = """
+parameters: {R: 0.2 m, a: 0.3 m, c: 0.05 m, L: 0.9 m, mu: 0.4, T: 50 N m, F: 200 N}
+ground: {points: {O: [a, 0], A: [0, R + c]}}
+bodies:
+  drum: {disk: {mass: 4 kg, radius: R}}
+  lever:
+    rod: {length: L}
+    angle: 0
+    at: {start: [0, R + c]}
+    lines: {face: {along: left, through: [0, -c]}}
+connections:
+  axle: {pin: [ground.O, drum]}
+  pivot: {pin: [ground.A, lever.start]}
+  block: {contact: {between: [drum, lever.face], friction: mu}}
+loads:
+  hand: {force: {at: lever.end, along: down, magnitude: F}}
+  drive: {torque: {on: drum, magnitude: T}}
+questions: [range of T that keeps it at rest]
+"""
+
+
+def test_a_limit_that_is_negative_is_derived_as_well() -> None:
+    """N = F L/(a -+ c mu) and T = mu N R either way: (a + c mu) T + R L mu F = 0 has one sign for positive T, and yet
+    it is what vanishes at the lower limit."""
+    (derivation,) = fb.explain(System.from_text(BRAKE)).derivations
+    assert not derivation.reason
+    assert "Beyond this limit equilibrium is lost only if: a > c⋅μ" in told(BRAKE)
