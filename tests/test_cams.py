@@ -305,7 +305,7 @@ def test_from_that_base_radius_on_the_pressure_angle_stays_below(asked: str, agr
     """sin(alpha) = h/(2 R) falls as R grows, so the radius of the textbook is the least one."""
     found = fb.System.load(EXAMPLES / "cam_with_roller.yaml").solve(asked)
     agrees(found, "q1", "h/2*(1/sin(pi/12) - 1) - r_R")
-    assert any(note.startswith(("so for r > ", "so for r ≥ ")) for note in found.answers[0].notes)
+    assert any(note.startswith(("this holds for r > ", "this holds for r ≥ ")) for note in found.answers[0].notes)
 
 
 def test_the_base_radius_at_which_a_cam_is_just_not_undercut(agrees: Callable[..., None]) -> None:

@@ -167,7 +167,7 @@ def test_what_a_string_jerks_off_the_floor_has_left_it_then() -> None:
     is_formula(TIED, "least v0 so that other leaves the floor", "sqrt(2*g*L)")
     is_formula(TIED, "time when other leaves the floor", "(v0 - sqrt(v0^2 - 2*g*L))/g", (1.0, 1.02))
     found = is_formula(TIED, "range of v0 for which other stays on the floor", "sqrt(2*g*L)")
-    assert "so for v₀ ≤ √(2·L·g)" in found.notes
+    assert "this holds for v₀ ≤ √(2·L·g)" in found.notes
 
 
 def test_the_note_of_an_extreme_names_no_event_but_its_phase() -> None:

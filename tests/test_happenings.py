@@ -151,7 +151,7 @@ def _value(formula: str, values: dict[str, float]) -> float:
 
 
 def _told(found: Answer) -> str:
-    (told,) = [note for note in found.notes if note.startswith("so for ")]
+    (told,) = [note for note in found.notes if note.startswith("this holds for ")]
     return str(told)
 
 

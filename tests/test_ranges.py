@@ -117,7 +117,7 @@ def test_range_of_a_parameter(name: str) -> None:
         for end, formula in zip(ends, formulas, strict=True):
             wanted = evaluate(parse(formula), values, FLOAT_FUNCTIONS)
             assert evaluate(end, values, FLOAT_FUNCTIONS) == pytest.approx(wanted, rel=1e-9)
-    (told,) = [note for note in found.notes if note.startswith("so for ")]
+    (told,) = [note for note in found.notes if note.startswith("this holds for ")]
     assert f" {sign} " in told, told
 
 

@@ -278,7 +278,7 @@ def test_a_conical_pendulum_has_its_angles_below_the_horizontal(agrees: Agree) -
     assert "every acute angle beta" in the(ask(given, f"range of beta for which size of reaction {steady} > 0")).reason
     solution = ask(given, f"range of beta for which size of reaction {steady} > F")
     agrees(solution, the(solution).id, "acos(m*g/F)")
-    assert "so for β > acos(g·m/F) and β < π/2" in the(solution).notes
+    assert "this holds for β > acos(g·m/F) and β < π/2" in the(solution).notes
     assert "F > g·m (beta is positive)" in the(solution).conditions
 
 

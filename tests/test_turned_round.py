@@ -207,7 +207,7 @@ def test_the_number_of_the_file_is_left_out() -> None:
     one = _answer(ATWOOD, "value of m1 for which acceleration of x = a")
     other = _answer(ATWOOD.replace("m1: 3 kg", "m1: 17 kg"), "value of m1 for which acceleration of x = a")
     assert one.value == other.value
-    assert "the number that the file gives for m1 is left out" in one.notes
+    assert "the number given for m1 is not used" in one.notes
 
 
 def test_a_value_out_of_reach_with_the_number_of_the_file_is_found_with_another() -> None:

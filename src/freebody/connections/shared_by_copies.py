@@ -20,6 +20,14 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_ALIKE = " alike"  # behind the copy, in the name of the row by which it turns as the others do
+
+
+def copy_of_row(component: str) -> str:
+    """The copy that a row lets turn as the others do; nothing for any other row."""
+    return component.removesuffix(_ALIKE) if component.endswith(_ALIKE) else ""
+
+
 class SharedByCopies(Connection):
     """A mesh of `first` and `second`, and of the copies of one with the other."""
 
@@ -39,7 +47,7 @@ class SharedByCopies(Connection):
         for gear in (self.first, self.second):
             for copy in names.known(gear).copies:
                 lead = Combination(((ONE, turns[copy]), (negate(ONE), turns[gear])), DIMENSIONLESS)
-                yield ConstraintRow(f"{copy} alike", "moment", lead, if_needed=True)
+                yield ConstraintRow(f"{copy}{_ALIKE}", "moment", lead, if_needed=True)
 
     def mentions(self, names: Names) -> set[str]:
         named = super().mentions(names)

@@ -12,6 +12,7 @@ from freebody.language.expression import Expr, Number, Symbol
 from freebody.language.notation import Stated, compared
 from freebody.language.raising import raised
 from freebody.language.units import TIME, dimension_of
+from freebody.narrative.bounds import with_unit
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
@@ -61,7 +62,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         _chain(script, answer.chain)
     if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived
         key = question.quantity.verdict if question.quantity.is_verdict else "result.holds"
-        script.say(key, conditions=tuple(ready(c) for c in answer.conditions))
+        script.say(key, conditions=tuple(with_unit(context, c) for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
     says_number = _is_whole(answer)  # its unit and value stand there already
     if answer.unit not in ("", "1") and not answer.verdict and not says_number:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -164,6 +165,9 @@ def _derived(
     here = context.of_question(question) if answer.is_answered else context
     here.own = None
     stages, reason = _attempt(here, question, answer, method, derive)
+    if reason and method == "auto" and _has_redundant_constraints(here):  # no equation may have their reactions in it
+        stages, trouble = _attempt(here, question, answer, "lagrange", derive)
+        reason = reason if trouble else ""
     if reason and (turned := at_first_turn(context.system, question, answer)) is not None:
         question, derive = turned, derivation_of(context.system, turned)
         here = context.of_question(question)
@@ -257,6 +261,13 @@ def _without_notes(stage: DerivationStage, noted: Sequence[object]) -> Derivatio
 
 def _closing(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     return closing(context, question, answer)
+
+
+def _has_redundant_constraints(context: Context) -> bool:
+    """Whether reactions are not unique, so that a line with them in it cannot be checked."""
+    with suppress(CannotAnswer):
+        return bool(context.setup.model.redundant)
+    return False
 
 
 def _attempt(

@@ -136,10 +136,12 @@ class ToldSoFar:
 
     def shared(self, stages: Sequence[DerivationStage]) -> tuple[list[DerivationStage], dict[int, int]]:
         """What is new in a derivation, and by which lines those that it lost stand already."""
+        leads_on = _leading_on([piece for k, stage in enumerate(stages) for piece in _pieces(k, stage)])
+        stages, conditions = _said_once(stages)
         pieces = [piece for k, stage in enumerate(stages) for piece in _pieces(k, stage)]
         again = {p.line.number: n for p in pieces if p.line is not None and (n := self.line_of(p.line)) is not None}
         again = _repeated(pieces) | again
-        needed = _needed(pieces, again)
+        needed = _needed(pieces, again, leads_on - conditions)
         kept: list[DerivationStage] = []
         for k, stage in enumerate(stages):
             mine = [p for p in pieces if p.stage == k and self._stays(p, needed)]
@@ -272,6 +274,42 @@ def _value(line: NumberedFormula) -> object:
     return line.sides[1:], line.relations, line.unit, line.when
 
 
+def _said_once(stages: Sequence[DerivationStage]) -> tuple[list[DerivationStage], set[int]]:
+    """Without conditions that a line before them says already, and the lines that do; a result that stands before is
+    taken from there."""
+    first: dict[object, NumberedFormula] = {}
+    same: dict[int, int] = {}
+    result = result_line(stages)
+    kept: list[DerivationStage] = []
+    for stage in stages:
+        items: list[Item] = []
+        found: tuple[Item, ...] = ()
+        for item in stage.items:
+            if not isinstance(item, NumberedFormula):
+                items.append(item)
+                continue
+            before = first.setdefault(_key(item, "always"), item)
+            if before is not item and stage.title.key == CONDITIONS:
+                same[item.number] = before.number
+            elif before is not item and item is result and _stands_for(before, item):
+                told = Sentence("value.follows", {"lines": (before.number,)})
+                found = (replace(item, why=told, uses=(before.number,), label=None),)
+            else:
+                items.append(item)
+        has_lost = len(items) < len(stage.items)
+        if not has_lost or lines_of([replace(stage, items=tuple(items))]):
+            kept.append(replace(stage, items=tuple(items)))
+        if found:
+            kept.append(DerivationStage(Sentence("stage.value"), Sentence("hint.value"), found))
+    return [_referring_stage(stage, same) for stage in kept] if same else kept, set(same.values())
+
+
+def _stands_for(before: NumberedFormula, result: NumberedFormula) -> bool:
+    """Whether a result may be taken from a line before it: unless it says itself that it does, in words of its own."""
+    own = {*result.uses, *referred(result.why)}
+    return before.when in ("always", result.when) and own != {before.number}
+
+
 # -- what belongs to a line -------------------------------------------------------------------
 @dataclass(frozen=True)
 class _Piece:
@@ -318,11 +356,11 @@ def _leading_on(pieces: Sequence[_Piece]) -> set[int]:
     return {n for p in pieces if p.line is not None for n in (*p.line.uses, *referred(p.line.why))}
 
 
-def _needed(pieces: Sequence[_Piece], again: Mapping[int, int]) -> set[int]:
+def _needed(pieces: Sequence[_Piece], again: Mapping[int, int], leads_on: set[int]) -> set[int]:
     """The lines that lead to an end of the derivation without having been told: to its last line, and to those from
-    which no other follows."""
+    which no other follows. leads_on: the lines from which others followed as the derivation was written, also where
+    these stand by what was found before."""
     own = {p.line.number: p for p in pieces if p.line is not None}
-    leads_on = _leading_on(pieces)
     last = max(own, default=0)
     waiting = [n for n, p in own.items() if n not in leads_on and (n == last or not _is_of_state(p))]
     waiting += [n for p in pieces if p.line is None for item in p.items for n in referred_in(item)]

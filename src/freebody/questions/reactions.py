@@ -174,6 +174,11 @@ questions: {it: reaction of rod on bob}
         return Sentence(f"what.{size}{what}", args)
 
 
+def said_of_reaction(kind: str) -> str:
+    """The group of words for a kind of reaction. A joint is a place: its force is the reaction at A."""
+    return "joint" if kind in ("force", "moment") else "reaction"
+
+
 def whole_only(rows: Iterable[ConstraintRow], wanted: Collection[str]) -> None:
     """Raises CannotAnswer where of rows of which only the sum is determined some are wanted, and not all."""
     for row in rows:

@@ -19,7 +19,7 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm, StringStret
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import FORMS, NAME, PLACE, Described, Found, Path, Quantity, asked
-from freebody.questions.reactions import has_connection, is_told, whole_only
+from freebody.questions.reactions import has_connection, is_told, said_of_reaction, whole_only
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -128,8 +128,9 @@ questions: {it: tension of rod}
 
     def sentence(self, system: Described) -> Sentence:
         at = Sentence("what.at", {"places": self.at}) if self.at else NOTHING
-        args: dict[str, Argument] = {"reaction": f"@reaction.{self.reaction}", "connection": self.connection, "at": at}
-        return Sentence("what.reaction", args)
+        of = said_of_reaction(self.reaction)
+        args: dict[str, Argument] = {"reaction": f"@{of}.{self.reaction}", "connection": self.connection, "at": at}
+        return Sentence(f"what.{of}", args)
 
 
 @asked(

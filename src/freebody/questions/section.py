@@ -94,7 +94,8 @@ questions: {it: bending moment of beam at beam.center}
 
     @property
     def reason(self) -> Sentence:
-        kind = f"greatest_section.{self.part}" if self.is_governing else "section"
+        part = "thrust" if self.is_reversed and self.part == "axial" else self.part
+        kind = f"greatest_section.{self.part}" if self.is_governing else f"section.{part}"
         return Sentence(f"value.{kind}", {"body": self.body, "at": self._at})
 
     @property

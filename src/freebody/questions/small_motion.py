@@ -222,6 +222,11 @@ questions: {it: damping ratio}
         return "1" if self.dimension == DIMENSIONLESS else angular_unit(self.dimension)
 
     @property
+    def letter(self) -> str:
+        letters = {"ratio": "zeta", "decrement": "delta"}
+        return letters.get(self.what.removesuffix("s"), super().letter)
+
+    @property
     def is_of_all(self) -> bool:
         """Whether it is asked of every mode."""
         return self.what in ("ratios", "frequencies", "decrements")

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
+from freebody.connections.shared_by_copies import copy_of_row
 from freebody.language.parser import GREEK
 from freebody.model.elements import ConstraintRow
 from freebody.system.system import System
@@ -114,7 +115,12 @@ def _wishes(
 @cache
 def _place(component: str) -> str:
     """What touches in a row of a contact: its corner, without the body it belongs to; for others the component."""
-    short = component.removeprefix("slip of ").removeprefix("tipping of ").removeprefix("no slip ")
+    short = (
+        (copy_of_row(component) or component)
+        .removeprefix("slip of ")
+        .removeprefix("tipping of ")
+        .removeprefix("no slip ")
+    )
     flat = "flat_" if short.startswith("flat ") else ""  # beside the rim of the same end
     return flat + re.sub(r"\W", "_", short.split(" on ")[0].split(".")[-1])
 

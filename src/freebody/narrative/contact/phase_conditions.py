@@ -9,7 +9,7 @@ from freebody.language.expression import Call, Expr, Symbol, add, negate, number
 from freebody.language.sentences import Message, turns
 from freebody.model.elements import DryFriction
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
-from freebody.narrative.lines.script import Argument, Script, ready
+from freebody.narrative.lines.script import Argument, Script, Sentence, ready
 from freebody.narrative.principles.sides import ZERO, parted
 from freebody.present.report.blocks import Relation as Sign
 from freebody.study.phases.result import relations
@@ -45,6 +45,7 @@ _PURPOSES = {
     "friction forces exist": "exists",
     "no event ends it": "never",
 }
+_HAPPENS = {"opens": "opens", "touches": "touches", "slips": "slips", "slip ends": "slip_ends"}
 
 
 def tell_sticking(script: Script, way: PhaseSequence, leg: PhaseSegment) -> list[int]:
@@ -189,4 +190,8 @@ def told_purpose(purpose: str) -> tuple[str, dict[str, Argument]]:
     if not isinstance(first, Message) or first.template not in _PURPOSES:
         return "condition.other", {}
     named = first.arguments.get("contact", first.arguments.get("string", ""))
+    if "event" in first.arguments:  # what else could end the phase
+        happens = _HAPPENS.get(str(first.arguments["event"]), "passes")
+        what = Sentence(f"phases.until_{happens}", {"connection": str(named)})
+        return f"condition.{_PURPOSES[first.template]}", {"what": what}
     return f"condition.{_PURPOSES[first.template]}", {"connection": str(named)}

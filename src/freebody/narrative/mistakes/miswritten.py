@@ -18,6 +18,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.numeric.jets import Array
+from freebody.questions.reactions import said_of_reaction
 from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
@@ -147,9 +148,10 @@ class BodyEquations:
 
 def _words(row: ConstraintRow) -> Sentence:
     """What a reaction is called."""
-    args: dict[str, Argument] = {"reaction": f"@reaction.{row.reaction}", "connection": row.connection}
+    of = said_of_reaction(row.reaction)
+    args: dict[str, Argument] = {"reaction": f"@{of}.{row.reaction}", "connection": row.connection}
     axis = row.component.split()[-1]
     if axis in ("x", "y"):
-        return Sentence("symbol.reaction_component", {**args, "axis": f"@{axis}"})
+        return Sentence(f"symbol.{of}_component", {**args, "axis": f"@{axis}"})
     at: Argument = Sentence("what.at", {"places": tuple(row.ends)}) if row.ends else ""
-    return Sentence("what.reaction", {**args, "at": at})
+    return Sentence(f"what.{of}", {**args, "at": at})

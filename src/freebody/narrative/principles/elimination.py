@@ -176,7 +176,10 @@ class Solver:
         leading = [u for u in row.entries if u not in self.unknowns.reactions] or list(row.entries)
         if leading and sign_is_negative(f.lowest_terms(row.entries[min(leading)] * factor)):
             factor = -factor
-        factor = factor / common_factor([f.lowest_terms(x * factor) for x in (*row.entries.values(), row.rest)])
+        common = common_factor([f.lowest_terms(x * factor) for x in (*row.entries.values(), row.rest)])
+        # of a row without unknowns all that is left may have one sign for positive parameters: it says what must vanish
+        if row.entries or not f.lowest_terms(row.rest * factor / common).is_constant():
+            factor = factor / common
         entries = {u: f.lowest_terms(x * factor) for u, x in row.entries.items()}
         return replace(row, entries=entries, rest=f.lowest_terms(row.rest * factor))
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from freebody.connections.shared_by_copies import copy_of_row
 from freebody.language.expression import Expr, Symbol, add, n_operations
 from freebody.measures.geometry import GROUND, RIGHT, UP
 from freebody.narrative.lines.glossary import Glossary, Meaning, of_centre
@@ -275,6 +276,8 @@ class PlanarRates:
         # the only one of its kind needs no name
         args: dict[str, Argument] = {"connection": held.connection, "component": held.component, "n": len(alike)}
         key = f"constraint.{held.reaction.replace(' ', '_')}"
+        if copy := copy_of_row(held.component):
+            return script.line(*balanced(add(*shown)), why="constraint.copy", args={"copy": copy})
         bodies = tuple(dict.fromkeys(body for body in held.measure.bodies() if body != GROUND))
         if len(bodies) == 2:
             args["bodies"] = bodies

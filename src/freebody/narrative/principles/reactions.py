@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
+from freebody.connections.shared_by_copies import copy_of_row
 from freebody.language.expression import Expr
 from freebody.language.units import ENERGY
 from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.narrative.principles.acting import Acting
+from freebody.questions.reactions import said_of_reaction
 
 
 def name_reactions(script: Script, glossary: Glossary, acting: Acting, rows: Iterable[str], known: set[str]) -> None:
@@ -45,22 +47,25 @@ def words_of(acting: Acting, name: str) -> Sentence:
     row = acting.rows[name]
     axis = row.axis
     kind = _without_axis(row)
-    args: dict[str, Argument] = {"reaction": f"@reaction.{kind}", "connection": row.connection}
+    of = said_of_reaction(kind)
+    args: dict[str, Argument] = {"reaction": f"@{of}.{kind}", "connection": row.connection}
+    if copy := copy_of_row(row.component):
+        return Sentence("symbol.couple_of_copy", {"copy": copy, "connection": row.connection})
     alike = [r for r in acting.rows.values() if (r.connection, r.reaction) == (row.connection, row.reaction)]
     has_contact_point = acting.system.connections[row.connection].has_contact_point
     place = place_of(row)
     is_one_of_several = len(alike) > 1 or f"{place} on " in row.component
     if row.ends and is_one_of_several and has_contact_point and place != row.connection:
-        return Sentence("symbol.reaction_at", {**args, "place": place})
+        return Sentence(f"symbol.{of}_at", {**args, "place": place})
     if axis in ("x", "y", "z"):
-        return Sentence("symbol.reaction_component", {**args, "axis": f"@{axis}"})
+        return Sentence(f"symbol.{of}_component", {**args, "axis": f"@{axis}"})
     if kind != row.reaction:
-        return Sentence("symbol.reaction_row", {**args, "row": f"@{axis}"})
+        return Sentence(f"symbol.{of}_row", {**args, "row": f"@{axis}"})
     if len(alike) > 1 and acting.system.space:
-        return Sentence("symbol.reaction_row", {**args, "row": f"@{row.component.removeprefix(f'{row.reaction} ')}"})
+        return Sentence(f"symbol.{of}_row", {**args, "row": f"@{row.component.removeprefix(f'{row.reaction} ')}"})
     if row.ends and len(alike) > 1:
-        return Sentence("symbol.reaction_between", {**args, "ends": tuple(row.ends)})
-    return Sentence("symbol.reaction", args)
+        return Sentence(f"symbol.{of}_between", {**args, "ends": tuple(row.ends)})
+    return Sentence(f"symbol.{of}", args)
 
 
 def place_of(row: ConstraintRow) -> str:

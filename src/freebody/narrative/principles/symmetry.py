@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -111,8 +110,12 @@ def _are_alike(acting: Acting, first: str, other: str, rows: Mapping[str, str], 
         for row, same in rows.items():
             if acting.sign(row) != acting.sign(same):
                 return False
-            with suppress(CannotAnswer):
+            try:
                 a, b = (world.snapshot.multiplier(acting.rows[name]) for name in (row, same))
-                if not math.isclose(a, b, rel_tol=_ALIKE, abs_tol=_ALIKE):
+            except CannotAnswer:  # not unique: a component along a fixed axis turns with what is exchanged
+                if acting.rows[row].axis:
                     return False
+                continue
+            if not math.isclose(a, b, rel_tol=_ALIKE, abs_tol=_ALIKE):
+                return False
     return True

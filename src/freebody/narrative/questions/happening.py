@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from freebody.errors import CannotAnswer, FreebodyError
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, substitute
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, substitute
 from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
@@ -73,7 +73,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         for name, equation in zip(names, equations, strict=True):
             left, right = parted(substitute(equation, {quantity.parameter: name}))
             why = "" if lines else "turned.border"
-            lines.append(script.line(left, right, why=why, args={"name": f"@{quantity.parameter}"}))
+            lines.append(script.line(left, right, why=why, args={"name": Symbol(quantity.parameter)}))
         sides = (names[0], values[0]) if len(names) == 1 else (tuple(names), tuple(values))
         script.line(*sides, why="turned.solved", args={"lines": tuple(lines)}, uses=tuple(lines))
     return [*told.stages, *script.stages]

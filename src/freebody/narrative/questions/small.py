@@ -60,7 +60,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     try:
         telling.equations()
     except FormulaTooLong:
-        if not question.quantity.is_told_by_principles:
+        if not telling.may_be_told_by_principles:
             raise
         telling.principles()
     telling.equilibrium()

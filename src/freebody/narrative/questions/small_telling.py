@@ -13,7 +13,9 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from freebody.language.expression import Expr, Symbol, add, multiply, number, power, substitute
+from freebody.errors import FormulaTooLong
+from freebody.language.expression import Expr, Symbol, add, divide, multiply, n_operations, number, power, substitute
+from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.glossary import Meaning, World
@@ -26,6 +28,7 @@ from freebody.narrative.principles.sides import balanced
 from freebody.narrative.questions.small_readers import SmallMotions
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
+from freebody.questions.small_motion import Damping
 from freebody.study.answering.answer import Answer
 from freebody.study.eom import primitive_part
 from freebody.symbolic.equilibrium import find_equilibrium
@@ -36,6 +39,7 @@ from freebody.symbolic.small_motion import FreeOscillations, free_oscillations
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
+_LONG = 80  # operations of an acceleration that is written out
 Reader = Callable[[int, int], Callable[[World], float]]
 
 
@@ -70,15 +74,24 @@ class SmallTelling:
         """M q'' = F, by momentum where one coordinate in the plane is enough."""
         rows = self._rows()
         f = self.field
+        is_long = len(rows) == 1 and n_operations(tidy(rows[0].rest)) > _LONG
+        if is_long and self.may_be_told_by_principles:
+            raise FormulaTooLong(Message("the equation of motion is too long to be read"))
         still = {c.speed: f.zero for c in self.model.coordinates} | stand_still(self.model)
         for row in rows:
             self.found.append(_Equation(f.lowest_terms(f.follow(row.rest, still)), row.number))
+
+    @property
+    def may_be_told_by_principles(self) -> bool:
+        """Whether what is linear at rest is enough: for frequencies, and for the damping of one coordinate."""
+        quantity = self.question.quantity
+        return quantity.is_told_by_principles or (isinstance(quantity, Damping) and len(self.model.coordinates) == 1)
 
     def principles(self) -> None:
         """Where the equations of motion are too long to write: why those of first order are enough, and what holds."""
         self.script, self.found = self.context.script(), []
         with self.script.stage("small.principle", "small.principle_hint"):
-            self.script.say("small.unwritten")
+            self.script.say("small.unwritten", n=len(self.model.coordinates))
             for connection in self._rolling():
                 self.script.say("small.rolls", connection=connection)
 
@@ -151,7 +164,7 @@ class SmallTelling:
         names = [f"omega_{k + 1}" for k in range(len(self.squares))] if len(self.squares) > 1 else ["omega_0"]
         symbols = [Symbol(fresh(self.context, name, f"{name}_n")) for name in names]
         if len(self.model.coordinates) == 1:
-            return symbols, self._one(symbols[0])
+            return symbols, (self._one if self.found else self._one_at_rest)(symbols[0])
         return symbols, self._several(symbols)
 
     def _frequency(self, k: int, symbol: Symbol) -> Meaning:
@@ -183,6 +196,16 @@ class SmallTelling:
                     when="never",
                 ),
             )
+
+    def _one_at_rest(self, symbol: Symbol) -> tuple[int, ...]:
+        """M x'' + K x = 0, so that w^2 = K/M."""
+        lines, script = self.matrices(undamped=True), self.script
+        with script.stage("small.characteristic", "small.characteristic_hint"):
+            named(self.context, script, self._frequency(0, symbol))
+            ratio = divide(self.entries("K")[0][0], self.entries("M")[0][0])
+            value = tidy(self.field.lowest_terms(self.squares[0]))
+            sides, args = (power(symbol, number(2)), ratio, value), dict[str, Argument](lines=lines)
+            return (script.line(*sides, why="small.harmonic_free", args=args, uses=lines, when="never"),)
 
     def _say_undamped(self) -> None:
         """That frequencies are those without damping, where there is any."""
@@ -246,7 +269,10 @@ class SmallTelling:
         """Names of the entries of a matrix; of one coordinate's, one name."""
         n = len(self.model.coordinates)
         if n == 1:
-            return [[Symbol(fresh(self.context, f"{letter}_x", f"{letter}_11"))]]
+            system = self.context.system
+            taken = system.parameters.keys() | system.measures.keys() | system.states.keys()
+            plain = () if taken & {*"MCK"} else (letter,)  # all three, or none
+            return [[Symbol(fresh(self.context, *plain, f"{letter}_x", f"{letter}_11"))]]
         return [[Symbol(fresh(self.context, f"{letter}_{j + 1}{k + 1}")) for k in range(n)] for j in range(n)]
 
     def _polynomial(self, M: list[list[Ratio]], K: list[list[Ratio]], square: Expr) -> Expr:

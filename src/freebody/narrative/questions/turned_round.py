@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from freebody.errors import CannotAnswer, ModelError
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, number, substitute
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, number, substitute
 from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
@@ -48,7 +48,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         from freebody.narrative.questions.happening import derive as derive_happening
 
         return derive_happening(context, question, answer, method)
-    asked = replace(question, id="q1", text=quantity.text, quantity=quantity.of, options={}, key=None)
+    own, text = _as_asked_before(context.system, question, quantity)
+    asked = replace(question, id=own, text=text, quantity=quantity.of, options={}, key=None)
     if quantity.of.scope == "linkage":
         (given,) = solve(replace(context.system, questions=(asked,)), setup=context.setup).answers
         return derivation_of(context.system, asked)(context, asked, given, method)
@@ -81,6 +82,18 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     return [*stages, *script.stages]
 
 
+def _as_asked_before(system: System, question: Question, quantity: Wanted) -> tuple[str, str]:
+    """The id and the words of the question about the quantity itself, where that is asked before: its derivation is
+    told there, and its symbol is the one of it."""
+    for q in system.questions:
+        if q.id == question.id:
+            break
+        same = (q.quantity, q.event, q.transition, q.at_start)
+        if same == (quantity.of, question.event, question.transition, question.at_start):
+            return q.id, q.text
+    return "q1", quantity.text
+
+
 def _values_of(answer: Answer) -> tuple[Expr, ...]:
     """In closed form, else in numbers."""
     if answer.expression is not None:
@@ -108,7 +121,7 @@ def _stationary(
     script.add(Legend(((symbol, what, unit),)))
     left, right = parted(substitute(readable(slope.numerator()), {name: symbol}))
     when = "event" if question.event is not None else "start" if question.at_start else "always"
-    line = script.line(left, right, why="turned.stationary", args={"name": f"@{name}"}, when=when)
+    line = script.line(left, right, why="turned.stationary", args={"name": Symbol(name)}, when=when)
     solved = script.line(symbol, place, why="turned.solved", args={"lines": (line,)}, uses=(line,), when=when)
     if not quantity.asks_place:
         there = substitute(formula, {name: symbol})
@@ -136,7 +149,7 @@ def _tends(context: Context, script: Script, question: Question, formula: Expr, 
     script.add(Legend(((name, what, question.quantity.unit),)))
     when = "event" if question.event is not None else "start" if question.at_start else "always"
     key = "turned.limit_grows" if quantity.end == "grows" else "turned.limit"
-    script.line(name, value, why=key, args={"name": f"@{parameter}", "target": quantity.target}, when=when)
+    script.line(name, value, why=key, args={"name": Symbol(parameter), "target": quantity.target}, when=when)
 
 
 def _are_roots(context: Context, quantity: Wanted, formula: Expr, values: Sequence[Expr]) -> bool:
@@ -185,7 +198,7 @@ def _solved(context: Context, script: Script, question: Question, formula: Expr,
     lines: list[int] = []
     for name in names:
         put_in, target = (substitute(x, {quantity.parameter: name}) for x in (formula, quantity.target))
-        args = {"name": f"@{quantity.parameter}"}
+        args = {"name": Symbol(quantity.parameter)}
         why = "" if lines else "turned.equation"
         lines.append(script.line(put_in, target, why=why, args=args, when=when))
     sides = (names[0], values[0]) if len(names) == 1 else (tuple(names), tuple(values))

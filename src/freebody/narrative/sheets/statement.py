@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, cast
 
-from freebody.errors import ExpressionError, FreebodyError, UnitError
+from freebody.errors import ExpressionError, FreebodyError
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
 from freebody.language.parser import parse
 from freebody.language.raising import raised, typeset
-from freebody.language.units import DIMENSIONLESS, TIME, Quantity, parse_quantity, quantities_within
+from freebody.language.units import DIMENSIONLESS, TIME, quantities_within
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
@@ -18,6 +18,7 @@ from freebody.narrative.lines.script import Argument, Sentence, ready
 from freebody.narrative.sheets.asking import asking
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.sheets.options import shown
+from freebody.narrative.sheets.unseen import not_rebounding, unseen_numbers, unseen_symbols
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.pictures import told_picture
 from freebody.present.report.blocks import (
@@ -36,8 +37,6 @@ from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.mobility.gruebler import gruebler
 from freebody.system.system import System
-
-_UNSEEN = ("rest_length", "friction", "restitution", "pressure_angle")
 
 
 class ExerciseStatement:
@@ -85,7 +84,13 @@ class ExerciseStatement:
         if not system.about:
             told += self._connections()
         told += [Paragraph(self._say("system.assumed", text=ready(text))) for text in system.assumptions]
-        told += [*self._symbols(), *self._states(), *self._start(), *(() if is_bare else self._given())]
+        told += [
+            *self._symbols(),
+            *self._states(),
+            *self._start(),
+            *self._impacts(),
+            *(() if is_bare else self._given()),
+        ]
         return tuple(told)
 
     def prompt(self, question: Question) -> Text:
@@ -115,8 +120,10 @@ class ExerciseStatement:
         """The bodies with shape, mass, size and moment of inertia, in one sentence; those alike together."""
         given = cast("dict[str, Any]", self.system.document.data.get("bodies") or {})
         alike: dict[Text, list[Piece]] = {}
+        first = {copy: body.name for body in self.system.bodies.values() for copy in body.copies}
         for body in self.system.moving:
-            alike.setdefault(self._described(body, given.get(body.name)), []).append(self.catalogue.name(body.name))
+            entry = given.get(first.get(body.name, body.name))  # copies are as the one that is written
+            alike.setdefault(self._described(body, entry), []).append(self.catalogue.name(body.name))
         told = [(*_in_turn([(name,) for name in names]), " (", *what, ")") for what, names in alike.items()]
         if told:
             yield Paragraph((*self._say("sheet.bodies"), " ", *_in_turn(told, "; "), "."))
@@ -127,7 +134,7 @@ class ExerciseStatement:
         shape = next(iter(given), "")
         of_shape: object = given.get(shape)
         own = cast("dict[str, Any]", of_shape) if isinstance(of_shape, dict) else {}
-        sizes = self._sizes(own)
+        sizes = self._sizes(shape, own)
         # that of a homogeneous body follows from its mass and its size
         inertia = _inertia(body) if body.turns and ("inertia" in own or not sizes) else ()
         is_massless = body.mass == ZERO and not inertia
@@ -143,19 +150,25 @@ class ExerciseStatement:
             parts.append(self._say("sheet.massless"))
         return _in_turn(parts)
 
-    def _sizes(self, given: Mapping[str, Any]) -> list[Text]:
+    def _sizes(self, shape: str, given: Mapping[str, Any]) -> list[Text]:
         """Radius, length and so on, as the file has them."""
         found: list[Text] = []
         for key, value in given.items():
-            if not self.catalogue.has(f"size.{key}") or not isinstance(value, str):
+            word = next((w for w in (f"size.{shape}.{key}", f"size.{key}") if self.catalogue.has(w)), None)
+            if word is None or value is None:
                 continue
-            _rest, quantities = quantities_within(value, self.system.parameters)
-            try:
-                size: Piece = raised(value) if quantities else Formula((parse(value),))
-            except ExpressionError:
-                size = raised(value)
-            found.append((self.catalogue.word(f"size.{key}"), " ", size))
+            values = cast("list[object]", value) if isinstance(value, list) else [value]
+            sizes = [self._size(str(x)) for x in values]
+            found.append((self.catalogue.word(word), " ", *_in_turn(sizes)))
         return found
+
+    def _size(self, text: str) -> Text:
+        """As the file has it: a formula, or numbers with their units."""
+        _rest, quantities = quantities_within(text, self.system.parameters)
+        try:
+            return (raised(text) if quantities else Formula((parse(text),)),)
+        except ExpressionError:
+            return (raised(text),)
 
     def _connections(self) -> Iterator[Block]:
         """Connections and loads, in a sentence each."""
@@ -229,7 +242,7 @@ class ExerciseStatement:
             if p.value is None or text is None:
                 is_open = True
                 continue
-            known.append(_value(p.name, str(text)))
+            known.append((*_value(p.name, str(text)), *self._meant(p.name)))
         known += self._unnamed()
         if known:
             joined = [piece for k, text in enumerate(known) for piece in ((", ", *text) if k else text)]
@@ -237,15 +250,23 @@ class ExerciseStatement:
         if is_open:
             yield Paragraph(self._say("sheet.in_symbols"))
 
+    def _meant(self, name: str) -> Text:
+        """What a parameter is that no figure shows, in brackets."""
+        field, of = unseen_symbols(self.system).get(name, ("", ""))
+        if not field:
+            return ()
+        what = self._say(f"unseen.{field}", name=of) if of else self._say(f"unseen_alone.{field}")
+        return (" (", *what, ")")
+
     def _unnamed(self) -> Iterator[Text]:
         """What no figure shows and no parameter names: the number for the length of a spring, or for a friction."""
-        for section in ("connections", "loads"):
-            data = self.system.document.data.get(section)
-            for name, entry in cast("dict[str, Any]", data).items() if isinstance(data, dict) else ():
-                told = cast("dict[str, Any]", entry) if isinstance(entry, dict) else {}
-                for of in (told, *(inner for inner in told.values() if isinstance(inner, dict))):
-                    for field, number in _unseen_in(of):
-                        yield (*self._say(f"unseen.{field}", name=name), " ", raised(number).replace(" deg", "°"))
+        for field, name, value in unseen_numbers(self.system):
+            yield (*self._say(f"unseen.{field}", name=name), " ", raised(value).replace(" deg", "°"))
+
+    def _impacts(self) -> Iterator[Block]:
+        """What does not rebound, where nobody has said how it does."""
+        if names := not_rebounding(self.system):
+            yield Paragraph(self._say("sheet.plastic", names=names))
 
     # -- questions ----------------------------------------------------------------------------
     def _question(self, question: Question, k: int) -> Iterator[Block]:
@@ -276,30 +297,6 @@ def _value(name: str, text: str) -> Text:
     except ValueError:
         return Formula((Symbol(name),)), f" = {raised(text)}"
     return Formula((Symbol(name),)), f" = {typeset(digits)}{shown}"
-
-
-def _unseen_in(of: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """The numbers that no figure shows, by their words; of friction both, where it is more at rest. That nothing
-    bounces is told as well, and no other zero."""
-    for field in _UNSEEN:
-        value = of.get(field)
-        parts = (
-            {f"{field}_{key}": x for key, x in cast("dict[str, Any]", value).items()}
-            if isinstance(value, dict)
-            else {field: value}
-        )
-        for word, x in parts.items():
-            quantity = _quantity(x)
-            if quantity is not None and (quantity.value or field == "restitution"):
-                yield word, str(x)
-
-
-def _quantity(value: object) -> Quantity | None:
-    """A number that the file gives, with its unit; nothing for formulas."""
-    try:
-        return parse_quantity(str(value)) if isinstance(value, (str, int, float)) else None
-    except UnitError:
-        return None
 
 
 def _with_unit(value: Expr, unit: str) -> Text:

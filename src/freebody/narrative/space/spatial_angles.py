@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 
+from freebody.connections.shared_by_copies import copy_of_row
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol
 from freebody.measures.base import Measure
@@ -133,6 +134,8 @@ class Angles:
         args: dict[str, Argument] = {"connection": row.connection, "component": f"@{row.component}"}
         is_driven = row.reaction.startswith("driving ")
         why = f"constraint.{row.reaction.replace(' ', '_')}" if is_driven else "space.loop"
+        if copy := copy_of_row(row.component):
+            why, args["copy"] = "constraint.copy", copy
         place = self.frames.script.line(*balanced(tidy(primitive_part(equation))), why=why, args=args)
         lines = [place]
         tangent = self._tangent(equation, name, place)

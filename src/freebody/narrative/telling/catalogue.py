@@ -17,7 +17,7 @@ from typing import Any, Literal, cast
 from freebody.errors import InputError
 from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import Stated
-from freebody.language.parser import GREEK
+from freebody.language.notation.parts import LETTER_OF
 from freebody.language.raising import raised
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
@@ -30,11 +30,11 @@ from freebody.narrative.words import languages, tables_of
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Relation, Text
 from freebody.present.report.words import ENGLISH
 
-_KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
+_KEY = re.compile(r"(reaction|joint|axis|kind)\.[a-z _]+")
 _PLACE = re.compile(r"\{(\w+)\}")
 _OF_MODELS = "en"  # the language of model files and of the layers below
 _FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
-SYMBOL = re.compile(rf"(?:[A-Za-z]|{'|'.join(sorted(GREEK, key=len, reverse=True))})(?:_?\d+|_[A-Za-z0-9])?")
+SYMBOL = re.compile(rf"(?:[A-Za-z]|{'|'.join(sorted(LETTER_OF, key=len, reverse=True))})(?:_?\d+|_[A-Za-z0-9])?")
 _EXPRESSIONS = (Number, Symbol, Sum, ProductOf, PowerOf, Call)
 
 

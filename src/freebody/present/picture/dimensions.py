@@ -14,7 +14,7 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Components
 from freebody.model.elements import RigidBody
-from freebody.model.glyphs import Rail, Rod, Surface, Track
+from freebody.model.glyphs import Belt, Rail, Rod, Rope, Surface, Track, Wheels
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Figure, Place, positions
 from freebody.present.picture.dimensioned import INK, LEAST, SIZE, Dimensioned
@@ -48,8 +48,8 @@ class Dimensions(Dimensioned):
             body = self.system.bodies[figure.name]
             if figure.radius is not None and body.radius is not None:
                 self._radius(figure, body.radius, figure.radius)
-                for hub in body.middle_circles.values():
-                    self._radius(figure, hub, self.places.number(hub))
+                for hub in (*body.middle_circles.values(), *self._wound(body)):
+                    self._radius(figure, hub, abs(self.places.number(hub)))
         if any(rail.is_support for rail in self.drawing.scene.rails):
             self._ground()  # the span first, of which parts along a beam may be shares
         for figure in self.drawing.scene.figures:
@@ -60,6 +60,20 @@ class Dimensions(Dimensioned):
     def spot(self, place: Place) -> Array:
         """(2,) [points]"""
         return self.sketch.seen(positions(self.drawing.poses, place)[0])
+
+    def _wound(self, body: RigidBody) -> Iterator[Expr]:
+        """Radii of further circles about the centre of a body: on which strings and belts run, or which roll."""
+        for shown in self.system.glyphs:
+            match shown.sign:
+                case Rope(nodes, is_fall=False):
+                    ends = [(node.place, node.arm) for node in nodes]
+                case Wheels(first, second, radii) | Belt(first, second, radii):
+                    ends = list(zip((first, second), radii, strict=True))
+                case Track(place, _along, radius):
+                    ends = [(place, radius)]
+                case _:
+                    continue
+            yield from (radius for place, radius in ends if place == body.center and radius != ZERO)
 
     # -- radii --------------------------------------------------------------------------------
     def _radius(self, figure: Figure, radius: Expr, size: float) -> None:

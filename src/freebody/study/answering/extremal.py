@@ -103,7 +103,7 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
     )
     notes = [reworded(told, shown)]
     if setup.system.parameters[wanted.parameter].value is not None:
-        notes.append(Message("the number that the file gives for {name} is left out", name=wanted.parameter))
+        notes.append(Message("the number given for {name} is not used", name=wanted.parameter))
     element = place if wanted.asks_place else there
     return Finding(
         element, evidence, [*conditions, *real(element)], notes, has_value=setup.has_values, is_complete=True

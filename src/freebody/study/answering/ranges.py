@@ -271,9 +271,11 @@ class RangeSearch(TruthInNumbers):
         found, conditions, evidence = self._confirmed(found)
         element, notes = self._asked(found), list[str]()
         told = joined([self._told(interval) for interval in found], " or ")
-        so = Message("so for {range}", range=told)
+        so = Message("this holds for {range}", range=told)
         if self._is_one_end:
-            so = Message("so for {range} with the given numbers: at others there may be other ends beside", range=told)
+            so = Message(
+                "this holds for {range} with the given numbers: at others there may be other ends beside", range=told
+            )
         notes.append(reworded(so, told))
         for interval in unknown:
             where = self._told(interval)
@@ -296,7 +298,7 @@ class RangeSearch(TruthInNumbers):
                 )
             )
         if self.parameter.value is not None:
-            notes.append(Message("the number that the file gives for {name} is left out", name=name))
+            notes.append(Message("the number given for {name} is not used", name=name))
         return Finding(element, evidence, conditions, notes, says, has_value=self.setup.has_values, is_complete=True)
 
     def _for_every(self) -> str:

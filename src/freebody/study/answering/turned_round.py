@@ -403,7 +403,7 @@ def _chosen(possible: Sequence[_Candidate]) -> Finding:
     parameter = own[0].of.parameter
     notes: list[str] = []
     if parameter.value is not None:
-        notes.append(Message("the number that the file gives for {name} is left out", name=parameter.name))
+        notes.append(Message("the number given for {name} is not used", name=parameter.name))
     for c in possible:
         if all(c.value != other.value for other in own):
             shown, where = to_text(tidy(c.value)), joined(merged(c.conditions))

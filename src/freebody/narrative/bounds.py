@@ -1,0 +1,62 @@
+"""Conditions in which one name stands beside numbers alone: what it is compared with, as a number with its unit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from freebody.errors import ExpressionError
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, free_symbols
+from freebody.language.notation import Stated
+from freebody.language.raising import raised
+from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.narrative.context import Context
+from freebody.narrative.lines.script import Argument, Sentence, ready
+from freebody.tolerances import ROUND_OFF
+
+_TURNED = {">": "<", "≥": "≤", "<": ">", "≤": "≥"}
+
+
+def with_unit(context: Context, condition: str) -> Argument:
+    """The condition as it is told: 25 F sin 20° ≤ 981 as F ≤ 114.7 N, anything else as it stands."""
+    words = condition.words if isinstance(condition, Stated) else condition
+    inner = words.arguments.get("condition") if isinstance(words, Message) else condition
+    bound = _bound(context, inner) if isinstance(inner, Stated) else None
+    if bound is None:
+        return ready(condition)
+    if isinstance(words, Message):
+        return Sentence("result.bound_for", {"bound": bound, "purposes": ready(str(words.arguments["purposes"]))})
+    return bound
+
+
+def _bound(context: Context, condition: Stated) -> Sentence | None:
+    if condition.sides is None or condition.sides[1] not in _TURNED:
+        return None
+    left, relation, right = condition.sides
+    names = sorted((free_symbols(left) | free_symbols(right)) - {"pi"})
+    dimensions = _dimensions(context)
+    if len(names) != 1 or dimensions.get(names[0], DIMENSIONLESS) == DIMENSIONLESS:
+        return None
+    (name,) = names
+    try:
+        at = [_number(left, name, x) - _number(right, name, x) for x in (0.0, 1.0, 2.0)]
+    except (ExpressionError, ArithmeticError, ValueError):
+        return None
+    slope = at[1] - at[0]
+    if slope == 0.0 or abs(at[2] - at[1] - slope) > ROUND_OFF * max(map(abs, at)):
+        return None
+    sign = relation if slope > 0 else _TURNED[relation]
+    unit = raised(str(dimensions[name]))
+    return Sentence(
+        "result.bound", {"name": Symbol(name), "sign": f"@{sign}", "value": f"@{-at[0] / slope:.4g} {unit}"}
+    )
+
+
+def _number(e: Expr, name: str, x: float) -> float:
+    return float(evaluate(e, {name: x}, FLOAT_FUNCTIONS))
+
+
+def _dimensions(context: Context) -> Mapping[str, Dimension]:
+    system = context.system
+    found = {p.name: p.dimension for p in system.parameters.values()}
+    return found | {name: measure.dimension for name, measure in system.measures.items()}
