@@ -560,3 +560,22 @@ def test_a_truck_that_is_led_along_x_and_carried_by_nothing_falls() -> None:
     assert not [w for w in fb.System.from_text(on_a_road).warnings if w.kind == "led and falling"]
     upright = LED.replace("x of truck", "y of truck")
     assert not [w for w in fb.System.from_text(upright).warnings if w.kind == "led and falling"]
+
+
+PITCHING = """
+parameters: {m: 200 kg, L: 2 m, k1: 20 kN/m, k2: 30 kN/m}
+ground: {points: {O: [0, 0], A: [-L/2, -0.5 m], B: [L/2, -0.5 m]}}
+bodies: {beam: {rod: {mass: m, length: L}, at: [0, 0], angle: 0}}
+connections: {guide: {slider: {body: GUIDED, along: up, through: ground.O}}}
+loads:
+  s1: {spring: {from: ground.A, to: beam.start, stiffness: k1, length: 0.5 m}}
+  s2: {spring: {from: ground.B, to: beam.end, stiffness: k2, length: 0.5 m}}
+"""
+
+
+def test_what_stands_on_two_springs_may_be_meant_to_pitch_where_a_point_of_it_is_guided() -> None:
+    ((kind, told),) = warned(PITCHING.replace("GUIDED", "beam.center"))
+    assert kind == "locked rotation"
+    assert "although springs pull at several points of it" in told
+    assert "slot: {pin: beam.center" in told
+    assert not warned(PITCHING.replace("GUIDED", "beam"))

@@ -2,7 +2,8 @@
 
 Of a slider's two rows one holds the angle. With F the directions that all constraints leave, and F' those that are
 left without that row, it has locked the system if F is empty and F' is not, and an angle that the model names or
-drives if that changes along F' and never along F.
+drives if that changes along F' and never along F. What stands on springs at several points pitches, where the file
+guides a point of it.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ import numpy as np
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.turned import points_in
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
 
@@ -55,6 +58,15 @@ class LockedRotation(WarningKind, name="locked rotation"):
                     point=_guided(model, row, body),
                 )
                 yield self._said(told, row, body)
+            elif _is_sprung_apart(model, row, body):
+                told = Message(
+                    "{slider} keeps {body} from turning, although springs pull at several points of it. If a point of "
+                    "{body} is guided, write slot: {{pin: {point}, along: ...}}",
+                    slider=row.connection,
+                    body=body,
+                    point=_guided(model, row, body),
+                )
+                yield self._said(told, row, body)
 
     def _said(self, told: str, row: ConstraintRow, body: str) -> ModelWarning:
         return self.warning(told, "connections", row.connection, about=frozenset((row.connection, body)))
@@ -63,6 +75,16 @@ class LockedRotation(WarningKind, name="locked rotation"):
 def _guided(model: Opened, row: ConstraintRow, body: str) -> str:
     """The point that the file says is guided."""
     return str(getattr(model.system.connections[row.connection], "body", body))
+
+
+def _is_sprung_apart(model: Opened, row: ConstraintRow, body: str) -> bool:
+    """Whether a point of a body is said to be guided, not the body, and springs pull at several points of it."""
+    if "." not in _guided(model, row, body):
+        return False
+    loads = model.system.loads
+    storing = [p.measure for p in model.system.applied_loads if loads[p.load].stores_energy]
+    pulls = [measure for measure in storing if not isinstance(measure, Displacement | Angle)]
+    return len({p.offset for measure in pulls for p in points_in(measure) if p.body == body}) > 1
 
 
 def _turned(model: Opened, body: str) -> Iterator[tuple[str, Measure | NonholonomicForm]]:
