@@ -56,6 +56,8 @@ from freebody.questions.turned_round import (
     RangeFor,
 )
 
+KEYS_OF_QUESTIONS = ("find", "id", "when", "options", "key", "text", "points")
+
 
 @dataclass(frozen=True)
 class FoundAt:
@@ -172,7 +174,7 @@ def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
 
 def _questions(names: Names, name: str, value: Any) -> list[Question]:
     """What one entry asks: one question, or several where its words ask for several things."""
-    known = ("find", "id", "when", "options", "key", "text", "points")
+    known = KEYS_OF_QUESTIONS
     phrased = phrase_text(value)
     entry: dict[str, Any] = {}
     if phrased is not None:

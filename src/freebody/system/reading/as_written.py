@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from typing import cast
 
+from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.system.reading.written.beams import with_beam
@@ -63,11 +64,14 @@ _AT_REST = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
 _IN_SPACE = ("3d", "3", "yes", "spatial")
 
 
-def as_read(document: Document) -> tuple[Document, list[Message], dict[str, Message]]:
+def as_read(document: Document, file: str | None) -> tuple[Document, list[Message], dict[str, Message]]:
     """The document in the form in which it is read, itself where it is written so, what that takes for granted,
-    and why sections are left as they are."""
+    and why sections are left as they are. Raises ModelError of a figure in a few lines that cannot be read."""
     written = Written(document.data)
-    _put_in_order(written)
+    try:
+        _put_in_order(written)
+    except ModelError as error:
+        raise ModelError([document.locate(problem) for problem in error.problems], file) from None
     is_other = written.data != document.data
     read = document.rewritten(written.data, written.moved) if is_other else document
     return read, written.assumed, written.refused

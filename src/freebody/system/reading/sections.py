@@ -62,6 +62,7 @@ LIES_ON = ("on", "lies_on", "rests_on")  # of a body, in itself, how it is held
 ATTACHED = ("attached_to", "fixed_to", "welded_to", "glued_to", "mounted_on", "fixed_at", "befestigt_an")
 HINGED = ("hinged_to", "pinned_to", "pivoted_to", "hinged_at", "pinned_at", "pivoted_at", "gelenkig_an")
 OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
+OF_PARAMETERS = ("value", "unit", "sign", "about")
 
 SAYS_KIND = ("type", "kind", "shape")  # in an entry
 CLOSES = "closes"  # beside the kind of a connection

@@ -26,6 +26,7 @@ from freebody.system.reading.sections import (
     SAYS_KIND,
     SECTIONS,
 )
+from freebody.system.reading.vocabulary import figure_meant
 from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import (
     JOINED,
@@ -90,6 +91,13 @@ def take_in_sections(w: Written) -> None:
         elif (joined := _joined_as(w, key, value) or _called_as(w, key, value)) is not None:
             _take_in(w, joined, {key: {key: _as_symbol(w, key, value)}}, key, (key,))
         elif _says_a_body(w, key, value):
+            if (figure := figure_meant(key)) is not None:
+                told = Message(
+                    "there is no {key}. Did you mean {figure}? A body of that name stands under bodies",
+                    key=key,
+                    figure=figure,
+                )
+                w.refuse(told, key)
             _take_in(w, "bodies", {key: value}, key, (key,))
 
 

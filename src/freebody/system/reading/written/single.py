@@ -18,7 +18,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, Dimension
 from freebody.system.reading.sections import MEANT_SECTIONS
 from freebody.system.reading.written.dimensions import dimension_said
-from freebody.system.reading.written.form import Entry, Written, are_mappings
+from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
 
 _SECTIONS = ("parameters", "ground", "connections", "loads", "measures", "start")
 _STIFFNESS, _DAMPING = FORCE / LENGTH, FORCE * TIME / LENGTH
@@ -43,6 +43,10 @@ _FACTOR = re.compile(r"(?P<size>[\d.]+(?:e-?\d+)? ?[A-Za-z]\w*) ?\* ?(?P<rest>.*
 _RATE = re.compile(r"(?<![\w.)^])(?<![\d.][eE][-+])(?P<rate>[\d.]+(?:[eE][-+]?\d+)?) ?\*? ?t\b")
 _EXCITED = ("force", "f", "kraft")
 _CALLED = ("pendulum", "simple_pendulum", "pendel", "fadenpendel")
+VOCABULARY = Vocabulary(
+    (*_CALLED, *_EXCITED, *_OF_START, *(word for words, _dimension in _OSCILLATOR.values() for word in words)),
+    tuple(word for words, _dimension in _PENDULUM.values() for word in words),
+)
 
 
 def with_single(w: Written) -> None:

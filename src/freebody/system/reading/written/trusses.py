@@ -17,8 +17,7 @@ from freebody.language.document.tree import Place
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-
-Entry = dict[str, Any]
+from freebody.system.reading.written.form import Entry, Vocabulary
 
 _MEMBERS = ("members", "elements", "bars", "struts", "rods", "truss_members", "staebe")
 _PLACES = ("nodes", "joints", "points", "knoten")
@@ -26,6 +25,10 @@ _NUMBERED = "member_"  # before a number that is the name of one
 _PINNED = ("pin", "pinned", "hinge", "fixed", "festlager", "a_lager")
 _ROLLER = ("roller", "loslager", "b_lager", "slider")
 _SUPPORTS = ("supports", "lager", "auflager")
+_NODE, _ENDS, _WAY = ("at", "node", "point", "joint"), ("nodes", "between", "from", "to"), ("along", "direction")
+VOCABULARY = Vocabulary(
+    (*_MEMBERS, *_PLACES, *_SUPPORTS), (*_PINNED, *_ROLLER, *_NODE, *_ENDS, *_WAY, "type", "name", "x", "y", "z")
+)
 
 
 def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], Message] | None:
@@ -67,7 +70,7 @@ def _by_node(supports: Any) -> Any:
     found: Entry = {}
     for item in cast("list[Any]", supports):
         fields = dict(cast("Entry", item)) if isinstance(item, dict) else {}
-        node = next((fields.pop(key) for key in ("at", "node", "point", "joint") if key in fields), None)
+        node = next((fields.pop(key) for key in _NODE if key in fields), None)
         if not isinstance(node, str) or node in found:
             return supports
         found[node] = fields
