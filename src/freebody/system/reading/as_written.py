@@ -23,12 +23,14 @@ from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.system.reading.written.beams import with_beam
 from freebody.system.reading.written.bevels import complete_bevels, with_bevels
+from freebody.system.reading.written.cams import with_cam
 from freebody.system.reading.written.collisions import guide_what_collides
 from freebody.system.reading.written.distances import with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
 from freebody.system.reading.written.gears import bear_gears, place_axles, with_modules
 from freebody.system.reading.written.held import ground_as_line, hold_bodies, raise_walls, roughen_lines
+from freebody.system.reading.written.hoops import with_hoop
 from freebody.system.reading.written.joined_places import leave_to_joints
 from freebody.system.reading.written.joints import join_rods, tell_middles
 from freebody.system.reading.written.linkages import with_linkage
@@ -90,6 +92,8 @@ def _put_in_order(w: Written) -> None:
     with_linkage(w)
     with_planetary(w)
     with_single(w)
+    with_cam(w)
+    with_hoop(w)
     with_bevels(w)
     if str(w.data.get("start")).lower() in _AT_REST:
         del w.data["start"]

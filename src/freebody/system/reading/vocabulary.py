@@ -26,10 +26,21 @@ from freebody.system.reading.sections import (
     SECTIONS,
     SPATIAL_OPTIONS,
 )
-from freebody.system.reading.written import beams, bevels, joints, linkages, planetary, single, toothed, trusses
+from freebody.system.reading.written import (
+    beams,
+    bevels,
+    cams,
+    hoops,
+    joints,
+    linkages,
+    planetary,
+    single,
+    toothed,
+    trusses,
+)
 from freebody.system.reading.written.form import JOINED, SAYS_NAME, kinds_of
 
-_FIGURES = (beams, bevels, joints, linkages, planetary, single, trusses)
+_FIGURES = (beams, bevels, cams, hoops, joints, linkages, planetary, single, trusses)
 _NEAR, _WORDS_COMPARED = 0.65, 9
 FEWEST = 3  # letters of a word
 
