@@ -297,3 +297,40 @@ gravity: 9.81
 """
     lift = 2 * 8 * G - 20 * G * (0.5 + 0.2 * math.sqrt(0.75))
     assert answer(text, "acceleration of y") == pytest.approx(2 * lift / (20 + 4 * 8))
+
+
+LINE = "bodies: {b: {particle: {mass: 1 kg}, at: [1 m, 2 m]}}\n"
+
+
+@pytest.mark.parametrize(
+    ("said", "line"),
+    [
+        ("ground: {floor: horizontal}", "floor: {along: right}"),
+        ("ground: {floor: y = 1 m}", "floor: {along: right, through: [0, 1 m]}"),
+        ("ground: {floor: {y: 1 m}}", "floor: {along: right, through: [0, 1 m]}"),
+        ("ground: {floor: 1 m}", "floor: {along: right, through: [0, 1 m]}"),
+        ("ground: {slope: 30 deg}", "slope: {angle: 30 deg}"),
+        ("slope: 30 deg", "slope: {angle: 30 deg}"),
+        ("parameters: {beta: 30 deg}\nground: {slope: beta}", "slope: {angle: beta}"),
+    ],
+)
+def test_a_line_of_the_ground_by_how_it_lies(said: str, line: str) -> None:
+    plain = f"ground: {{lines: {{{line}}}}}"
+    plain = f"parameters: {{beta: 30 deg}}\n{plain}" if "beta" in said else plain
+    read, meant = (fb.System.from_text(f"{LINE}{each}\n") for each in (said, plain))
+    assert read.bodies["ground"] == meant.bodies["ground"]
+
+
+def test_an_upright_line_says_on_which_side_it_is_solid() -> None:
+    """It was offered as a level one."""
+    with pytest.raises(fb.ModelError, match=r"solid: right, through: \[2 m, 0\]") as refused:
+        fb.System.from_text(f"{LINE}ground: {{wall: x = 2 m}}\n")
+    assert len(refused.value.problems) == 1
+    with pytest.raises(fb.ModelError, match=r"slope: \{angle: 30 deg\}"):
+        fb.System.from_text(f"{LINE}ground: {{slope: 30}}\n")
+
+
+def test_a_wall_that_is_upright_and_no_more_is_raised_beside_the_body() -> None:
+    text = "connections: {c: {contact: [b, wall]}}\n"
+    read, meant = (fb.System.from_text(LINE + text + each) for each in ("ground: {wall: vertical}\n", ""))
+    assert read.bodies["ground"] == meant.bodies["ground"]

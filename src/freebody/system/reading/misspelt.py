@@ -86,8 +86,13 @@ def _best(
 
 
 def _is_better(word: _Word, before: list[Problem], after: list[Problem]) -> bool:
-    """Whether a word explains mistakes: some that it does not name, or more than one."""
-    return len(after) + 1 < len(before) or (len(after) + 1 == len(before) and _already_told(word, before) is None)
+    """Whether a word explains mistakes: more than one, or one that does not name it, and brings no other ones."""
+    if any(problem.path[: len(word.place) + 1] == (*word.place, word.meant) for problem in after):
+        return len(after) + 1 < len(before)
+    is_less = {problem.message for problem in after} < {problem.message for problem in before}
+    return len(after) + 1 < len(before) or (
+        len(after) + 1 == len(before) and is_less and _already_told(word, before) is None
+    )
 
 
 def _already_told(word: _Word, problems: list[Problem]) -> Problem | None:
@@ -121,11 +126,15 @@ def _with(document: Document, word: _Word) -> Document:
 
 def _unknown(data: Mapping[str, Any]) -> Iterator[list[_Word]]:
     """The words that nobody knows, those of sections first, each with the nearest ones that are known."""
+    named = (data[section] for section in ("bodies", "parameters", "measures") if isinstance(data.get(section), dict))
+    given = {str(name) for section in named for name in section}
     for place, entry in sorted(_keys(data, ()), key=lambda each: len(each[0])):
         known = words_inside() if place else words_of_sections()
+        if place == ("ground",):  # beside these it has names
+            known = {word: word for word in OF_GROUND}
         for key in entry:
             form = folded(key)
-            if len(form) >= FEWEST and form not in known and not _is_name(place):
+            if len(form) >= FEWEST and form not in known and not _is_name(place) and key not in given:
                 yield [_Word(place, key, meant) for meant in nearest(key, known) if meant not in entry]
 
 

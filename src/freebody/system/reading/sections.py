@@ -53,6 +53,7 @@ MEANT_SECTIONS: Mapping[str, str] = {
     },
     **dict.fromkeys(("description",), "about"),
 }
+CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
 OF_LINES = ("through", "along", "angle", "solid", "x", "y")  # the fields of a line
 ROUGH = (  # of what touches
     *("friction", "mu", "Reibung", "Reibungszahl", *FRICTION, *AT_REST, *IN_MOTION),
@@ -70,3 +71,5 @@ CLOSES = "closes"  # beside the kind of a connection
 _ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "copies")
 PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
 SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")
+OF_DRAWINGS = ("paths", "labels", "scale", "wheels", "hide")
+OF_STYLES = ("names", "axes", "order", "decimal")

@@ -17,9 +17,11 @@ from freebody.system.reading.sections import (
     HINGED,
     LIES_ON,
     MEANT_SECTIONS,
+    OF_DRAWINGS,
     OF_GROUND,
     OF_LINES,
     OF_PARAMETERS,
+    OF_STYLES,
     PLANAR_OPTIONS,
     ROUGH,
     SAYS_KIND,
@@ -109,7 +111,17 @@ def words_inside() -> dict[str, str]:
     ]
     beside = (*PLANAR_OPTIONS, *SPATIAL_OPTIONS, *SAYS_KIND, *SAYS_NAME, CLOSES, *LIES_ON, *ATTACHED, *HINGED)
     figures = [word for each in _FIGURES for word in (*each.VOCABULARY.inside, *each.VOCABULARY.sections)]
-    own = (*OF_LINES, *OF_GROUND, *OF_PARAMETERS, *KEYS_OF_QUESTIONS, "normal", "turned", "up")
+    own = (
+        *OF_LINES,
+        *OF_GROUND,
+        *OF_PARAMETERS,
+        *KEYS_OF_QUESTIONS,
+        *OF_DRAWINGS,
+        *OF_STYLES,
+        "normal",
+        "turned",
+        "up",
+    )
     return _by_form([*fields, *beside, *own, *figures, *MEANT, *ROUGH, *AT_REST, *IN_MOTION, *toothed.WORDS])
 
 
