@@ -114,3 +114,81 @@ def test_what_no_word_is_near_to_is_told_where_it_stands() -> None:
     with pytest.raises(fb.ModelError, match="there is no section colour") as refused:
         fb.System.from_text("bodies: {b: {mass: 2 kg}}\ncolour: red\n")
     assert len(refused.value.problems) == 1
+
+
+TRUSS = "nodes: {A: [0, 0], B: [4 m, 0], C: [2 m, 3 m]}\n"
+# figures in a few lines with mistakes, and what is told of each, at its place
+MISTAKES = {
+    "a node that there is not": (
+        TRUSS + "members: [AB, BC, AD]\nsupports: {A: pin, B: roller}\n",
+        ["AD is no member between two of the nodes A, B, C"],
+    ),
+    "two supports that there are not": (
+        TRUSS + "members: [AB, BC, AC]\nsupports: {A: bolt, B: wheel}\n",
+        ["a truss has no support bolt: supports are pin and roller", "a truss has no support wheel"],
+    ),
+    "a load in kilograms": (
+        "beam: {length: 6 m}\nsupports: {A: {pin: 0 m}, B: {roller: 6 m}}\nloads: [{P: 10 kg, x: 2 m}]\n",
+        ["10 kg is no force (N), no load per length (N/m) and no couple (N m)"],
+    ),
+    "a support that says no place": (
+        "beam: {length: 6 m}\nsupports: {A: pin, B: {roller: 6 m}}\n",
+        ["say how it holds and where: A: {pin: 0 m}"],
+    ),
+    "a word that no load of a beam has": (
+        "beam: {length: 6 m}\nsupports: {A: 0, B: 6 m}\nloads: [{P: 10 N, x: 2 m, colour: red}]\n",
+        ["a load of a beam has no colour; it has type, value, at, from, to, direction"],
+    ),
+    "a length that is missing": (
+        "four_bar: {crank: 40 mm, coupler: 120 mm, rocker: 80 mm}\n",
+        ["a four-bar has four lengths: crank, coupler, rocker and ground; ground is missing"],
+    ),
+    "teeth that are missing": (
+        "bevel_gears: {a: {teeth: 20, module: 3 mm}, b: {module: 3 mm}}\n",
+        ["bevel gears need the teeth of both: bevel_gears: {a: {teeth: 20}, b: {teeth: 40}}"],
+    ),
+    "bevel gears with what nobody reads": (
+        "bevel_gears: {a: {teeth: 20, colour: red}, b: {teeth: 40}}\na_speed: 20 rpm\n",
+        ["a.colour stands under bodies and connections"],
+    ),
+    "a pendulum without a length": ("pendulum: {mass: 2 kg}\n", ["a pendulum needs a length"]),
+    "a shape that is not indented": (
+        "bodies:\n  a:\n  particle: {mass: 2 kg}\n",
+        ["particle is not indented, so that a is empty"],
+    ),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_figure_that_cannot_be_read_is_told_by_what_it_lacks(mistake: str) -> None:
+    text, said = MISTAKES[mistake]
+    with pytest.raises(fb.ModelError) as refused:
+        fb.System.from_text(text)
+    told = [problem.message for problem in refused.value.problems]
+    assert len(told) == len(said)
+    assert all(part in message for part, message in zip(said, told, strict=True))
+
+
+def test_an_entry_behind_a_dash_is_read() -> None:
+    text = "bodies:\n  - a: {particle: {mass: 2 kg}}\nconnections:\n  guide:\n    - slider: {body: a, along: right}\n"
+    assert [*fb.System.from_text(text).connections] == ["guide"]
+
+
+def test_beams_by_supports_that_say_their_places_alone() -> None:
+    """10 N (6 - 2)/6."""
+    text = "beam: {length: 6 m}\nsupports: {A: 0, B: 6 m}\nloads: [{force: 10 N, at: 2 m}]\n"
+    (answer,) = fb.System.from_text(text).solve("y component of reaction of A").answers
+    assert answer.value == pytest.approx(20 / 3)
+
+
+@pytest.mark.parametrize(
+    "words", ["z: 20, m: 4 mm", "N: 20, module: 4 mm", "teeth: 20, m: 4 mm", "Zähnezahl: 20, modul: 4 mm"]
+)
+def test_a_toothed_wheel_has_the_same_words_everywhere(words: str) -> None:
+    plain = "teeth: 20, module: 4 mm"
+    other = ", b: {teeth: 40, module: 4 mm}"
+    train = "bodies: {{a: {{gear: {{{0}}}}}, b: {{gear: {{teeth: 40}}}}}}\nconnections: {{m: {{gear_mesh: [a, b]}}}}\n"
+    bevels = "bevel_gears: {{a: {{{0}}}" + other.replace("{", "{{").replace("}", "}}") + "}}\n"
+    for text in (train, bevels):
+        read, meant = (fb.System.from_text(text.format(each)) for each in (words, plain))
+        assert read.bodies["a"] == meant.bodies["a"]

@@ -85,7 +85,7 @@ def _put_in_order(w: Written) -> None:
     if str(w.data.get("space")).lower() in _IN_SPACE:
         w.data["space"], w.space = True, True
         w.moved[("space",)] = ("space",)
-    if (truss := with_truss(w.data, space=w.space)) is not None:
+    if (truss := with_truss(w)) is not None:
         w.data, w.moved, told = truss[0], w.moved | truss[1], truss[2]
         w.assumed.append(told)
     with_beam(w)

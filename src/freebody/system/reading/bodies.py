@@ -161,6 +161,14 @@ class BodySections:
                 )
             )
             return None
+        if value is None and (shape := self._shape_below(name)) is not None:
+            told = Message(
+                "{key} is not indented, so that {section} is empty: begin the line of {key} with two spaces more",
+                key=shape,
+                section=name,
+            )
+            names.problem(told)
+            return None
         if not isinstance(value, dict):
             names.problem(Message("say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}", name=name))
             return None
@@ -246,6 +254,12 @@ class BodySections:
                 places = {end: fields[key] for end, key in zip(ends, ("from", "to"), strict=True) if key in given}
                 return {**entry, word: own or None, "at": places}
         return entry
+
+    def _shape_below(self, name: str) -> str | None:
+        """The shape that stands in the next line as a body of its own."""
+        called = [*self.source.mapping("bodies")]
+        below = called[called.index(name) + 1 :][:1]
+        return below[0] if below and below[0] in Shape.kinds else None
 
     def _kind(self, word: str, value: Any) -> str | None:
         return written_kind(word, value, Shape.kinds, space=self.names.space)

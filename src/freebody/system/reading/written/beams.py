@@ -165,6 +165,9 @@ class _Beam:
             if strange and word in (*_POINTS, *_SPREAD, *_COUPLES) and not self.is_of_points(given[step]):
                 takes = ("type", "value", "at", "from", "to", "direction")
                 self.w.refuse(_no_word(Message("a load of a beam"), strange, takes), section, step)
+            if word is None and size is not None and not isinstance(size, list) and not self.is_of_points(given[step]):
+                told = Message("{value} is no force (N), no load per length (N/m) and no couple (N m)", value=str(size))
+                self.w.refuse(told, section, step)
             load = (
                 None
                 if word is None or size is None

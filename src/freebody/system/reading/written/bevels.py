@@ -47,7 +47,12 @@ def with_bevels(w: Written) -> None:
     teeth = [each.get("teeth") for each in wheels]
     module = next((m for each in wheels if (m := each.get("module")) is not None), None)
     if None in teeth:
-        return
+        told = Message(
+            "bevel gears need the teeth of both: {key}: {{{first}: {{teeth: 20}}, {second}: {{teeth: 40}}}}",
+            key=key,
+            **dict(zip(("first", "second"), given, strict=True)),
+        )
+        w.refuse(told, key)
     if (problem := _unread(w, key, wheels, given)) is not None:
         w.refuse(problem, key)
     if module is None:

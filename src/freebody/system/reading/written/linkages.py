@@ -97,6 +97,12 @@ def _with_four_bars(w: Written) -> None:
     moving = [name for name in given if name not in fixed]
     pins: Entry = dict(zip(_HINGED, _ends_of(moving), strict=False))
     taken = {*cast("Entry", w.data.get("connections") or {})}
+    if folded(str(key)) in _FOUR_BARS and len(given) < len(_PARTS) and None not in given.values():
+        left = [part for part in _PART_NAMES if part not in [_part_of(name) for name in given]]
+        told = Message(
+            "a four-bar has four lengths: crank, coupler, rocker and ground; {left} is missing", left=left[-1]
+        )
+        w.refuse(told, key)
     if len(fixed) != 1 or len(moving) != 3 or None in given.values() or any(map(name_problem, moving)):
         return
     if taken & pins.keys() or (w.data.get("ground") or {}):

@@ -101,7 +101,11 @@ def _with_pendulum(w: Written) -> None:
     key = next((key for key in w.data if folded(str(key)) in _CALLED and isinstance(w.data[key], dict)), None)
     given = cast("Entry", w.data[key]) if key is not None else {}
     said = quantities(w, given, _PENDULUM)
-    if key is None or said is None or "L" not in said or w.data.get("measures"):
+    if key is None or not said or w.data.get("measures"):
+        return
+    if "L" not in said and "m" in said and not any(isinstance(each, dict) for each in given.values()):
+        w.refuse(Message("a pendulum needs a length: {key}: {{length: 1 m, mass: 2 kg}}", key=key), key)
+    if "L" not in said:
         return
     refuse_strange(w, (key,), Message("a pendulum"), given, said, ("length", "mass", "angle"))
     symbols = as_parameters(w, said, given, (key,))
