@@ -142,6 +142,7 @@ parameters: {m: 1 kg, R: 0.1 m}
 ground: {points: {P: [0.5 m, 0]}, lines: {floor: {along: right}, wall: {through: ground.P, along: up}}}
 bodies: {ball: {disk: {mass: m, radius: R}, at: [PLACE, 0.1 m]}, other: {particle: {mass: m}, at: [0.1 m, 1 m]}}
 connections: {c: {rolling: {body: ball, on: floor}}, d: {contact: {between: [other, wall]}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
 """
 LADDER = """
 parameters: {m: 1 kg, L: 4 m, g: 9.81 m/s^2}
@@ -165,6 +166,7 @@ parameters: {m: 1 kg, R: 0.1 m}
 ground: {points: {P: [0, 1 m]}, lines: {ceiling: {through: ground.P, along: left}}}
 bodies: {block: {disk: {mass: m, radius: R}, at: [0, 0]}}
 connections: {guide: {slider: {body: block, along: WAY}}, top: {contact: {between: [block, ceiling]}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
 """
 CRANK = """
 parameters: {r: 0.1 m, l: 0.4 m, m: 1 kg}
@@ -578,3 +580,16 @@ def test_a_level_spring_does_not_carry_what_is_led_along_it() -> None:
     )
     assert [kind for kind, _told in warned(text.replace("PLACE", "-1 m, 0"))] == ["led and falling"]
     assert warned(text.replace("PLACE", "0, 1 m")) == []
+
+
+def test_a_contact_in_which_nothing_presses_is_told() -> None:
+    text = (
+        "bodies: {b: {particle: {mass: 2 kg}}}\nground: {lines: {slope: {angle: 30 deg}}}\n"
+        "connections: {c: {contact: {between: [b, slope], friction: 0.2}}}\n"
+    )
+    ((kind, told),) = warned(text)
+    assert kind == "nothing acts"
+    weight = "loads: {weight: {gravity: 9.81 m/s^2}}"
+    assert weight in told
+    assert warned(f"{text}{weight}\n") == []
+    assert warned(text.replace("2 kg}", "2 kg}, velocity: [1 m/s, 0]")) == []

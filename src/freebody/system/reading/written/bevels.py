@@ -37,7 +37,7 @@ def with_bevels(w: Written) -> None:
     key = next((key for key in w.data if folded(str(key)) in _SECTIONS and isinstance(w.data[key], dict)), None)
     if key is None or any(w.data.get(section) for section in ("bodies", "connections", "ground", "measures")):
         return
-    given = cast("Entry", w.data[key])
+    given = _without_speeds(w, key, cast("Entry", w.data[key]))
     given = {name: of_wheel(w, each, n_is_teeth=True) for name, each in given.items()}
     wheels = [cast("Entry", each) for each in given.values() if isinstance(each, dict)]
     kinds = {next((folded(str(each[said])) for said in SAYS_KIND if said in each), "") for each in wheels}
@@ -91,6 +91,15 @@ def with_bevels(w: Written) -> None:
     w.assumed.append(
         Message("the axes of {first} and {second} meet at a right angle, along x and y", first=first, second=second)
     )
+
+
+def _without_speeds(w: Written, key: str, given: Entry) -> Entry:
+    """The wheels; how fast one of them turns, said among them, stands beside them."""
+    wheels = [name for name, each in given.items() if isinstance(each, dict)]
+    speeds = [at for name in wheels for at in given if folded(str(at)) in _speeds_of(name) and at not in w.data]
+    w.data |= {at: given[at] for at in speeds}
+    w.moved |= {(at,): (key, at) for at in speeds}
+    return {name: each for name, each in given.items() if name not in speeds}
 
 
 def _unread(w: Written, key: str, wheels: list[Entry], given: Entry) -> Message | None:
