@@ -54,7 +54,7 @@ def nearest(key: str, known: Mapping[str, str]) -> list[str]:
     parts = key.split("_")
     for k, part in enumerate(parts) if len(parts) > 1 else ():
         if len(part) >= FEWEST and folded(part) not in words_inside():
-            near = _close(folded(part), words_inside())[:1]
+            near = _close(folded(part), words_inside())
             found += [(n, "_".join([*parts[:k], word, *parts[k + 1 :]])) for n, word in near]
     fewest = min((n for n, _word in found), default=0)
     return list(dict.fromkeys(word for n, word in found if n == fewest))
